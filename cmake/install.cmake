@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# `cmake --install`: the program, the kernel headers, and what find_package(Bagnold) needs to offer the
+# target Bagnold::kernels. Headers keep their path from the root of the repository: with Bagnold::kernels
+# linked, #include "kernels/contact/cd_n.hpp" works as it does here.
+
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(bagnold_headers "${CMAKE_INSTALL_INCLUDEDIR}/bagnold")
+set(bagnold_package "${CMAKE_INSTALL_LIBDIR}/cmake/Bagnold")
+
+target_include_directories(bagnold_kernels INTERFACE
+  "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>" "$<INSTALL_INTERFACE:${bagnold_headers}>")
+set_target_properties(bagnold_kernels PROPERTIES EXPORT_NAME kernels)
+add_library(Bagnold::kernels ALIAS bagnold_kernels)
+
+install(TARGETS bagnold RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/kernels" DESTINATION "${bagnold_headers}"
+  FILES_MATCHING PATTERN "*.hpp")
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+
+install(TARGETS bagnold_kernels EXPORT BagnoldTargets)
+install(EXPORT BagnoldTargets NAMESPACE Bagnold:: DESTINATION "${bagnold_package}")
+
+# Where Kokkos was found for this build: the last place that the installed package looks in.
+set(bagnold_kokkos_hint "${Kokkos_DIR}")
+configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/BagnoldConfig.cmake.in"
+  "${PROJECT_BINARY_DIR}/BagnoldConfig.cmake" INSTALL_DESTINATION "${bagnold_package}")
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/BagnoldConfigVersion.cmake"
+  VERSION "${PROJECT_VERSION}" COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+install(FILES
+  "${PROJECT_BINARY_DIR}/BagnoldConfig.cmake"
+  "${PROJECT_BINARY_DIR}/BagnoldConfigVersion.cmake"
+  "${PROJECT_SOURCE_DIR}/cmake/kokkos_debian.cmake"
+  DESTINATION "${bagnold_package}")

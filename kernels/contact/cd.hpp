@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kernels/contact/contact.hpp"
+
+namespace bagnold {
+
+/// Contact dissipation by the difference of centre velocities, model CD.
+///
+///     f_dis = -k_d (v_i - v_j)                PRE 95, 052903 (2017), Eq. (3)
+///
+/// Force on i from j, [m d_s / tau_e^2]. The force is not central: its stress is not symmetric.
+struct CD {
+  static constexpr std::string_view name = "CD";
+  static constexpr bool rotates = false;  ///< translation does not feel the rotation
+  Real damping;                           ///< k_d, [m / tau_e]; 1/Q in reduced units
+
+  template <class T>
+  KOKKOS_FUNCTION Vec2<T> dissipative_force(Contact<T> const& c) const {
+    return T(-damping) * c.velocity;
+  }
+};
+static_assert(ContactLaw<CD>);
+
+}  // namespace bagnold

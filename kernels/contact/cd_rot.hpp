@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kernels/contact/contact.hpp"
+
+namespace bagnold {
+
+/// Contact dissipation by the velocity difference at the point of contact, model CD_rot.
+///
+///     f_dis = -k_d (v_i^C - v_j^C)            PRE 95, 052903 (2017), Eq. (5)
+///
+/// Force on i from j, [m d_s / tau_e^2]; the pair loop adds the torque, Eq. (7).
+struct CDrot {
+  static constexpr std::string_view name = "CD_rot";
+  static constexpr bool rotates = true;
+  Real damping;  ///< k_d, [m / tau_e]; 1/Q in reduced units
+
+  template <class T>
+  KOKKOS_FUNCTION Vec2<T> dissipative_force(Contact<T> const& c) const {
+    return T(-damping) * c.velocity;
+  }
+};
+static_assert(ContactLaw<CDrot>);
+
+}  // namespace bagnold

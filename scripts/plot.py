@@ -1,0 +1,447 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Draws one run on one page: plot.py RESULT.h5 PLOT.png
+
+Reads /series of RESULT.h5 and, where they lie in the same folder, the last state (state.h5:
+velocity profile and packing) and the standard errors (summary.json). Also works from standard
+input, `python3 - RESULT.h5 PLOT.png < plot.py`. Exit code 1 and one line on stderr otherwise.
+"""
+
+import io
+import json
+import os
+import sys
+
+try:
+    import h5py
+    import matplotlib
+
+    matplotlib.use("Agg")
+    import numpy as np
+    from matplotlib import pyplot as plt
+    from matplotlib.collections import EllipseCollection, LineCollection
+    from matplotlib.patches import Polygon
+except ImportError as error:
+    sys.exit(f"plot.py: {error}; no picture (Debian: apt install python3-h5py python3-matplotlib)")
+
+# Okabe and Ito's palette: told apart by colour-blind eyes too.
+BLUE, ORANGE, GREEN, VERMILION, SKY, GREY = (
+    "#0072B2", "#E69F00", "#009E73", "#D55E00", "#56B4E9", "#777777")
+MOST_CIRCLES = 20000  # more disks become an image
+MOST_CONTACTS = 5000  # more disks are drawn without their contacts
+
+STYLE = {
+    "font.size": 10, "axes.titlesize": 10.5, "axes.titlelocation": "left",
+    "axes.spines.top": False, "axes.spines.right": False, "axes.linewidth": 0.8,
+    "axes.edgecolor": "#444444", "xtick.color": "#444444", "ytick.color": "#444444",
+    "legend.frameon": False, "legend.fontsize": 9, "lines.linewidth": 1.1,
+    "legend.handlelength": 1.4, "mathtext.fontset": "dejavusans",
+}
+
+
+# ---------------------------------------------------------------------------------------- reading
+
+
+class Run:
+    """What the files say; everything but /series may be missing."""
+
+    def __init__(self, path):
+        with h5py.File(path, "r") as file:
+            group = file["series"]
+            self.series = {k: np.atleast_1d(d[()]).astype(float) for k, d in group.items()}
+            self.unit = {k: plain(d.attrs.get("unit", "")) for k, d in group.items()}
+            self.discarded = int(group.attrs.get("discarded_windows", 0))
+            self.about = {k: plain(v) for k, v in file.attrs.items()}
+        sizes = {len(values) for values in self.series.values()}
+        if len(sizes) != 1 or sizes == {0}:
+            raise ValueError("/series is empty or its datasets differ in length")
+        folder = os.path.dirname(os.path.abspath(path))
+        self.observables = read_observables(os.path.join(folder, "summary.json"))
+        self.state = read_state(os.path.join(folder, "state.h5"))
+        self.strain = self.series.get("strain", np.arange(1.0, sizes.pop() + 1.0))
+        self.rate = self.number("strain_rate", mean_of(self["strain_rate"]))
+
+    def __getitem__(self, name):
+        return self.series.get(name, np.full(len(next(iter(self.series.values()))), np.nan))
+
+    def number(self, name, default=np.nan):
+        try:
+            return float(self.about[name])
+        except (KeyError, TypeError, ValueError):
+            return default
+
+    def mean(self, name):
+        """Mean and standard error as the run found them, else the plain mean and NaN."""
+        found = self.observables.get(name, {})
+        if isinstance(found.get("mean"), (int, float)):
+            return found["mean"], found.get("error") or np.nan
+        return mean_of(self[name][self.discarded:]), np.nan
+
+
+def mean_of(values):
+    """Mean of what is defined."""
+    values = values[np.isfinite(values)]
+    return float(values.mean()) if len(values) else np.nan
+
+
+def plain(value):
+    """An attribute as str or number, whichever way it was stored."""
+    value = value.decode(errors="replace") if isinstance(value, bytes) else value
+    return value.item() if isinstance(value, np.generic) else value
+
+
+def read_observables(path):
+    try:
+        with open(path, encoding="utf-8") as file:
+            return json.load(file)["observables"]
+    except (OSError, ValueError, KeyError):
+        return {}
+
+
+def read_state(path):
+    try:
+        with h5py.File(path, "r") as file:
+            group = file["state"]
+            state = {k: group[k][()] for k in ("position", "velocity", "diameter")}
+            return {**state, **{k: float(group.attrs[k]) for k in ("box_length", "offset")}}
+    except (OSError, KeyError, TypeError, ValueError):
+        return None
+
+
+def rounded(mean, error):
+    """3.14(2)e-05: the digits in brackets are the standard error of the last ones."""
+    if not np.isfinite(mean):
+        return "undefined"
+    if not (np.isfinite(error) and 0 < error < abs(mean)):
+        return short_power(float(f"{mean:.3g}"))
+    power = int(np.floor(np.log10(abs(mean))))
+    power = 0 if -3 <= power <= 3 else power
+    digits = max(0, power - int(np.floor(np.log10(error))))
+    last = round(error / 10.0**power * 10**digits)
+    if last == 10 and digits > 0:
+        digits, last = digits - 1, 1
+    exponent = f"\\times 10^{{{power}}}" if power else ""
+    return f"${mean / 10.0**power:.{digits}f}({last}){exponent}$"
+
+
+# ---------------------------------------------------------------------------------------- series
+
+
+def draw_series(axes, run, name, colour, label, marker=None):
+    """Windows as a line, the mean of the measured ones as a dashed one."""
+    axes.plot(run.strain, run[name], color=colour, marker="." if len(run.strain) < 20 else marker,
+              alpha=0.85, lw=1.1 if len(run.strain) < 500 else 0.8,
+              label=f"{label} = {rounded(*run.mean(name))}")
+    mean, error = run.mean(name)
+    if np.isfinite(mean):
+        measured = [run.strain[min(run.discarded, len(run.strain) - 1)], run.strain[-1]]
+        axes.plot(measured, [mean, mean], color="black", lw=1.0, ls=(0, (4, 2)))
+        if np.isfinite(error):
+            axes.fill_between(measured, mean - error, mean + error, color=colour, alpha=0.25, lw=0)
+
+
+def finish_series(axes, run, *names, log=False, bottom=True):
+    """Scale, limits, the discarded part in grey."""
+    shown = np.concatenate([run[name][np.isfinite(run[name])] for name in names])
+    late = np.concatenate([run[name][run.discarded:] for name in names])
+    late = late[np.isfinite(late)] if np.isfinite(late).any() else shown
+    if log and len(late) and late.min() > 0 and late.max() > 5 * late.min():
+        axes.set_yscale("log", nonpositive="mask")
+        low, high = np.log10([np.percentile(shown[shown > 0], 1), late.max()])
+        low = min(low, np.log10(late.min()))
+        high = max(high, np.log10(np.percentile(shown, 99)))
+        edge = 0.06 * (high - low)
+        axes.set_ylim(10 ** (low - edge), 10 ** (high + edge))
+        if high - low < 2.2:
+            axes.yaxis.set_major_locator(matplotlib.ticker.LogLocator(subs=(1, 2, 5)))
+            axes.yaxis.set_major_formatter(matplotlib.ticker.FuncFormatter(short_power))
+            axes.yaxis.set_minor_formatter(matplotlib.ticker.NullFormatter())
+    elif len(late):  # the start should not flatten the rest
+        low, high = late.min(), late.max()
+        edge = 0.35 * (high - low) or 0.1 * abs(high) or 1.0
+        axes.set_ylim(low - edge, high + edge)
+        axes.yaxis.set_major_formatter(matplotlib.ticker.FuncFormatter(short_power))
+    start = run.strain[min(run.discarded, len(run.strain)) - 1] if run.discarded else 0.0
+    axes.set_xlim(0.0, run.strain[-1])
+    axes.axvspan(0.0, start, color="#000000", alpha=0.07, lw=0)
+    axes.legend(loc="lower left", bbox_to_anchor=(-0.01, 1.0), ncol=3, borderaxespad=0.1,
+                columnspacing=1.2)
+    if bottom:
+        axes.set_xlabel(r"strain $\gamma$")
+    else:
+        axes.tick_params(labelbottom=False)
+
+
+def short_power(value, _=None):
+    """2e-5 as a tick label."""
+    if value == 0 or 1e-3 <= abs(value) < 1e4:
+        return f"{value:.4g}"
+    return power_of_ten(value)
+
+
+def draw_stress(figure, spot, run):
+    axes = figure.add_subplot(spot)
+    draw_series(axes, run, "p", BLUE, "$p$")
+    draw_series(axes, run, "sigma", VERMILION, r"$\sigma$")
+    axes.set_ylabel(r"stress  $[m/\tau_e^2]$")
+    finish_series(axes, run, "p", "sigma", log=True)
+    if run.discarded:
+        axes.text(0.015, 0.02, "not measured", transform=axes.transAxes, color=GREY, fontsize=8.5)
+    axes.text(0.985, 0.02, "dashed: mean ± standard error", transform=axes.transAxes, color=GREY,
+              fontsize=8.5, ha="right")
+
+
+def draw_stack(figure, spot, run, rows):
+    """Several quantities above each other over one strain axis."""
+    rows = [row for row in rows if np.isfinite(run[row[0]]).any()]
+    if not rows:
+        return say(figure.add_subplot(spot), "nothing defined here")
+    grid, stack = spot.subgridspec(len(rows), 1, hspace=0.32), []
+    for i, (name, colour, label, unit, log, line) in enumerate(rows):
+        axes = figure.add_subplot(grid[i])
+        if line is not None:
+            axes.axhline(line, color=GREY, lw=0.8)
+        draw_series(axes, run, name, colour, label)
+        axes.set_ylabel(label + unit)
+        finish_series(axes, run, name, log=log, bottom=i == len(rows) - 1)
+        stack.append(axes)
+    figure.align_ylabels(stack)
+
+
+def draw_shares(figure, spot, run):
+    """Elastic, dissipative, kinetic in per cent of the whole."""
+    axes = figure.add_subplot(spot)
+    parts = ("el", "dis", "kin")
+    for shift, name, colour, label in ((-0.19, "p", BLUE, "of $p$"),
+                                       (0.19, "sigma", VERMILION, r"of $\sigma$")):
+        whole = run.mean(name)[0]
+        if not (np.isfinite(whole) and whole):
+            continue
+        share = np.array([100 * run.mean(f"{name}_{part}")[0] / whole for part in parts])
+        share[~np.isfinite(share)] = 0.0
+        axes.bar(np.arange(3) + shift, share, 0.34, color=colour, label=label)
+        for x, value in zip(np.arange(3) + shift, share):
+            axes.annotate(f"{value:.3g}%", (x, value), (0, 3 if value >= 0 else -3),
+                          textcoords="offset points", ha="center", fontsize=9,
+                          va="bottom" if value >= 0 else "top")
+    axes.axhline(0.0, color="#444444", lw=0.8)
+    axes.set_xticks(range(3), ["elastic", "dissipative", "kinetic"])
+    axes.tick_params(axis="x", length=0)
+    axes.set_ylabel("share of the stress  [%]")
+    axes.margins(y=0.12)
+    if not axes.patches:
+        return say(axes, "no stress to share")
+    axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncol=2, borderaxespad=0.1)
+
+
+# ---------------------------------------------------------------------------------------- the state
+
+
+def say(axes, text):
+    axes.text(0.5, 0.5, text, ha="center", va="center", color=GREY, transform=axes.transAxes)
+    axes.set_axis_off()
+
+
+def draw_profile(figure, spot, run):
+    """v_x(y) of the last state: single disks and means of slices about 1.5 d_s thick."""
+    axes = figure.add_subplot(spot)
+    state = run.state
+    if state is None or not run.rate > 0:
+        return say(axes, "no state.h5 beside the result")
+    length = state["box_length"]
+    y = state["position"][:, 1] / length
+    rows = np.floor(y)
+    velocity = state["velocity"][:, 0] / (run.rate * length) - rows  # at the image inside the box
+    y -= rows
+    bins = int(np.clip(length / 1.5, 5, 60))
+    which = np.minimum((y * bins).astype(int), bins - 1)
+    count = np.bincount(which, minlength=bins)
+    mean = np.bincount(which, velocity, minlength=bins) / np.maximum(count, 1)
+    few = np.random.default_rng(0).permutation(len(y))[:4000]
+    axes.plot(velocity[few], y[few], ".", ms=2.5 if len(y) > 1000 else 6, color=SKY, alpha=0.5,
+              mew=0)
+    axes.plot([0, 1], [0, 1], color="black", lw=1.0, ls=(0, (4, 2)), label="linear")
+    middle = (np.arange(bins) + 0.5) / bins
+    axes.plot(mean[count > 0], middle[count > 0], "o-", ms=3.2, color=BLUE, label="slices")
+    low, high = np.percentile(velocity, [1, 99])
+    axes.set_xlim(min(-0.05, 1.1 * low - 0.05), max(1.05, 1.1 * high))
+    axes.set_ylim(0, 1)
+    axes.set_xlabel(r"$v_x / (\dot\gamma L)$")
+    axes.set_ylabel("$y / L$")
+    axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncol=2, borderaxespad=0.1)
+
+
+def contacts(position, diameter, length, offset):
+    """Segments between centres and relative overlaps 1 - r/d of all pairs in contact."""
+    segments, overlaps = [], []
+    for i in range(len(diameter) - 1):
+        away = position[i + 1:] - position[i]
+        rows = np.rint(away[:, 1] / length)
+        away[:, 1] -= rows * length
+        away[:, 0] -= rows * offset
+        away[:, 0] -= length * np.rint(away[:, 0] / length)
+        overlap = 1 - np.hypot(*away.T) / ((diameter[i] + diameter[i + 1:]) / 2)
+        touching = overlap > 0
+        for j_away in away[touching]:
+            segments.append((position[i], position[i] + j_away))
+        overlaps.extend(overlap[touching])
+    return np.array(segments).reshape(-1, 2, 2), np.array(overlaps)
+
+
+def with_images(position, diameter, tilt, length):
+    """Indices and places of all disks and of the images that reach into the cell."""
+    index, places = [], []
+    for row in (-1, 0, 1):
+        for column in (-1, 0, 1):
+            place = position + [column * length + row * tilt, row * length]
+            along = place[:, 0] - tilt * place[:, 1] / length
+            near = diameter * (0.5 + abs(tilt) / length)
+            inside = ((place[:, 1] > -near) & (place[:, 1] < length + near)
+                      & (along > -near) & (along < length + near))
+            index.append(np.nonzero(inside)[0])
+            places.append(place[inside])
+    return np.concatenate(index), np.concatenate(places)
+
+
+def draw_packing(figure, spot, run):
+    axes = figure.add_subplot(spot)
+    state = run.state
+    if state is None or not run.rate > 0:
+        return say(axes, "no state.h5 beside the result")
+    length, offset = state["box_length"], state["offset"]
+    tilt = offset - length * np.rint(offset / length)
+    position, diameter = state["position"].copy(), state["diameter"]
+    excess = (state["velocity"][:, 0] - run.rate * position[:, 1]) / run.rate  # in gammadot d_s
+    rows = np.floor(position[:, 1] / length)
+    position -= np.outer(rows, [tilt, length])
+    position[:, 0] -= length * np.floor((position[:, 0] - tilt * position[:, 1] / length) / length)
+
+    corners = np.array([[0, 0], [length, 0], [length + tilt, length], [tilt, length]])
+    cell = Polygon(corners, closed=True, fill=False, ec="#222222", lw=1.0, zorder=5)
+    axes.add_patch(cell)
+    limit = np.percentile(np.abs(excess), 97) or 1.0
+    if len(diameter) <= MOST_CIRCLES:
+        index, places = with_images(position, diameter, tilt, length)
+        size = diameter[index]
+        coloured = EllipseCollection(
+            size, size, 0, units="xy", offsets=places, transOffset=axes.transData,
+            array=excess[index], cmap="PuOr", ec="#333333",
+            lw=0.35 if len(diameter) <= 3000 else 0.0)
+        axes.add_collection(coloured)
+    else:
+        coloured = excess_image(axes, position, excess, tilt, length)
+    coloured.set_clim(-limit, limit)
+    coloured.set_clip_path(cell)
+    strongest = np.nan
+    if len(diameter) <= MOST_CONTACTS:
+        segments, overlap = contacts(position, diameter, length, offset)
+        if len(overlap):
+            strongest = overlap.max()
+            copies = [(c * length + r * tilt, r * length) for r in (-1, 0, 1) for c in (-1, 0, 1)]
+            drawn = np.concatenate([segments + np.array(shift) for shift in copies])
+            width = 3.0 * np.sqrt(1024 / len(diameter)) * np.tile(overlap / strongest, len(copies))
+            lines = LineCollection(drawn, linewidths=np.clip(width, 0.1, 4.0), colors="#000000",
+                                   capstyle="round", zorder=4)
+            axes.add_collection(lines)
+            lines.set_clip_path(cell)
+    edge = 0.02 * length
+    axes.set_xlim(min(0, tilt) - edge, length + max(0, tilt) + edge)
+    axes.set_ylim(-edge, length + edge)
+    axes.set_aspect("equal")
+    axes.set_axis_off()
+    bar = figure.colorbar(coloured, ax=axes, shrink=0.8, pad=0.02, extend="both", aspect=28)
+    bar.set_label(r"$(v_x - \dot\gamma y) / (\dot\gamma d_s)$")
+    bar.outline.set_visible(False)
+    note = f"last state; lines: overlaps up to {strongest:.2g}" if np.isfinite(strongest) else ""
+    axes.set_title(note or "last state", fontsize=9, color="#333333")
+
+
+def excess_image(axes, position, excess, tilt, length):
+    """Mean excess velocity on a sheared grid, about 20 disks a cell."""
+    bins = int(np.clip(np.sqrt(len(excess) / 20), 20, 300))
+    rest = np.stack([position[:, 0] - tilt * position[:, 1] / length, position[:, 1]])
+    column, row = np.clip((rest / length * bins).astype(int), 0, bins - 1)
+    cell = row * bins + column
+    count = np.bincount(cell, minlength=bins**2)
+    mean = np.bincount(cell, excess, minlength=bins**2) / np.maximum(count, 1)
+    x, y = np.meshgrid(np.linspace(0, length, bins + 1), np.linspace(0, length, bins + 1))
+    return axes.pcolormesh(x + tilt * y / length, y, mean.reshape(bins, bins), cmap="PuOr",
+                           rasterized=True)
+
+
+# ---------------------------------------------------------------------------------------- the page
+
+
+def heading(run):
+    """Title of the scene, and its parameters."""
+    known = []
+    for name, symbol, form in (("count", "N", ".0f"), ("packing_fraction", r"\phi", ".5g"),
+                               ("elasticity", "Q", ".4g")):
+        if np.isfinite(run.number(name)):
+            known.append(f"${symbol} = {run.number(name):{form}}$")
+    if np.isfinite(run.rate):
+        known.append(r"$\dot\gamma\tau_e = $" + power_of_ten(run.rate))
+    model = str(run.about.get("model", ""))
+    known.append(f"strain {run.strain[-1]:.4g}")
+    mass = {"equal": "equal masses", "area": "mass by area"}.get(run.about.get("mass"))
+    parts = [f"model {model}" if model else "", *known, mass or ""]
+    title = str(run.about.get("title", "")).replace("$", r"\$")
+    return title, "    ".join(part for part in parts if part)
+
+
+def power_of_ten(value):
+    power = int(np.floor(np.log10(abs(value)))) if value else 0
+    digits = f"{value / 10.0**power:.4g}"
+    return f"$10^{{{power}}}$" if digits == "1" else rf"${digits}\times 10^{{{power}}}$"
+
+
+def draw(run):
+    figure = plt.figure(figsize=(15.5, 10.0))
+    top = figure.add_gridspec(1, 3, left=0.075, right=0.985, bottom=0.585, top=0.875, wspace=0.24)
+    bottom = figure.add_gridspec(1, 3, left=0.075, right=0.985, bottom=0.06, top=0.49,
+                                 width_ratios=(4.2, 3.2, 6.6), wspace=0.2)
+    draw_stress(figure, top[0], run)
+    draw_stack(figure, top[1], run, [
+        ("mu", GREEN, r"$\mu$", "", False, None),
+        ("Z", ORANGE, "$Z$", "", False, None)])
+    draw_shares(figure, top[2], run)
+    draw_stack(figure, bottom[0], run, [
+        ("T_g", VERMILION, "$T_g$", r"  $[m d_s^2/\tau_e^2]$", True, None),
+        ("R_v", BLUE, "$R_v$", "", True, 1.0),
+        ("spin_mean", GREEN, r"$\langle\dot\theta\rangle/\dot\gamma$", "", False, -0.5)])
+    draw_profile(figure, bottom[1], run)
+    draw_packing(figure, bottom[2], run)
+    title, parameters = heading(run)
+    figure.text(0.075, 0.96, title, fontsize=15, weight="bold", va="center")
+    figure.text(0.075, 0.925, parameters, fontsize=11.5, va="center")
+    version = " ".join(str(run.about[k]) for k in ("version", "git") if run.about.get(k))
+    figure.text(0.985, 0.96, f"bagnold {version}", fontsize=9, color=GREY, ha="right",
+                va="center")
+    return figure
+
+
+def main(arguments):
+    if len(arguments) != 2:
+        print("usage: plot.py RESULT.h5 PLOT.png", file=sys.stderr)
+        return 1
+    source, target = arguments
+    plt.rcParams.update(STYLE)
+    try:
+        run = Run(source)
+    except (OSError, KeyError, ValueError, TypeError) as error:
+        print(f"plot.py: cannot read {source}: {error}", file=sys.stderr)
+        return 1
+    picture = io.BytesIO()
+    draw(run).savefig(picture, format="png", dpi=110)
+    try:
+        with open(target + ".part", "wb") as file:
+            file.write(picture.getvalue())
+        os.replace(target + ".part", target)
+    except OSError as error:
+        print(f"plot.py: cannot write {target}: {error}", file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <thread>
+
+#include "src/cli/commands.hpp"
+#include "src/cli/provenance.hpp"
+
+namespace bagnold {
+
+int info_command() {
+  Provenance const made = provenance();
+  fmt::print("bagnold   {}\ngit       {}\ncompiler  {}\nKokkos    {}\nbackends  {}\nCPU       {}, {} threads\n",
+             made.version, made.git, made.compiler, made.kokkos, made.backends, made.cpu,
+             std::thread::hardware_concurrency());
+  return 0;
+}
+
+}  // namespace bagnold

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <new>
+
+#include "src/cli/commands.hpp"
+#include "src/config/errors.hpp"
+
+namespace {
+
+constexpr char const* units =
+    "Units: length d_s (small diameter), time tau_e (elastic time), so that k_e = 1; strain rates in\n"
+    "1/tau_e, stresses in m/tau_e^2.\n"
+    "Exit codes: 0 done, 2 bad input, 3 numerical failure, 4 input/output failure, 130 or 143\n"
+    "interrupted with a checkpoint written.";
+
+enum ExitCode { done = 0, bad_input = 2, numerical_failure = 3, file_failure = 4 };
+
+int say(char const* message, ExitCode code) {
+  fmt::print(stderr, "bagnold: {}\n", message);
+  return code;
+}
+
+void add_machine(CLI::App& command, bagnold::Machine& machine, bool& quiet) {
+  command.add_option("--threads", machine.threads, "threads [default: by count and cores]")
+      ->check(CLI::Range(1, 4096));
+  command.add_option("--backend", machine.backend, "serial, openmp or cuda [default: by threads]")
+      ->check(CLI::IsMember({"serial", "openmp", "cuda"}));
+  command.add_flag("--quiet", quiet, "no progress and no table; errors are still shown");
+}
+
+void add_scene(CLI::App& command, bagnold::RunOptions& options) {
+  command.add_option("SCENE", options.scene_file, "scene file in TOML (see inputs/reference.toml)")
+      ->required();
+  command.add_option("--set", options.overrides, "table.key=value, over the scene; may be repeated")
+      ->allow_extra_args(false);
+  command.add_flag("--allow-unstable", options.allow_unstable,
+                   "accept a time step (in tau_e) beyond the scheme's stability");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  CLI::App app("Bagnold: dense granular flow of soft disks at vanishing shear rate");
+  app.footer(units);
+  app.require_subcommand(1);
+
+  bagnold::RunOptions run;
+  auto* run_command = app.add_subcommand("run", "run a scene");
+  run_command->footer(units);
+  add_scene(*run_command, run);
+  run_command->add_option("--out", run.folder, "folder for the results [results/SCENE]");
+  run_command->add_flag("--force", run.force, "replace the run that is in the folder");
+  add_machine(*run_command, run.machine, run.quiet);
+
+  bagnold::RunOptions validate;
+  auto* validate_command =
+      app.add_subcommand("validate", "check a scene; print it resolved, its steps, memory and time");
+  validate_command->footer(units);
+  add_scene(*validate_command, validate);
+
+  bagnold::ResumeOptions resume;
+  auto* resume_command =
+      app.add_subcommand("resume", "go on with an interrupted run, bit for bit");
+  resume_command->footer(units);
+  resume_command->add_option("DIR", resume.folder, "folder of the run")->required();
+  add_machine(*resume_command, resume.machine, resume.quiet);
+
+  auto* info_command = app.add_subcommand("info", "version, git hash, Kokkos, backends, CPU");
+  info_command->footer(units);
+
+  try {
+    app.parse(argc, argv);
+  } catch (CLI::ParseError const& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    return say(fmt::format("{}; see bagnold --help", error.what()).c_str(), bad_input);
+  }
+  if (*run_command) return bagnold::run_command(run);
+  if (*validate_command) return bagnold::validate_command(validate);
+  if (*resume_command) return bagnold::resume_command(resume);
+  if (*info_command) return bagnold::info_command();
+  return bad_input;
+} catch (bagnold::InputError const& error) {
+  return say(error.what(), bad_input);
+} catch (bagnold::NumericalError const& error) {
+  return say(error.what(), numerical_failure);
+} catch (bagnold::FileError const& error) {
+  return say(error.what(), file_failure);
+} catch (std::bad_alloc const&) {
+  return say("out of memory; use fewer disks or a machine with more", bad_input);
+} catch (std::exception const& error) {
+  return say(error.what(), file_failure);
+}

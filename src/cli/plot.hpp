@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace bagnold {
+
+/// Draw the picture of a result with Python and matplotlib. Returns what went wrong, "" if nothing:
+/// a run without a picture is still a run.
+std::string draw_plot(std::filesystem::path const& result, std::filesystem::path const& picture);
+
+}  // namespace bagnold

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "src/io/run_lock.hpp"
+
+namespace bagnold {
+
+/// The folder a run writes to, locked against other processes, and the names in it.
+class RunFolder {
+ public:
+  /// A folder for a new run: made if it is not there; refused (InputError) if it holds a run, unless
+  /// `force`, which removes the old run's files.
+  static RunFolder make(std::filesystem::path const& folder, bool force);
+
+  /// The folder of a run begun before. InputError if there is none.
+  static RunFolder open(std::filesystem::path const& folder);
+
+  std::filesystem::path const& path() const { return path_; }
+  std::filesystem::path scene() const { return path_ / "scene.toml"; }
+  std::filesystem::path summary() const { return path_ / "summary.json"; }
+  std::filesystem::path result() const { return path_ / "result.h5"; }
+  std::filesystem::path state() const { return path_ / "state.h5"; }
+  std::filesystem::path failed_state() const { return path_ / "failed_state.h5"; }
+  std::filesystem::path picture() const { return path_ / "plot.png"; }
+
+  /// Replace a text file in one piece. Throws FileError.
+  static void write_text(std::filesystem::path const& file, std::string const& text);
+
+ private:
+  explicit RunFolder(std::filesystem::path folder);
+
+  std::filesystem::path path_;
+  std::unique_ptr<io::RunLock> lock_;
+};
+
+}  // namespace bagnold

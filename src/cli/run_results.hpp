@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "src/cli/run_folder.hpp"
+#include "src/config/plan.hpp"
+#include "src/config/scene.hpp"
+#include "src/protocols/steady.hpp"
+#include "src/simulation/observables.hpp"
+#include "src/statistics/estimate.hpp"
+
+namespace bagnold {
+
+/// A run as its outputs see it.
+struct Run {
+  Scene scene;  ///< resolved
+  Plan plan;
+  double box_length = 0.0;    ///< [d_s]
+  double initial_time = 0.0;  ///< at step 0, [tau_e]
+  std::map<std::string, double> start_record;
+  Measurement measurement;
+  std::string backend;
+  double wall_seconds = 0.0;  ///< of stepping, resumes included
+};
+
+struct NamedEstimate {
+  Observable observable;
+  statistics::Estimate estimate;
+};
+
+/// Means and standard errors over the measured windows.
+std::vector<NamedEstimate> estimates(Run const& run);
+
+/// The windows so far as result.h5, whole. Throws FileError.
+void write_result_file(RunFolder const& folder, Run const& run);
+
+/// summary.json. Throws FileError.
+void write_summary(RunFolder const& folder, Run const& run, std::vector<NamedEstimate> const& list);
+
+/// What was measured, beside what the papers state, on stdout.
+void print_table(Run const& run, std::vector<NamedEstimate> const& list);
+
+}  // namespace bagnold

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/cli/signals.hpp"
+
+#include <unistd.h>
+
+#include <csignal>
+#include <initializer_list>
+
+namespace bagnold {
+
+namespace {
+
+volatile std::sig_atomic_t checkpoint_flag = 0;
+volatile std::sig_atomic_t stop_flag = 0;
+
+extern "C" void on_signal(int signal) {
+  if (signal == SIGUSR1) {
+    checkpoint_flag = 1;
+    return;
+  }
+  if (stop_flag != 0) _exit(128 + signal);
+  stop_flag = signal;
+}
+
+}  // namespace
+
+void catch_signals() {
+  struct sigaction action {};
+  action.sa_handler = on_signal;
+  action.sa_flags = SA_RESTART;
+  sigemptyset(&action.sa_mask);
+  for (int signal : {SIGUSR1, SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
+  std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is no reason to lose a run
+}
+
+bool checkpoint_requested() {
+  bool const requested = checkpoint_flag != 0;
+  checkpoint_flag = 0;
+  return requested;
+}
+
+int stop_signal() { return stop_flag; }
+
+}  // namespace bagnold

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <limits>
+#include <string_view>
+#include <vector>
+
+#include "src/config/scene.hpp"
+
+namespace bagnold {
+
+/// One key of the scene file: its name, unit and meaning, and what values it takes.
+struct Key {
+  std::string_view name;  ///< "table.key"
+  std::string_view unit;
+  std::string_view meaning;
+  bool required = false;
+  double least = -std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity();
+  bool open_below = false;  ///< `least` itself is not allowed
+  std::vector<std::string_view> words = {};
+};
+
+inline constexpr bool required = true;
+inline constexpr bool optional = false;
+inline constexpr bool above = true;  ///< the lower bound itself is excluded
+
+/// Calls visit(Key, member) for every key of a scene, in the order of the file. Reading, writing,
+/// checking and documenting scenes all go through this one list.
+template <class SceneType, class Visitor>
+void for_each_key(SceneType& scene, Visitor&& visit) {
+  auto& [title, disks, start, shear, integration, measure, output] = scene;
+  constexpr double many = std::numeric_limits<double>::infinity();
+
+  visit(Key{"title", "", "shown in output", optional}, title);
+
+  visit(Key{"disks.model", "", "contact law", required, 0, 0, false,
+            {"CD", "CD_n", "CD_rot", "general"}}, disks.model);
+  visit(Key{"disks.count", "", "number of disks N, even: half small, half big", required, 2, 2e8},
+        disks.count);
+  visit(Key{"disks.packing_fraction", "", "phi: area of the disks over area of the box", required,
+            0, 1, above}, disks.packing_fraction);
+  visit(Key{"disks.elasticity", "", "Q = tau_d/tau_e; k_d = 1/Q", required, 1e-3, 1e6},
+        disks.elasticity);
+  visit(Key{"disks.mass", "", "equal: m = 1 for all (P2); area: m = (pi/2) d^2 (P1)", required, 0,
+            0, false, {"equal", "area"}}, disks.mass);
+  visit(Key{"disks.seed", "", "of the random start", optional, 0, 9.2e18}, disks.seed);
+  visit(Key{"disks.damping_normal", "1/Q", "k_d^(n), model general only", optional, 0, 1e6},
+        disks.damping_normal);
+  visit(Key{"disks.damping_tangential", "1/Q", "k_d^(t), model general only", optional, 0, 1e6},
+        disks.damping_tangential);
+  visit(Key{"disks.force_exponent", "", "alpha: 2 (harmonic) or 2.5 (Hertz)", optional, 2, 2.5},
+        disks.force_exponent);
+
+  visit(Key{"start.kind", "", "random positions, or a state file", optional, 0, 0, false,
+            {"random", "state"}}, start.kind);
+  visit(Key{"start.file", "", "state file, relative to the scene file", optional}, start.file);
+  visit(Key{"start.rescale", "",
+            "scale velocities and spins of a state made at another strain rate (P2 Eqs. 40-41)",
+            optional}, start.rescale);
+  visit(Key{"start.overlap", "", "relative overlap at which a random start is relaxed enough",
+            optional, 0, 0.05, above}, start.overlap);
+  visit(Key{"start.iterations", "", "most iterations of that relaxation", optional, 0, 1e8},
+        start.iterations);
+
+  visit(Key{"shear.protocol", "", "what is done to the strain rate", optional, 0, 0, false,
+            {"steady"}}, shear.protocol);
+  visit(Key{"shear.strain_rate", "1/tau_e", "gammadot", required, 0, 1, above}, shear.strain_rate);
+  visit(Key{"shear.strain", "", "gamma, total", required, 0, 1e9, above}, shear.strain);
+  visit(Key{"shear.discard", "", "share of the strain not measured, rounded up to whole windows",
+            optional, 0, 1}, shear.discard);
+
+  visit(Key{"integration.scheme", "", "P2 Eqs. 21-24", optional, 0, 0, false,
+            {"modified-velocity-verlet"}}, integration.scheme);
+  visit(Key{"integration.time_step", "tau_e", "dt, or \"auto\": the papers' rules", optional, 0, 10,
+            above}, integration.time_step);
+  visit(Key{"integration.skin", "d_s", "neighbour list reaches this far beyond contact", optional,
+            0.01, 10}, integration.skin);
+
+  visit(Key{"measure.every", "steps", "between evaluations inside a window", optional, 1, 1e12},
+        measure.every);
+
+  visit(Key{"output.sample_strain", "", "window whose averages are recorded", optional, 0, many,
+            above}, output.sample_strain);
+  visit(Key{"output.trajectory_strain", "", "between frames; 0: none", optional, 0, many},
+        output.trajectory_strain);
+  visit(Key{"output.checkpoint_minutes", "min", "wall time between checkpoints", optional, 0, many,
+            above}, output.checkpoint_minutes);
+  visit(Key{"output.plot", "", "draw plot.png", optional}, output.plot);
+}
+
+}  // namespace bagnold

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/config/plan.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/config/errors.hpp"
+#include "src/config/time_step.hpp"
+
+namespace bagnold {
+
+namespace {
+
+constexpr double most_steps = 4e15;  // counted exactly, with room to spare
+constexpr double most_windows = 1e6;
+constexpr double big_diameter = 1.4;  // [d_s]
+
+/// A quotient rounded up, but not for the sake of the rounding of the quotient itself.
+double round_up(double quotient) { return std::ceil(quotient * (1 - 1e-12)); }
+
+}  // namespace
+
+Plan make_plan(Scene const& scene) {
+  Plan plan;
+  plan.time_step = time_step(scene);
+  plan.every = scene.measure.every;
+  double const step_strain = plan.time_step * scene.shear.strain_rate;
+  double const steps = round_up(scene.shear.strain / step_strain);
+  if (!(steps <= most_steps))
+    throw InputError(fmt::format(
+        "shear.strain = {} takes {:.3g} steps (limit {:.0g}); raise shear.strain_rate = {} or lower "
+        "shear.strain",
+        scene.shear.strain, steps, most_steps, scene.shear.strain_rate));
+  double const window = std::max(1.0, round_up(scene.output.sample_strain / step_strain));
+  plan.steps = std::max<std::int64_t>(1, static_cast<std::int64_t>(steps));
+  plan.window_steps = static_cast<std::int64_t>(std::min(window, most_steps));
+  plan.windows = (plan.steps + plan.window_steps - 1) / plan.window_steps;
+  if (static_cast<double>(plan.windows) > most_windows)
+    throw InputError(fmt::format("output.sample_strain = {} makes {} windows (limit {:.0f}); use at "
+                                 "least {:.2g}",
+                                 scene.output.sample_strain, plan.windows, most_windows,
+                                 scene.shear.strain / most_windows));
+  plan.discarded_windows = static_cast<std::int64_t>(
+      round_up(scene.shear.discard * static_cast<double>(plan.windows)));
+  return plan;
+}
+
+double memory_needed(Scene const& scene, Plan const& plan) {
+  // Per disk: Views (positions, trials, list reference, motion), the list (about 7 neighbours in
+  // both rows, as packed words), cells, and on the host two states and one checkpoint image.
+  double const spin = scene.rotates() ? 8 : 0;
+  double const views = 3 * 16 + 2 * (16 + spin) + 1;
+  double const list = 4 + 1.125 * 4 * 7 * std::pow(1 + scene.integration.skin, 2) + 3 * 4;
+  double const host = 3 * (16 + 16 + spin + 8) + 16;
+  double const windows = static_cast<double>(plan.windows) * 16 * 8 * 6;
+  return static_cast<double>(scene.disks.count) * (views + list + host) + windows + 64e6;
+}
+
+void check_feasible(Scene const& scene, Plan const& plan, bool allow_unstable) {
+  double const reach = big_diameter + scene.integration.skin;
+  double const length = scene.box_length();
+  if (length < 2 * reach)
+    throw InputError(fmt::format(
+        "disks.count = {} makes a box {:.3g} d_s wide (must be at least 2 (largest contact distance "
+        "{} + integration.skin {}) = {:.3g}, or disks meet through two images); use more disks or "
+        "a smaller skin",
+        scene.disks.count, length, big_diameter, scene.integration.skin, 2 * reach));
+
+  double const radius = contact_spectral_radius(scene, plan.time_step);
+  if (radius > 1 + 1e-9 && !allow_unstable)
+    throw InputError(fmt::format(
+        "integration.time_step = {} (unstable: one step of a single contact of the lightest pair has "
+        "spectral radius {:.3g}, above 1); the papers' rule gives {}, or pass --allow-unstable",
+        plan.time_step, radius, paper_time_step(scene.disks)));
+
+  double const needed = memory_needed(scene, plan);
+  double const there = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+                       static_cast<double>(sysconf(_SC_PAGE_SIZE));
+  if (needed > there)
+    throw InputError(fmt::format(
+        "disks.count = {} needs about {:.1f} GiB of memory, this machine has {:.1f}; use fewer disks",
+        scene.disks.count, needed / 0x1p30, there / 0x1p30));
+}
+
+}  // namespace bagnold

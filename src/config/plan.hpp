@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+#include "src/config/scene.hpp"
+
+namespace bagnold {
+
+/// How a scene's strain becomes steps and windows.
+struct Plan {
+  double time_step = 0;                ///< dt, [tau_e]
+  std::int64_t steps = 0;              ///< total
+  std::int64_t window_steps = 0;       ///< of a window; the last one may be shorter
+  std::int64_t windows = 0;            ///< total
+  std::int64_t discarded_windows = 0;  ///< first ones, not measured
+  std::int64_t every = 1;              ///< steps between evaluations inside a window
+};
+
+/// Strain, window and discarded share, rounded up to whole steps and windows. Throws InputError
+/// where that is more than can be run or kept.
+Plan make_plan(Scene const& scene);
+
+/// Memory a run needs, all in, [bytes].
+double memory_needed(Scene const& scene, Plan const& plan);
+
+/// What the input checks alone cannot see: stability of the time step (unless allowed), width of the
+/// box, memory of this machine. Throws InputError.
+void check_feasible(Scene const& scene, Plan const& plan, bool allow_unstable);
+
+}  // namespace bagnold

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace bagnold {
+
+/// A scene: what one run computes. Units are d_s, m (P2) or m_0 (P1), tau_e; so k_e = 1.
+///
+/// Meaning, unit, range and allowed words of every member are in src/config/keys.hpp.
+struct Scene {
+  std::string title;
+
+  struct Disks {
+    std::string model;            ///< "CD", "CD_n", "CD_rot", "general"
+    std::int64_t count = 0;       ///< N
+    double packing_fraction = 0;  ///< phi
+    double elasticity = 0;        ///< Q
+    std::string mass;             ///< "equal" or "area"
+    std::int64_t seed = 1;
+    double damping_normal = 1;      ///< k_d^(n) Q, model general only
+    double damping_tangential = 1;  ///< k_d^(t) Q, model general only
+    double force_exponent = 2;      ///< alpha
+  } disks;
+
+  struct Start {
+    std::string kind = "random";  ///< or "state"
+    std::string file;             ///< relative to the scene file; absolute once read
+    bool rescale = true;
+    double overlap = 1e-4;
+    std::int64_t iterations = 20000;
+  } start;
+
+  struct Shear {
+    std::string protocol = "steady";
+    double strain_rate = 0;  ///< gammadot
+    double strain = 0;       ///< gamma, total
+    double discard = 0.5;
+  } shear;
+
+  struct Integration {
+    std::string scheme = "modified-velocity-verlet";
+    std::optional<double> time_step;  ///< dt; none: "auto"
+    double skin = 0.35;
+  } integration;
+
+  struct Measure {
+    std::int64_t every = 10;
+  } measure;
+
+  struct Output {
+    double sample_strain = 1e-2;
+    double trajectory_strain = 0.0;
+    double checkpoint_minutes = 10.0;
+    bool plot = true;
+  } output;
+
+  bool rotates() const { return disks.model == "CD_rot" || disks.model == "general"; }
+  bool mass_by_area() const { return disks.mass == "area"; }
+  double box_length() const;  ///< L, [d_s], P1 Eq. (8), P2 Eq. (11)
+};
+
+}  // namespace bagnold

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/config/scene_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#define TOML_ASSERT(expression) static_cast<void>(0)
+#include <toml++/toml.h>
+
+#include "src/config/errors.hpp"
+#include "src/config/keys.hpp"
+#include "src/config/nearest_word.hpp"
+#include "src/config/toml_text.hpp"
+
+namespace bagnold {
+
+namespace {
+
+std::string describe(toml::node const& node) {
+  if (auto const* text = node.as_string()) return fmt::format("\"{}\"", text->get());
+  if (node.is_table()) return "a table";
+  if (node.is_array()) return "an array";
+  std::ostringstream out;
+  node.visit([&](auto const& value) { out << value; });
+  return out.str();
+}
+
+/// One scene text being read into a scene.
+class Reader {
+ public:
+  Reader(toml::table const& table, std::string origin)
+      : table_(table), origin_(std::move(origin)) {}
+
+  Scene read() {
+    Scene scene;
+    for_each_key(scene, [&](Key const& key, auto&) { known_.push_back(std::string(key.name)); });
+    for (auto const& [name, node] : table_) refuse_unknown(std::string(name.str()), node);
+    for_each_key(scene, [&](Key const& key, auto& member) {
+      if (toml::node const* node = table_.at_path(key.name).node())
+        take(key, *node, member);
+      else if (key.required)
+        throw InputError(fmt::format("{}: {} is missing ({}); every scene must give it", origin_,
+                                     key.name, key.meaning));
+    });
+    return scene;
+  }
+
+  /// "file:line:column: ", or the command line's.
+  std::string place(toml::node const& node) const {
+    auto const source = node.source();
+    std::string const& where = source.path ? *source.path : origin_;
+    if (!source.path && source.begin.line == 0) return fmt::format("{}: ", where);
+    return fmt::format("{}:{}:{}: ", where, source.begin.line, source.begin.column);
+  }
+
+ private:
+  void refuse_unknown(std::string const& name, toml::node const& node) {
+    bool const is_table_name =
+        std::any_of(known_.begin(), known_.end(),
+                    [&](std::string const& k) { return k.starts_with(name + "."); });
+    if (is_table_name && node.is_table()) {
+      for (auto const& [inner, inner_node] : *node.as_table())
+        refuse_unknown(name + "." + std::string(inner.str()), inner_node);
+      return;
+    }
+    if (is_table_name)
+      throw InputError(fmt::format("{}{} = {} (must be a table); write [{}]", place(node), name,
+                                   describe(node), name));
+    if (std::find(known_.begin(), known_.end(), name) != known_.end()) return;
+    throw InputError(fmt::format("{}unknown key {}; did you mean {}?", place(node), name,
+                                 nearest_word(name, known_)));
+  }
+
+  [[noreturn]] void refuse(Key const& key, toml::node const& node, std::string const& why) const {
+    throw InputError(
+        fmt::format("{}{} = {} ({}): {}", place(node), key.name, describe(node), why, key.meaning));
+  }
+
+  void in_range(Key const& key, toml::node const& node, double value) const {
+    if (!std::isfinite(value)) refuse(key, node, "must be finite");
+    if (value < key.least || value > key.most || (key.open_below && value == key.least))
+      refuse(key, node,
+             fmt::format("must be {} {:g}{}{}", key.open_below ? "above" : "at least", key.least,
+                         std::isfinite(key.most) ? fmt::format(" and at most {:g}", key.most) : "",
+                         key.unit.empty() ? "" : fmt::format(", in {}", key.unit)));
+  }
+
+  void take(Key const& key, toml::node const& node, std::string& member) const {
+    auto const* text = node.as_string();
+    if (!text) refuse(key, node, "must be a string");
+    member = text->get();
+    if (key.words.empty()) return;
+    if (std::find(key.words.begin(), key.words.end(), member) == key.words.end())
+      refuse(key, node, fmt::format("must be one of \"{}\"", fmt::join(key.words, "\", \"")));
+  }
+
+  void take(Key const& key, toml::node const& node, bool& member) const {
+    auto const* flag = node.as_boolean();
+    if (!flag) refuse(key, node, "must be true or false");
+    member = flag->get();
+  }
+
+  void take(Key const& key, toml::node const& node, std::int64_t& member) const {
+    auto const* number = node.as_integer();
+    if (!number) refuse(key, node, "must be an integer");
+    member = number->get();
+    in_range(key, node, static_cast<double>(member));
+  }
+
+  void take(Key const& key, toml::node const& node, double& member) const {
+    if (auto const* number = node.as_floating_point())
+      member = number->get();
+    else if (auto const* whole = node.as_integer())
+      member = static_cast<double>(whole->get());
+    else
+      refuse(key, node, "must be a number");
+    in_range(key, node, member);
+  }
+
+  void take(Key const& key, toml::node const& node, std::optional<double>& member) const {
+    auto const* text = node.as_string();
+    if (text && text->get() == "auto") return member.reset();
+    if (text) refuse(key, node, "must be a number or \"auto\"");
+    take(key, node, member.emplace());
+  }
+
+  toml::table const& table_;
+  std::string origin_;
+  std::vector<std::string> known_;
+};
+
+toml::table parse(std::string_view text, std::string const& origin) {
+  refuse_strange_bytes(text, origin);
+  try {
+    return toml::parse(text, origin);
+  } catch (toml::parse_error const& error) {
+    auto const at = error.source().begin;
+    throw InputError(
+        fmt::format("{}:{}:{}: {}", origin, at.line, at.column, error.description()));
+  }
+}
+
+/// "table.key=value" with the value in TOML; a word that is no TOML value is a string.
+void put_override(toml::table& scene, std::string const& text) {
+  auto const equals = text.find('=');
+  std::string const origin = fmt::format("--set {}", text);
+  if (equals == std::string::npos || equals == 0)
+    throw InputError(fmt::format("{}: write --set table.key=value", origin));
+  std::string const name = text.substr(0, equals), value = text.substr(equals + 1);
+  if (name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.-") !=
+      std::string::npos)
+    throw InputError(fmt::format("{}: {} is no key; write --set table.key=value", origin, name));
+
+  toml::table parsed;
+  try {
+    parsed = parse("value = " + value, origin);
+  } catch (InputError const&) {
+    if (value.empty() || value.find_first_of("\"'[]{}#=\n") != std::string::npos) throw;
+    parsed.insert("value", value);
+  }
+  if (parsed.size() != 1)
+    throw InputError(fmt::format("{}: one key and one value, please", origin));
+
+  auto const dot = name.find('.');
+  toml::node& node = *parsed.get("value");
+  if (dot == std::string::npos) {
+    scene.insert_or_assign(name, node);
+    return;
+  }
+  std::string const outer = name.substr(0, dot), inner = name.substr(dot + 1);
+  if (!scene.get_as<toml::table>(outer)) scene.insert_or_assign(outer, toml::table{});
+  scene.get_as<toml::table>(outer)->insert_or_assign(inner, node);
+}
+
+void refuse_contradictions(Scene const& scene, std::string const& origin) {
+  auto const refuse = [&](std::string const& message) {
+    throw InputError(fmt::format("{}: {}", origin, message));
+  };
+  auto const& disks = scene.disks;
+  if (disks.count % 2 != 0)
+    refuse(fmt::format(
+        "disks.count = {} (must be even: half the disks are small, half big); use {} or {}",
+        disks.count, disks.count - 1, disks.count + 1));
+  if (disks.packing_fraction >= 1)
+    refuse("disks.packing_fraction = 1 (must be below 1: disks cannot fill the plane)");
+  if (disks.force_exponent != 2.0 && disks.force_exponent != 2.5)
+    refuse(fmt::format("disks.force_exponent = {} (must be 2, harmonic, or 2.5, Hertz)",
+                       disks.force_exponent));
+  if (disks.model != "general" && (disks.damping_normal != 1 || disks.damping_tangential != 1))
+    refuse(fmt::format("disks.damping_normal and disks.damping_tangential belong to model "
+                       "\"general\", not \"{}\"; change disks.model or leave them out",
+                       disks.model));
+  if (scene.start.kind == "state" && scene.start.file.empty())
+    refuse("start.file is missing: start.kind = \"state\" needs a state file");
+  if (scene.start.kind == "random" && !scene.start.file.empty())
+    refuse(fmt::format("start.file = \"{}\" is not used by start.kind = \"random\"; set "
+                       "start.kind = \"state\" or leave it out",
+                       scene.start.file));
+  if (scene.shear.discard >= 1)
+    refuse("shear.discard = 1 (must be below 1) would leave nothing to measure");
+  if (scene.output.trajectory_strain != 0)
+    refuse("output.trajectory_strain is not there yet (must be 0); take state.h5 for the last state");
+}
+
+}  // namespace
+
+Scene parse_scene(std::string_view text, std::string const& origin,
+                  std::filesystem::path const& folder,
+                  std::vector<std::string> const& overrides) {
+  toml::table table = parse(text, origin);
+  for (auto const& override_text : overrides) put_override(table, override_text);
+  Scene scene = Reader(table, origin).read();
+  refuse_contradictions(scene, origin);
+  if (!scene.start.file.empty())
+    scene.start.file =
+        std::filesystem::absolute(folder / scene.start.file).lexically_normal().string();
+  return scene;
+}
+
+Scene read_scene(std::filesystem::path const& file, std::vector<std::string> const& overrides) {
+  return parse_scene(read_text(file), file.string(), std::filesystem::absolute(file).parent_path(),
+                     overrides);
+}
+
+namespace {
+
+std::string toml_value(std::string const& text) {
+  std::ostringstream out;
+  out << toml::value<std::string>(text);
+  return out.str();
+}
+std::string toml_value(bool flag) { return flag ? "true" : "false"; }
+std::string toml_value(std::int64_t number) { return fmt::format("{}", number); }
+std::string toml_value(double number) {
+  std::string text = fmt::format("{}", number);  // shortest that reads back to the same bits
+  if (text.find_first_of(".e") == std::string::npos) text += ".0";
+  return text;
+}
+std::string toml_value(std::optional<double> const& number) {
+  return number ? toml_value(*number) : "\"auto\"";
+}
+
+}  // namespace
+
+std::string write_scene(Scene const& scene) {
+  std::string text, table;
+  for_each_key(scene, [&](Key const& key, auto const& member) {
+    auto const dot = key.name.find('.');
+    if (key.name == "start.file" && scene.start.file.empty()) return;
+    if (dot != std::string_view::npos && key.name.substr(0, dot) != table) {
+      table = key.name.substr(0, dot);
+      text += fmt::format("\n[{}]\n", table);
+    }
+    auto const name = dot == std::string_view::npos ? key.name : key.name.substr(dot + 1);
+    text += fmt::format("{} = {}\n", name, toml_value(member));
+  });
+  return text;
+}
+
+}  // namespace bagnold

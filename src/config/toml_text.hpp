@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace bagnold {
+
+/// The text of a scene file. Throws InputError if it cannot be read or is over a megabyte.
+std::string read_text(std::filesystem::path const& file);
+
+/// What the parser should not be given: control bytes, and bytes beyond ASCII outside comments and
+/// strings. Throws InputError with line and column.
+void refuse_strange_bytes(std::string_view text, std::string const& origin);
+
+}  // namespace bagnold

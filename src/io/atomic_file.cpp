@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/io/atomic_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+
+#include "src/config/errors.hpp"
+#include "src/io/descriptor.hpp"
+#include "src/io/hash.hpp"
+
+namespace bagnold::io {
+namespace {
+
+/// Bytes asked of the system in one call: Linux moves at most 2 GiB at once.
+constexpr std::size_t block_bytes = std::size_t{1} << 30;
+
+void write_all(Descriptor const& file, std::filesystem::path const& path,
+               std::span<std::byte const> content) {
+  while (!content.empty()) {
+    auto const wanted = std::min(content.size(), block_bytes);
+    auto const written = ::write(file.get(), content.data(), wanted);
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) fail_on("write", path, written == 0 ? ENOSPC : errno);
+    content = content.subspan(static_cast<std::size_t>(written));
+  }
+}
+
+/// Some file systems have nothing to synchronise and say EINVAL: that is no fault of the file.
+bool sync_failed(int descriptor) {
+  while (::fsync(descriptor) != 0) {
+    if (errno == EINVAL || errno == ENOTSUP) return false;
+    if (errno != EINTR) return true;
+  }
+  return false;
+}
+
+/// NFS and quotas may tell of a full disk only here. After EINTR Linux has closed the file.
+void close_checked(Descriptor file, std::filesystem::path const& path) {
+  if (::close(file.release()) != 0 && errno != EINTR) fail_on("close", path, errno);
+}
+
+void write_and_compare(std::filesystem::path const& path, std::span<std::byte const> content) {
+  // O_EXCL: nobody's link at this name is followed
+  auto file = open_descriptor(path, O_WRONLY | O_CREAT | O_EXCL);
+  if (!file.open()) fail_on("create", path, errno);
+  write_all(file, path, content);
+  if (sync_failed(file.get())) fail_on("bring to the disk", path, errno);
+  // a hint to read from the disk below, not from memory; its failure means nothing
+  (void)::posix_fadvise(file.get(), 0, 0, POSIX_FADV_DONTNEED);
+  close_checked(std::move(file), path);
+
+  auto const found = read_file(path);
+  if (found.size() != content.size() || xxh3(found) != xxh3(content))
+    throw FileError(fmt::format(
+        "{} reads back different from what was written: check the disk, or use another folder",
+        path.string()));
+}
+
+}  // namespace
+
+std::filesystem::path temporary_of(std::filesystem::path const& path) {
+  auto temporary = path;
+  return temporary += ".tmp";
+}
+
+void write_verified(std::filesystem::path const& path, std::span<std::byte const> content) {
+  if (::unlink(path.c_str()) != 0 && errno != ENOENT) fail_on("remove the old", path, errno);
+  try {
+    write_and_compare(path, content);
+  } catch (...) {
+    ::unlink(path.c_str());
+    throw;
+  }
+}
+
+void rename_file(std::filesystem::path const& from, std::filesystem::path const& to) {
+  if (std::rename(from.c_str(), to.c_str()) != 0) fail_on("give its name to", to, errno);
+}
+
+void sync_folder(std::filesystem::path const& folder) {
+  auto const name = folder.empty() ? std::filesystem::path(".") : folder;
+  auto const file = open_descriptor(name, O_RDONLY | O_DIRECTORY);
+  if (!file.open() && errno == EACCES) return;  // may be entered and written, but not listed
+  if (!file.open()) fail_on("open the folder", name, errno);
+  if (sync_failed(file.get())) fail_on("bring to the disk the folder", name, errno);
+}
+
+void replace_file(std::filesystem::path const& path, std::span<std::byte const> content) {
+  auto const temporary = temporary_of(path);
+  write_verified(temporary, content);
+  try {
+    rename_file(temporary, path);
+  } catch (...) {
+    ::unlink(temporary.c_str());
+    throw;
+  }
+  sync_folder(path.parent_path());
+}
+
+std::vector<std::byte> read_file(std::filesystem::path const& path) {
+  // O_NONBLOCK: a pipe at this name does not hold us up before it is refused
+  auto const file = open_descriptor(path, O_RDONLY | O_NONBLOCK);
+  if (!file.open()) fail_on("read", path, errno);
+  struct stat status {};
+  if (::fstat(file.get(), &status) != 0) fail_on("read", path, errno);
+  if (!S_ISREG(status.st_mode))
+    throw FileError(fmt::format("cannot read {}: it is not a file: check the path", path.string()));
+  auto const size = static_cast<std::uint64_t>(status.st_size);
+  auto const memory = static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
+                      static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+  if (size > memory / 2)
+    throw FileError(fmt::format(
+        "cannot read {}: its {} bytes are over half the memory here ({} bytes): check the file",
+        path.string(), size, memory));
+
+  std::vector<std::byte> content(size);
+  std::size_t done = 0;
+  while (done < size) {
+    auto const wanted = std::min<std::size_t>(size - done, block_bytes);
+    auto const got = ::read(file.get(), content.data() + done, wanted);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) fail_on("read", path, errno);
+    if (got == 0) break;  // cut short meanwhile: what is there is returned
+    done += static_cast<std::size_t>(got);
+  }
+  content.resize(done);
+  return content;
+}
+
+}  // namespace bagnold::io

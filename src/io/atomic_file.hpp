@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <vector>
+
+namespace bagnold::io {
+
+/// Where a file is written before it is given its name: `path` with `.tmp` behind it.
+std::filesystem::path temporary_of(std::filesystem::path const& path);
+
+/// Writes a new file, brings it to the disk, reads it again and compares. An older file at `path`
+/// is removed first. On failure nothing is left there, and FileError says what to do.
+void write_verified(std::filesystem::path const& path, std::span<std::byte const> content);
+
+/// rename(2) inside one folder; throws FileError.
+void rename_file(std::filesystem::path const& from, std::filesystem::path const& to);
+
+/// Brings the names in a folder to the disk; throws FileError where the disk reports a fault.
+void sync_folder(std::filesystem::path const& folder);
+
+/// Replaces a file as a whole: after a kill at any instant `path` holds either the old content or
+/// the new one. The content goes to `path.tmp`, is verified, and is renamed. On failure the
+/// temporary is removed, the old file is untouched, and FileError says what to do.
+void replace_file(std::filesystem::path const& path, std::span<std::byte const> content);
+
+/// The whole of a regular file. Throws FileError: not there, no permission, not a regular file, or
+/// bigger than half the memory of the machine.
+std::vector<std::byte> read_file(std::filesystem::path const& path);
+
+}  // namespace bagnold::io

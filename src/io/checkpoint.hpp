@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "src/state/state.hpp"
+
+namespace bagnold::io {
+
+/// All that a run needs to go on bit for bit. Form of the file: SCHEMA.md.
+struct Checkpoint {
+  std::string scene;  ///< resolved, TOML
+  State state;        ///< as the engine holds it: positions may lie outside the box
+  std::vector<std::array<double, 2>> list_position;  ///< [N], at the last list build, [d_s]
+  std::int64_t list_step = 0;                        ///< step of that build
+  std::int64_t step = 0;                             ///< steps done
+  double initial_offset = 0.0;                       ///< gamma_0 L at step 0, [d_s]
+  double initial_time = 0.0;                         ///< at step 0, [tau_e]
+  std::vector<double> window_sums;                   ///< finished windows, [n][columns]
+  std::int64_t columns = 0;                          ///< sums a window
+  std::vector<double> window_weight;                 ///< [n]
+  std::vector<double> open_sums;                     ///< of the window in progress
+  double open_weight = 0.0;
+  std::map<std::string, double> start_record;  ///< e.g. relaxation iterations, remaining overlap
+  double wall_seconds = 0.0;                   ///< so far, [s]
+  std::int64_t builds = 0;                     ///< of the neighbour list, so far
+};
+
+/// The sealed file in memory.
+std::vector<std::byte> checkpoint_image(Checkpoint const& checkpoint);
+
+/// Its inverse. InputError where the bytes are not a checkpoint, whole and unchanged; `name` is for
+/// messages.
+Checkpoint parse_checkpoint(std::string const& name, std::vector<std::byte> image);
+
+/// Writes `checkpoint.h5`; the one before is kept as `checkpoint.previous.h5`. The new one is
+/// written to `checkpoint.h5.tmp`, brought to the disk and verified before any name changes, so
+/// that after a kill at any instant at least one of the three verifies, if one did before. On
+/// failure the older two are untouched, and FileError says what to do.
+void write_checkpoint(std::filesystem::path const& folder, Checkpoint const& checkpoint);
+
+/// The checkpoint with most steps that verifies, a finished temporary included; nothing if none
+/// does. Never throws for a damaged file: `remarks` (if not null) gets one line for each that was
+/// rejected.
+std::optional<Checkpoint> newest_checkpoint(std::filesystem::path const& folder,
+                                            std::vector<std::string>* remarks);
+
+/// Removes all checkpoints, before a new run takes the folder; throws FileError.
+void remove_checkpoints(std::filesystem::path const& folder);
+
+}  // namespace bagnold::io

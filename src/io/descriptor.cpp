@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/io/descriptor.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <system_error>
+
+#include "src/config/errors.hpp"
+
+namespace bagnold::io {
+namespace {
+
+std::string remedy(std::filesystem::path const& path, int error) {
+  auto const folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+  auto const again = fmt::format("then `bagnold resume {}`", folder.string());
+  switch (error) {
+    case ENOSPC:
+      return "free some space, " + again;
+    case EDQUOT:
+      return "free some of your quota, " + again;
+    case EFBIG:
+      return "raise the limit on file sizes (ulimit -f), " + again;
+    case EIO:
+      return "the disk or the network reports a fault: check it, " + again;
+    case EACCES:
+    case EPERM:
+      return fmt::format("check the permissions of {}, or use another folder", folder.string());
+    case EROFS:
+      return "the file system is read-only: use another folder";
+    case ENOENT:
+    case ENOTDIR:
+      return "check the path";
+    case EMFILE:
+    case ENFILE:
+      return "raise the limit on open files (ulimit -n)";
+    default:
+      return "check the file and its folder";
+  }
+}
+
+}  // namespace
+
+Descriptor open_descriptor(std::filesystem::path const& path, int flags) {
+  int number = -1;
+  do {
+    number = ::open(path.c_str(), flags | O_CLOEXEC, 0666);
+  } while (number < 0 && errno == EINTR);
+  return Descriptor(number);
+}
+
+void fail_on(std::string_view action, std::filesystem::path const& path, int error) {
+  throw FileError(fmt::format("cannot {} {}: {}: {}", action, path.string(),
+                              std::generic_category().message(error), remedy(path, error)));
+}
+
+}  // namespace bagnold::io

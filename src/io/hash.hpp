@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace bagnold::io {
+
+/// xxh3, 64 bits, of the bytes.
+std::uint64_t xxh3(std::span<std::byte const> bytes);
+
+/// The same as 16 hexadecimal digits, as files hold it.
+std::string xxh3_hex(std::span<std::byte const> bytes);
+
+}  // namespace bagnold::io

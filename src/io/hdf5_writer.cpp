@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/io/hdf5_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <stdexcept>
+
+#include "src/config/errors.hpp"
+#include "src/io/hash.hpp"
+
+namespace bagnold::io {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "raw content is hashed as it lies");
+
+/// Room added to the file in memory at once, [bytes].
+constexpr std::size_t increment = std::size_t{1} << 20;
+
+void require(bool good, std::string const& path) {
+  if (!good)
+    throw FileError(fmt::format("cannot build {} of an HDF5 file: {}", path, hdf5_reason()));
+}
+
+Handle create_in_memory() {
+  quiet_hdf5();
+  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  require(H5Pset_fapl_core(access.get(), increment, /*backing_store=*/false) >= 0, "the driver");
+  H5Pset_libver_bounds(access.get(), H5F_LIBVER_EARLIEST, H5F_LIBVER_V18);
+  Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
+  H5Pset_obj_track_times(creation.get(), false);
+  Handle file(H5Fcreate("memory", H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose);
+  require(file.valid(), "the root");
+  return file;
+}
+
+Handle plain_space(std::string const& path, std::size_t count, Shape const& shape) {
+  hsize_t product = 1;
+  for (auto const length : shape) product *= length;
+  if (product != count)
+    throw std::logic_error(fmt::format("{}: {} values for a shape of {}", path, count, product));
+  Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose);
+  require(space.valid(), path);
+  return space;
+}
+
+/// Fixed length, one byte more than the text so that none is empty.
+Handle text_type(std::size_t length) {
+  Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type.get(), length);
+  H5Tset_cset(type.get(), H5T_CSET_UTF8);
+  return type;
+}
+
+}  // namespace
+
+Hdf5Writer::Hdf5Writer(Hashed hashed) : hashed_(hashed), file_(create_in_memory()) {}
+
+void Hdf5Writer::group(std::string const& path) {
+  Handle creation(H5Pcreate(H5P_GROUP_CREATE), H5Pclose);
+  H5Pset_obj_track_times(creation.get(), false);
+  Handle made(H5Gcreate2(file_.get(), path.c_str(), H5P_DEFAULT, creation.get(), H5P_DEFAULT),
+              H5Gclose);
+  require(made.valid(), path);
+}
+
+void Hdf5Writer::write(std::string const& path, hid_t type, Handle space,
+                       std::span<std::byte const> raw, Attributes const& attributes) {
+  {
+    Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    H5Pset_obj_track_times(creation.get(), false);
+    Handle set(H5Dcreate2(file_.get(), path.c_str(), type, space.get(), H5P_DEFAULT, creation.get(),
+                          H5P_DEFAULT),
+               H5Dclose);
+    require(set.valid(), path);
+    // an empty vector may have no address, which HDF5 refuses
+    if (!raw.empty())
+      require(H5Dwrite(set.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, raw.data()) >= 0, path);
+  }
+  for (auto const& [name, value] : attributes) attribute(path, name, value);
+  if (hashed_ == Hashed::yes) attribute(path, "xxh3", xxh3_hex(raw));
+}
+
+void Hdf5Writer::dataset(std::string const& path, std::span<double const> values,
+                         Shape const& shape, Attributes const& attributes) {
+  write(path, H5T_IEEE_F64LE, plain_space(path, values.size(), shape), std::as_bytes(values),
+        attributes);
+}
+
+void Hdf5Writer::dataset(std::string const& path, std::span<std::int64_t const> values,
+                         Shape const& shape, Attributes const& attributes) {
+  write(path, H5T_STD_I64LE, plain_space(path, values.size(), shape), std::as_bytes(values),
+        attributes);
+}
+
+void Hdf5Writer::dataset(std::string const& path, std::span<std::uint8_t const> values,
+                         Shape const& shape, Attributes const& attributes) {
+  write(path, H5T_STD_U8LE, plain_space(path, values.size(), shape), std::as_bytes(values),
+        attributes);
+}
+
+void Hdf5Writer::text(std::string const& path, std::string const& value,
+                      Attributes const& attributes) {
+  auto const type = text_type(value.size() + 1);
+  // c_str() has the closing zero that the type counts
+  write(path, type.get(), Handle(H5Screate(H5S_SCALAR), H5Sclose),
+        std::as_bytes(std::span(value.c_str(), value.size() + 1)), attributes);
+}
+
+void Hdf5Writer::attribute(std::string const& path, std::string const& name, Value const& value) {
+  auto const where = path + "@" + name;
+  auto const put = [&](hid_t type, void const* data) {
+    Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+    Handle made(H5Acreate_by_name(file_.get(), path.c_str(), name.c_str(), type, space.get(),
+                                  H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                H5Aclose);
+    require(made.valid(), where);
+    require(H5Awrite(made.get(), type, data) >= 0, where);
+  };
+  if (auto const* number = std::get_if<double>(&value)) {
+    put(H5T_IEEE_F64LE, number);
+  } else if (auto const* integer = std::get_if<std::int64_t>(&value)) {
+    put(H5T_STD_I64LE, integer);
+  } else {
+    // variable length: h5py then gives str, not bytes
+    auto const type = text_type(H5T_VARIABLE);
+    char const* const text = std::get<std::string>(value).c_str();
+    put(type.get(), &text);
+  }
+}
+
+std::vector<std::byte> Hdf5Writer::image() const {
+  require(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL) >= 0, "the image");
+  auto const size = H5Fget_file_image(file_.get(), nullptr, 0);
+  require(size > 0, "the image");
+  std::vector<std::byte> bytes(static_cast<std::size_t>(size));
+  require(H5Fget_file_image(file_.get(), bytes.data(), bytes.size()) == size, "the image");
+  return bytes;
+}
+
+}  // namespace bagnold::io

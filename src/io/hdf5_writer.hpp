@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "src/io/hdf5_handle.hpp"
+
+namespace bagnold::io {
+
+/// What an attribute holds.
+using Value = std::variant<std::string, double, std::int64_t>;
+using Attributes = std::vector<std::pair<std::string, Value>>;
+
+/// Rows of two as HDF5 wants them.
+inline std::span<double const> flat(std::span<std::array<double, 2> const> rows) {
+  return rows.empty() ? std::span<double const>() : std::span(rows.front().data(), 2 * rows.size());
+}
+
+/// Whether every dataset carries the attribute `xxh3`: the hash of its raw little-endian content.
+enum class Hashed { no, yes };
+
+/// Builds an HDF5 file in memory, so that a full disk shows only where the bytes are written
+/// (replace_file). The form is the oldest that any HDF5 from 1.8 on reads; no times are kept, so
+/// equal content gives equal bytes. Paths are absolute; the groups on the way must be there.
+/// Throws FileError (in practice: out of memory).
+class Hdf5Writer {
+ public:
+  explicit Hdf5Writer(Hashed hashed = Hashed::no);
+
+  void group(std::string const& path);
+  void dataset(std::string const& path, std::span<double const> values, Shape const& shape,
+               Attributes const& attributes = {});
+  void dataset(std::string const& path, std::span<std::int64_t const> values, Shape const& shape,
+               Attributes const& attributes = {});
+  void dataset(std::string const& path, std::span<std::uint8_t const> values, Shape const& shape,
+               Attributes const& attributes = {});
+  /// One text of any length, UTF-8.
+  void text(std::string const& path, std::string const& value, Attributes const& attributes = {});
+  void attribute(std::string const& path, std::string const& name, Value const& value);
+
+  /// The file as it would be on the disk.
+  std::vector<std::byte> image() const;
+
+ private:
+  void write(std::string const& path, hid_t type, Handle space, std::span<std::byte const> raw,
+             Attributes const& attributes);
+
+  Hashed hashed_;
+  Handle file_;
+};
+
+}  // namespace bagnold::io

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "src/io/hdf5_writer.hpp"
+
+namespace bagnold::io {
+
+/// One value a window.
+struct Series {
+  std::string name;         ///< of the dataset
+  std::string unit;         ///< e.g. "1/tau_e"; "1" for pure numbers
+  std::string description;  ///< one sentence
+  std::vector<double> value;
+};
+
+/// What `result.h5` holds, see SCHEMA.md.
+struct Result {
+  Attributes attributes;  ///< of the file root: provenance and the resolved scene
+  std::vector<Series> series;
+  std::int64_t discarded_windows = 0;  ///< first windows that no average uses
+};
+
+/// Replaces the file as a whole; equal results give equal bytes. Throws FileError.
+void write_result(std::filesystem::path const& path, Result const& result);
+
+}  // namespace bagnold::io

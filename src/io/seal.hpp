@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace bagnold::io {
+
+// A seal is a line of 64 bytes behind the last byte of an HDF5 file, which HDF5 does not look at:
+// the length and the xxh3 of all before it. It is checked before HDF5 sees the file, since a
+// damaged one can crash the library; it covers attributes and HDF5's own tables too.
+
+/// Appends the seal.
+void add_seal(std::vector<std::byte>& content);
+
+/// Takes the seal off a sealed content. Returns an empty text, or why the seal is not true (the
+/// content is then left as it was): the file was cut short, changed or never finished.
+std::string remove_seal(std::vector<std::byte>& content);
+
+}  // namespace bagnold::io

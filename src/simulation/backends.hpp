@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Kokkos_Core.hpp>
+#include <string_view>
+#include <tuple>
+
+namespace bagnold {
+
+/// Name of an execution space in input and output.
+template <class Space>
+inline constexpr std::string_view backend_name = "?";
+
+namespace detail {
+using SerialBackend =
+#ifdef KOKKOS_ENABLE_SERIAL
+    std::tuple<Kokkos::Serial>;
+#else
+    std::tuple<>;
+#endif
+using OpenMPBackend =
+#if defined(KOKKOS_ENABLE_OPENMP) && defined(BAGNOLD_BACKEND_OPENMP)
+    std::tuple<Kokkos::OpenMP>;
+#else
+    std::tuple<>;
+#endif
+using CudaBackend =
+#if defined(KOKKOS_ENABLE_CUDA) && defined(BAGNOLD_BACKEND_CUDA)
+    std::tuple<Kokkos::Cuda>;
+#else
+    std::tuple<>;
+#endif
+}  // namespace detail
+
+#ifdef KOKKOS_ENABLE_SERIAL
+template <>
+inline constexpr std::string_view backend_name<Kokkos::Serial> = "serial";
+#endif
+#ifdef KOKKOS_ENABLE_OPENMP
+template <>
+inline constexpr std::string_view backend_name<Kokkos::OpenMP> = "openmp";
+#endif
+#ifdef KOKKOS_ENABLE_CUDA
+template <>
+inline constexpr std::string_view backend_name<Kokkos::Cuda> = "cuda";
+#endif
+
+/// Every execution space this build has.
+using Backends = decltype(std::tuple_cat(detail::SerialBackend{}, detail::OpenMPBackend{},
+                                         detail::CudaBackend{}));
+static_assert(std::tuple_size_v<Backends> > 0, "no backend: Kokkos has none of those asked for");
+
+}  // namespace bagnold

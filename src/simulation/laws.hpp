@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <tuple>
+#include <type_traits>
+
+#include "kernels/contact/cd.hpp"
+#include "kernels/contact/cd_n.hpp"
+#include "kernels/contact/cd_rot.hpp"
+#include "kernels/contact/general.hpp"
+#include "kernels/contact/repulsion.hpp"
+#include "src/config/scene.hpp"
+
+namespace bagnold {
+
+/// Every contact law there is: the program, its messages and its typed tests read this list.
+using Laws = std::tuple<CD, CDn, CDrot, General>;
+
+/// The law with the constants of a scene: k_d = 1/Q (P1 Eq. 6, P2 Eq. 9).
+template <ContactLaw Law>
+Law make_law(Scene::Disks const& disks) {
+  double const damping = 1.0 / disks.elasticity;
+  if constexpr (std::is_same_v<Law, General>)
+    return {disks.damping_normal * damping, disks.damping_tangential * damping};
+  else
+    return {damping};
+}
+
+}  // namespace bagnold

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/simulation/make_simulation.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "src/config/errors.hpp"
+#include "src/simulation/backends.hpp"
+#include "src/simulation/laws.hpp"
+
+namespace bagnold {
+
+template <ContactLaw Law>
+std::unique_ptr<Simulation> make_for_law(Scene const&, Snapshot const&, std::string const&);
+
+namespace {
+
+template <class... L>
+std::unique_ptr<Simulation> make_any(std::tuple<L...> const*, Scene const& scene,
+                                     Snapshot const& snapshot, std::string const& backend) {
+  std::unique_ptr<Simulation> made;
+  ((scene.disks.model == L::name ? void(made = make_for_law<L>(scene, snapshot, backend)) : void()),
+   ...);
+  return made;
+}
+
+template <class... Spaces>
+std::vector<std::string> names(std::tuple<Spaces...> const*) {
+  return {std::string(backend_name<Spaces>)...};
+}
+
+}  // namespace
+
+std::vector<std::string> backend_names() { return names(static_cast<Backends const*>(nullptr)); }
+
+std::unique_ptr<Simulation> make_simulation(Scene const& scene, Snapshot const& snapshot,
+                                            std::string const& backend) {
+  auto const chosen = backend.empty() ? backend_names().front() : backend;
+  auto made = make_any(static_cast<Laws const*>(nullptr), scene, snapshot, chosen);
+  if (!made)
+    throw InputError(fmt::format("--backend {}: not in this build (has: {})", backend,
+                                 fmt::join(backend_names(), ", ")));
+  return made;
+}
+
+}  // namespace bagnold

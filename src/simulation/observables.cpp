@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/simulation/observables.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "kernels/observables/sums.hpp"
+
+namespace bagnold {
+
+namespace {
+
+using Averages = std::span<double const>;
+using C = SumColumns;
+
+/// (p_xx, p_xy, p_yy) L^2 of one part of the pressure tensor.
+struct Part {
+  int xx, xy, yy;
+};
+constexpr Part elastic{C::elastic_xx, C::elastic_xy, C::elastic_yy};
+constexpr Part dissipative{C::dissipative_xx, C::dissipative_xy, C::dissipative_yy};
+constexpr Part kinetic{C::kinetic_xx, C::kinetic_xy, C::kinetic_yy};
+
+double total(Averages a, int Part::*component) {
+  return a[elastic.*component] + a[dissipative.*component] + a[kinetic.*component];
+}
+
+double pressure(Averages a, Part p) { return (a[p.xx] + a[p.yy]) / 2; }
+double pressure(Averages a) { return (total(a, &Part::xx) + total(a, &Part::yy)) / 2; }
+double shear_stress(Averages a, Part p) { return -a[p.xy]; }
+double shear_stress(Averages a) { return -total(a, &Part::xy); }
+double anisotropy(Averages a) { return (total(a, &Part::xx) - total(a, &Part::yy)) / 2; }
+
+constexpr std::string_view stress_unit = "m/tau_e^2";
+
+}  // namespace
+
+std::vector<Observable> observables(Scene const& scene, double box_length) {
+  double const area = box_length * box_length;
+  double const rate = scene.shear.strain_rate;
+  double const n = static_cast<double>(scene.disks.count);
+  double const bagnold = 1 / (area * rate * rate);                      // P1 Eq. 16, P2 Eq. 19
+  double const newton = scene.disks.elasticity / (area * rate);         // P2 Eq. 20
+  auto const of = [](auto function, auto part, double factor) {
+    return [=](Averages a) { return function(a, part) * factor; };
+  };
+  auto const p = [](Averages a, auto part) { return pressure(a, part); };
+  auto const s = [](Averages a, auto part) { return shear_stress(a, part); };
+
+  std::vector<Observable> list{
+      {"p", stress_unit, "pressure", [=](Averages a) { return pressure(a) / area; }},
+      {"p_el", stress_unit, "its elastic part", of(p, elastic, 1 / area)},
+      {"p_dis", stress_unit, "its dissipative part", of(p, dissipative, 1 / area)},
+      {"p_kin", stress_unit, "its kinetic part", of(p, kinetic, 1 / area)},
+      {"sigma", stress_unit, "shear stress -p_xy", [=](Averages a) { return shear_stress(a) / area; }},
+      {"sigma_el", stress_unit, "its elastic part", of(s, elastic, 1 / area)},
+      {"sigma_dis", stress_unit, "its dissipative part", of(s, dissipative, 1 / area)},
+      {"sigma_kin", stress_unit, "its kinetic part", of(s, kinetic, 1 / area)},
+      {"delta_p", stress_unit, "(p_xx - p_yy)/2", [=](Averages a) { return anisotropy(a) / area; }},
+      {"sigma_dev", stress_unit, "sqrt(delta_p^2 + sigma^2)",
+       [=](Averages a) { return std::hypot(anisotropy(a), shear_stress(a)) / area; }},
+      {"B_p", "1", "Bagnold coefficient p/gammadot^2", [=](Averages a) { return pressure(a) * bagnold; }},
+      {"B_p_el", "1", "its elastic part", of(p, elastic, bagnold)},
+      {"B_p_dis", "1", "its dissipative part", of(p, dissipative, bagnold)},
+      {"B_p_kin", "1", "its kinetic part", of(p, kinetic, bagnold)},
+      {"B_sigma", "1", "Bagnold coefficient sigma/gammadot^2",
+       [=](Averages a) { return shear_stress(a) * bagnold; }},
+      {"B_sigma_el", "1", "its elastic part", of(s, elastic, bagnold)},
+      {"B_sigma_dis", "1", "its dissipative part", of(s, dissipative, bagnold)},
+      {"B_sigma_kin", "1", "its kinetic part", of(s, kinetic, bagnold)},
+      {"eta_p", "1", "Q p/gammadot", [=](Averages a) { return pressure(a) * newton; }},
+      {"eta_p_el", "1", "its elastic part", of(p, elastic, newton)},
+      {"eta_sigma", "1", "viscosity Q sigma/gammadot", [=](Averages a) { return shear_stress(a) * newton; }},
+      {"eta_sigma_el", "1", "its elastic part", of(s, elastic, newton)},
+      {"mu", "1", "macroscopic friction sigma/p", [=](Averages a) { return shear_stress(a) / pressure(a); }},
+      {"I", "1", "inertial number gammadot/sqrt(p), P1 Eq. 20",
+       [=](Averages a) { return rate / std::sqrt(pressure(a) / area); }},
+      {"T_g", "m d_s^2/tau_e^2", "granular temperature sum m dv^2/2N, so that p_kin = n T_g",
+       [=](Averages a) { return pressure(a, kinetic) / n; }},
+      {"Z", "1", "contacts per disk", [=](Averages a) { return a[C::contacts] / n; }},
+      {"R_v", "1", "<dv_x^2>/<v_y^2>, P2 Eq. 37",
+       [=](Averages a) { return a[C::velocity_x2] / a[C::velocity_y2]; }}};
+  if (scene.rotates()) {
+    list.push_back({"spin_mean", "1", "<thetadot>/gammadot",
+                    [=](Averages a) { return a[C::spin] / (n * rate); }});
+    list.push_back({"spin_var", "1", "variance of thetadot/gammadot, P2 Eq. 28", [=](Averages a) {
+                      double const mean = a[C::spin] / (n * rate);
+                      return a[C::spin2] / (n * rate * rate) - mean * mean;
+                    }});
+  }
+  return list;
+}
+
+}  // namespace bagnold

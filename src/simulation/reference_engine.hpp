@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <utility>
+
+#include "kernels/dynamics/modified_velocity_verlet.hpp"
+#include "kernels/dynamics/relaxation.hpp"
+#include "kernels/observables/sums.hpp"
+#include "src/config/errors.hpp"
+#include "src/simulation/clock.hpp"
+#include "src/simulation/device_copy.hpp"
+#include "src/simulation/simulation.hpp"
+
+namespace bagnold {
+
+/// The plain scheme: a full neighbour list, every disk sums its own contacts, two force evaluations
+/// a step. What the faster engines are held against.
+template <ContactLaw Law, class Repulsion, class Space>
+class ReferenceEngine final : public Simulation {
+ public:
+  static constexpr bool rotates = Law::rotates;
+
+  /// A start: `snapshot.list_position` empty means no list yet.
+  ReferenceEngine(Law law, SpeciesTable table, double strain_rate, double time_step, double skin,
+                  Snapshot const& snapshot)
+      : law_(law),
+        table_(table),
+        clock_{strain_rate, time_step, snapshot.state.box_length, snapshot.initial_offset,
+               snapshot.initial_time},
+        step_(snapshot.step),
+        builds_(snapshot.list_builds),
+        diameter_(snapshot.state.diameter) {
+    State const& state = snapshot.state;
+    position_ = to_device<Space>("state::position", vectors(state.position));
+    motion_ = to_device<Space>("state::motion", motions<rotates>(state));
+    species_ = to_device<Space>("state::species", species_of(state.diameter));
+    auto const count = state.count();
+    trial_position_ = Positions("dynamics::trial_position", count);
+    trial_motion_ = Motions("dynamics::trial_motion", count);
+    block_sums_ = Kokkos::View<Sums<rotates>*, Space>("observables::block_sums", blocks());
+    list_.skin = skin;
+    if (snapshot.list_position.empty()) {
+      renew_list();
+    } else {
+      list_step_ = snapshot.list_step;
+      list_.at_build =
+          to_device<Space>("neighbors::at_build", vectors(snapshot.list_position));
+      build_list(space_, list_, species_, table_, box_at(list_step_));
+    }
+  }
+
+  int columns() const override { return Sums<rotates>::columns; }
+  std::int64_t step() const override { return step_; }
+
+  void advance(std::int64_t steps, Sampling const& sampling, WindowSums& window) override {
+    for (std::int64_t const end = step_ + steps; step_ < end;) {
+      if ((step_ - sampling.origin) % sampling.every == 0) measure(window);
+      do_step();
+    }
+  }
+
+  Snapshot snapshot() const override {
+    Snapshot s;
+    s.state = raw_state();
+    s.list_position = pairs(to_host(list_.at_build));
+    s.list_step = list_step_;
+    s.step = step_;
+    s.initial_offset = clock_.initial_offset;
+    s.initial_time = clock_.initial_time;
+    s.list_builds = builds_;
+    return s;
+  }
+
+  State state() const override {
+    State state = raw_state();
+    ShearedBox const box{clock_.box_length, clock_.offset(step_, step_), clock_.strain_rate};
+    for (std::size_t i = 0; i < state.count(); ++i) {
+      Vec2<Real> position{state.position[i][0], state.position[i][1]};
+      // Between builds the offset may have passed L: its images are the same.
+      wrap(box, position, state.velocity[i][0]);
+      state.position[i] = {position.x, position.y};
+    }
+    state.offset = box.offset;
+    return state;
+  }
+
+ private:
+  using Positions = Kokkos::View<Vec2<Real>*, Space>;
+  using Motions = Kokkos::View<Motion<rotates>*, Space>;
+  using Policy = Kokkos::RangePolicy<Space, Kokkos::IndexType<std::int64_t>>;
+  using Forces = ContactForces<Law, Repulsion, Space>;
+
+  std::int64_t count() const { return static_cast<std::int64_t>(position_.extent(0)); }
+  std::int64_t blocks() const {
+    constexpr auto size = MeasureBlock<Law, Repulsion, Space>::disks;
+    return (count() + size - 1) / size;
+  }
+
+  ShearedBox box_at(std::int64_t step) const {
+    return {clock_.box_length, clock_.offset(step, list_step_), clock_.strain_rate};
+  }
+
+  Forces forces_at(std::int64_t step, Positions const& position, Motions const& motion) const {
+    return {position, motion, species_, list_.rows, table_, box_at(step), law_, Repulsion{}};
+  }
+
+  void do_step() {
+    Kokkos::parallel_for("dynamics::Predict", Policy(space_, 0, count()),
+                         Predict<Law, Repulsion, Space>{forces_at(step_, position_, motion_),
+                                                        clock_.time_step, trial_position_,
+                                                        trial_motion_});
+    double const strain = clock_.strain_between(list_step_, step_ + 1);
+    double const next_strain = clock_.strain_between(list_step_, step_ + 2);
+    Real largest2 = 0;
+    Kokkos::parallel_reduce(
+        "dynamics::Correct", Policy(space_, 0, count()),
+        Correct<Law, Repulsion, Space>{forces_at(step_ + 1, trial_position_, trial_motion_),
+                                       clock_.time_step, position_, motion_, list_.at_build,
+                                       strain, next_strain},
+        Kokkos::Max<Real>(largest2));
+    ++step_;
+    if (largest2 == std::numeric_limits<Real>::max()) fail();
+    double const widest = std::max(std::abs(strain), std::abs(next_strain));
+    if (!list_holds(widest, largest2, list_.skin)) renew_list();
+  }
+
+  /// Take the disks into the box, build the list, and see that the next step stays within it.
+  void renew_list() {
+    list_step_ = step_;
+    Kokkos::parallel_for("dynamics::WrapDisks", Policy(space_, 0, count()),
+                         WrapDisks{box_at(step_), position_, motion_});
+    if (list_.at_build.extent(0) == 0) list_.at_build = Positions("neighbors::at_build", count());
+    Kokkos::deep_copy(space_, list_.at_build, position_);
+    build_list(space_, list_, species_, table_, box_at(step_));
+    ++builds_;
+
+    Kokkos::MaxLoc<Real, std::int64_t>::value_type farthest{};
+    double const strain = clock_.strain_between(step_, step_ + 1);
+    Kokkos::parallel_reduce("dynamics::NextStep", Policy(space_, 0, count()),
+                            NextStep{position_, motion_, clock_.time_step, strain},
+                            Kokkos::MaxLoc<Real, std::int64_t>(farthest));
+    if (!list_holds(std::abs(strain), farthest.val, list_.skin))
+      throw NumericalError(fmt::format(
+          "step {} (strain {:.6g}): disk {} moves {:.3g} d_s against the mean flow in one step, "
+          "more than the neighbour list's skin of {:.3g} d_s allows; take a smaller "
+          "integration.time_step or a larger integration.skin",
+          step_, clock_.strain(step_), farthest.loc, std::sqrt(farthest.val), list_.skin));
+  }
+
+  void measure(WindowSums& window) {
+    Kokkos::parallel_for(
+        "observables::MeasureBlock", Policy(space_, 0, blocks()),
+        MeasureBlock<Law, Repulsion, Space>{forces_at(step_, position_, motion_), block_sums_});
+    window.sums.resize(columns());
+    Sums<rotates> total;
+    for (auto const& block : to_host(block_sums_))
+      for (int c = 0; c < columns(); ++c) total.value[c] += block.value[c];
+    for (int c = 0; c < columns(); ++c) window.sums[c] += total.value[c];
+    window.weight += 1;
+  }
+
+  [[noreturn]] void fail() const {
+    auto const where = fmt::format("step {} (strain {:.6g})", step_, clock_.strain(step_));
+    State const state = raw_state();
+    for (std::size_t i = 0; i < state.count(); ++i)
+      if (!std::isfinite(state.position[i][0] + state.position[i][1] + state.velocity[i][0] +
+                         state.velocity[i][1]))
+        throw NumericalError(fmt::format(
+            "{}: the motion of disk {} is not a finite number; take a smaller "
+            "integration.time_step",
+            where, i));
+    Kokkos::MaxLoc<Real, std::int64_t>::value_type deepest{};
+    Kokkos::parallel_reduce(
+        "dynamics::LargestOverlap", Policy(space_, 0, count()),
+        LargestOverlap<Law, Repulsion, Space>{forces_at(step_, position_, motion_)},
+        Kokkos::MaxLoc<Real, std::int64_t>(deepest));
+    throw NumericalError(fmt::format(
+        "{}: disk {} overlaps a neighbour by {:.1f}% (limit {:.0f}%): no grain any more; take a "
+        "smaller shear.strain_rate, integration.time_step or disks.packing_fraction",
+        where, deepest.loc, 100 * deepest.val, 100 * largest_relative_overlap));
+  }
+
+  State raw_state() const {
+    State state;
+    state.position = pairs(to_host(position_));
+    split_motions(to_host(motion_), state);
+    state.diameter = diameter_;
+    state.box_length = clock_.box_length;
+    state.offset = clock_.offset(step_, step_);
+    state.time = clock_.time(step_);
+    state.strain_rate = clock_.strain_rate;
+    return state;
+  }
+
+  struct WrapDisks {
+    ShearedBox box;
+    Positions position;
+    Motions motion;
+    KOKKOS_FUNCTION void operator()(std::int64_t i) const {
+      wrap(box, position(i), motion(i).velocity.x);
+    }
+  };
+
+  /// Reduces (MaxLoc) the largest |w|^2 of the next trial positions, just after a build.
+  struct NextStep {
+    Positions position;
+    Motions motion;
+    Real time_step;
+    Real strain;
+    KOKKOS_FUNCTION void operator()(
+        std::int64_t i, Kokkos::MaxLoc<Real, std::int64_t>::value_type& farthest) const {
+      Real const moved2 = excursion2(position(i) + time_step * motion(i).velocity, position(i),
+                                     strain);
+      if (moved2 > farthest.val) farthest = {moved2, i};
+    }
+  };
+
+  Space space_{};
+  Law law_;
+  SpeciesTable table_;
+  Clock clock_;
+  std::int64_t step_ = 0;
+  std::int64_t list_step_ = 0;
+  std::int64_t builds_ = 0;
+  std::vector<double> diameter_;  ///< kept on the host: files have it, steps do not need it
+
+  Positions position_;
+  Motions motion_;
+  Kokkos::View<Species*, Space> species_;
+  Positions trial_position_;
+  Motions trial_motion_;
+  VerletList<Space> list_;
+  Kokkos::View<Sums<rotates>*, Space> block_sums_;
+};
+
+}  // namespace bagnold

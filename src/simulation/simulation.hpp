@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "src/state/state.hpp"
+
+namespace bagnold {
+
+/// Everything a simulation needs to go on bit for bit.
+struct Snapshot {
+  State state;                                       ///< raw: positions may be outside the box
+  std::vector<std::array<double, 2>> list_position;  ///< [N], at the last list build, [d_s]
+  std::int64_t list_step = 0;                        ///< step of that build
+  std::int64_t step = 0;                             ///< steps done
+  double initial_offset = 0.0;                       ///< at step 0, [d_s]
+  double initial_time = 0.0;                         ///< at step 0, [tau_e]
+  std::int64_t list_builds = 0;                      ///< so far
+};
+
+/// At which steps a configuration is evaluated: origin, origin + every, ...
+struct Sampling {
+  std::int64_t origin = 0;
+  std::int64_t every = 1;  ///< [steps]
+};
+
+/// Sums over evaluated configurations, in the columns of SumColumns.
+struct WindowSums {
+  std::vector<double> sums;  ///< [columns]
+  double weight = 0.0;       ///< number of evaluations
+};
+
+/// One sheared system under one law, on some backend.
+class Simulation {
+ public:
+  virtual ~Simulation() = default;
+
+  /// Columns of a configuration's sums.
+  virtual int columns() const = 0;
+
+  virtual std::int64_t step() const = 0;
+
+  /// Steps on. Evaluates configurations at the start of sampled steps and adds them to `window`.
+  /// How a stretch is cut into calls changes no bit. Throws NumericalError.
+  virtual void advance(std::int64_t steps, Sampling const& sampling, WindowSums& window) = 0;
+
+  virtual Snapshot snapshot() const = 0;
+
+  /// The state with all disks taken into the box.
+  virtual State state() const = 0;
+};
+
+}  // namespace bagnold

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernels/core/species.hpp"
+#include "src/config/errors.hpp"
+#include "src/start/start.hpp"
+
+namespace bagnold {
+
+namespace {
+
+void refuse_disagreement(State const& state, Scene const& scene) {
+  auto const refuse = [&](std::string const& what) {
+    throw InputError(fmt::format("{}: {}", scene.start.file, what));
+  };
+  if (state.count() != static_cast<std::size_t>(scene.disks.count))
+    refuse(fmt::format("holds {} disks, disks.count = {} (must agree); set disks.count = {}",
+                       state.count(), scene.disks.count, state.count()));
+  std::size_t small = 0;
+  for (std::size_t i = 0; i < state.count(); ++i) {
+    double const d = state.diameter[i];
+    bool const is_small = std::abs(d - small_diameter) < 1e-9;
+    if (!is_small && std::abs(d - big_diameter) >= 1e-9)
+      refuse(fmt::format("/state/diameter[{}] = {} (must be {} or {} d_s)", i, d, small_diameter,
+                         big_diameter));
+    small += is_small;
+  }
+  if (2 * small != state.count())
+    refuse(fmt::format("/state/diameter: {} of {} disks are small (must be half)", small,
+                       state.count()));
+  double const length = scene.box_length();
+  if (!(std::abs(state.box_length - length) <= 1e-9 * length))
+    refuse(fmt::format("box_length = {} but disks.count and disks.packing_fraction = {} give {} "
+                       "(must agree to 1e-9)",
+                       state.box_length, scene.disks.packing_fraction, length));
+}
+
+}  // namespace
+
+StartedState fit_to_scene(State state, Scene const& scene) {
+  refuse_disagreement(state, scene);
+  StartedState started;
+  double const made_at = state.strain_rate.value_or(scene.shear.strain_rate);
+  if (!scene.rotates()) {
+    state.spin.clear();
+  } else if (state.spin.empty()) {
+    state.spin.assign(state.count(), -made_at / 2);
+    started.record["start_spins_assumed"] = 1;
+  }
+  if (scene.start.rescale && made_at != scene.shear.strain_rate) {
+    if (!(made_at > 0))
+      throw InputError(fmt::format("{}: strain_rate = {} (must be positive to scale velocities); "
+                                   "set start.rescale = false",
+                                   scene.start.file, made_at));
+    double const ratio = scene.shear.strain_rate / made_at;
+    for (auto& v : state.velocity) v = {v[0] * ratio, v[1] * ratio};
+    for (auto& spin : state.spin) spin *= ratio;
+    started.record["start_velocity_scale"] = ratio;
+  }
+  state.strain_rate = scene.shear.strain_rate;
+  started.state = std::move(state);
+  return started;
+}
+
+}  // namespace bagnold

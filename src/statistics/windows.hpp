@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace bagnold::statistics {
+
+/// A table of windows, one row each: K sums over the evaluations of a window, and their number.
+///
+/// Sums and not means, so that windows of unequal length add up exactly: the mean of quantity k
+/// over windows a .. b is (sum of its sums) / (sum of the weights). Units are those of the
+/// quantities.
+struct Windows {
+  std::size_t columns = 0;     ///< K
+  std::vector<double> sums;    ///< [windows][K]
+  std::vector<double> weight;  ///< [windows], number of evaluations, > 0
+
+  std::size_t size() const { return weight.size(); }
+
+  /// The K sums of one window.
+  std::span<double const> row(std::size_t window) const {
+    return std::span(sums).subspan(window * columns, columns);
+  }
+
+  /// Adds a window. Throws std::invalid_argument unless row has K entries and weight is positive:
+  /// a window without evaluations has no mean.
+  void push_back(std::span<double const> row, double window_weight);
+
+  /// K means over windows first .. last - 1; NaN where there is none. Throws std::out_of_range
+  /// beyond the end.
+  std::vector<double> mean(std::size_t first, std::size_t last) const;
+};
+
+}  // namespace bagnold::statistics

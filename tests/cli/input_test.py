@@ -1,0 +1,291 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Bad input: one clear message, exit code 2, nothing written (issue 2, sections 3 and 4)."""
+
+import os
+import unittest
+
+from bagnold import SCENE, CliTest, Raw, read_summary, scene_text
+
+
+class BadValues(CliTest):
+    def check(self, table, key, *values, words=()):
+        for value in values:
+            with self.subTest(key=f"{table}.{key}", value=value):
+                path = self.scene(**{f"{table}__{key}": value})
+                self.refused(path, f"{table}.{key}", *words)
+
+    def test_out_of_range(self):
+        self.check("disks", "model", "CD_x", "", words=("CD_rot",))
+        self.check("disks", "packing_fraction", 0.0, -0.5, 2.0, Raw("nan"), Raw("inf"))
+        self.check("disks", "elasticity", 0.0, -1.0, Raw("nan"), Raw("inf"))
+        self.check("disks", "mass", "volume", words=("equal", "area"))
+        self.check("disks", "force_exponent", 0.5, -2.0, Raw("nan"))
+        self.check("shear", "strain_rate", 0.0, -1e-4, Raw("nan"), Raw("inf"))
+        self.check("shear", "strain", 0.0, -1.0, Raw("inf"), Raw("nan"))
+        self.check("shear", "discard", -0.1, 1.5, Raw("nan"))
+        self.check("integration", "scheme", "leapfrog", words=("modified-velocity-verlet",))
+        self.check("integration", "time_step", 0.0, -0.1, Raw("nan"), "fast")
+        self.check("measure", "every", 0, -1)
+        self.check("output", "sample_strain", 0.0, -1.0, Raw("nan"))
+        self.check("output", "trajectory_strain", -1.0, Raw("nan"))
+        self.check("output", "checkpoint_minutes", 0.0, -1.0, Raw("nan"))
+        self.check("start", "kind", "lattice", words=("random", "state"))
+
+    def test_the_message_names_the_value(self):
+        self.check("disks", "packing_fraction", -0.5, words=("-0.5",))
+        self.check("disks", "model", "CD_x", words=("CD_x",))
+        self.check("measure", "every", -17, words=("-17",))
+
+    def test_wrong_type(self):
+        self.check("disks", "model", 1, True, ["CD"])
+        self.check("disks", "count", 64.0, "64", True, [64], Raw("1979-05-27"), Raw("{ a = 1 }"))
+        self.check("disks", "seed", 1.5, "one")
+        self.check("disks", "packing_fraction", "0.8", True, [0.8])
+        self.check("shear", "strain", "1", False)
+        self.check("measure", "every", 2.5, 10.0, "10")
+        self.check("output", "checkpoint_minutes", "10")
+        self.check("integration", "time_step", True)
+
+    def test_count(self):
+        self.check("disks", "count", 63, words=("63", "even", "62", "64"))
+        self.check("disks", "count", 0, -2)
+
+    def test_absurd_count_is_refused_for_memory(self):
+        self.check("disks", "count", 10**12, 2**62)
+        memory = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
+        if memory < 30e9:  # positions, velocities, forces and lists take more than 150 bytes a disk
+            self.refused(self.scene(disks__count=199999998), "disks.count", "memory")
+
+    def test_not_there_yet(self):
+        self.check("shear", "protocol", "ramp", "cascade", words=("steady",))
+        self.check("output", "trajectory_strain", 0.1, 1)
+
+    def test_box_too_small(self):
+        """A box must hold two contact distances and skins."""
+        path = self.scene(disks__count=4, disks__packing_fraction=0.84)
+        self.refused(path, "disks.count")
+
+    def test_unstable_time_step(self):
+        for model, elasticity, step in (
+            ("CD", 1.0, 5.0), ("CD_n", 1.0, 5.0), ("CD_rot", 1.0, 5.0), ("general", 1.0, 5.0),
+            ("CD", 0.05, 0.2), ("CD_n", 0.05, 0.2), ("CD_rot", 0.05, 0.2),
+        ):
+            with self.subTest(model=model, step=step):
+                path = self.scene(disks__model=model, disks__elasticity=elasticity,
+                                  integration__time_step=step)
+                self.refused(path, "integration.time_step", "--allow-unstable")
+
+    def test_automatic_time_step_is_stable(self):
+        for model in ("CD", "CD_n", "CD_rot", "general"):
+            for elasticity in (0.05, 0.3, 1.0, 50.0):
+                for mass in ("equal", "area"):
+                    with self.subTest(model=model, elasticity=elasticity, mass=mass):
+                        path = self.scene(disks__model=model, disks__elasticity=elasticity,
+                                          disks__mass=mass, integration__time_step="auto")
+                        result = self.bagnold("validate", path)
+                        self.assertEqual(result.returncode, 0, result.stderr)
+
+    def test_state_start_without_file(self):
+        self.refused(self.scene(start__kind="state"), "start.file")
+        self.refused(self.scene(start__kind="state", start__file="nowhere.h5"), "nowhere.h5")
+
+
+class BadKeys(CliTest):
+    def test_nearest_key_is_suggested(self):
+        for table, wrong, right in (
+            ("disks", "packing_fracton", "packing_fraction"),
+            ("disks", "cuont", "count"),
+            ("shear", "strain_rat", "strain_rate"),
+            ("integration", "timestep", "time_step"),
+            ("measure", "evry", "every"),
+            ("output", "checkpoint_minute", "checkpoint_minutes"),
+            ("start", "knd", "kind"),
+        ):
+            with self.subTest(key=wrong):
+                path = self.scene(**{f"{table}__{wrong}": 1})
+                self.refused(path, f"{table}.{wrong}", right)
+
+    def test_unknown_table(self):
+        self.refused(self.scene(disk__count=64), "disk", "disks")
+        self.refused(self.scene(lasers__power=64), "lasers")
+
+    def test_unknown_top_level_key(self):
+        self.refused(self.scene({"titel": "a", **SCENE}), "titel", "title")
+
+    def test_where_it_stands(self):
+        """File and line are named."""
+        path = self.scene({"title": "a", "disks": {"model": "CD", "cuont": 64}})
+        error = self.bagnold("validate", path).stderr
+        self.assertIn(path.name, error)
+        self.assertRegex(error, r"(?<!\d)4(?!\d)")
+
+    def test_required_keys(self):
+        for name in ("disks__model", "disks__count", "disks__packing_fraction",
+                     "disks__elasticity", "disks__mass", "shear__strain_rate", "shear__strain"):
+            with self.subTest(key=name):
+                self.refused(self.scene(**{name: None}), name.replace("__", "."))
+
+    def test_everything_else_has_a_default(self):
+        required = {
+            "disks": {k: SCENE["disks"][k] for k in
+                      ("model", "count", "packing_fraction", "elasticity", "mass")},
+            "shear": {"strain_rate": 1e-4, "strain": 20.0},
+        }
+        result = self.bagnold("validate", self.scene(required))
+        self.assertEqual(result.returncode, 0, result.stderr)
+
+    def test_a_table_is_a_table(self):
+        self.refused(self.scene({"disks": 3}), "disks")
+        array = scene_text(SCENE).replace("[disks]", "[[disks]]")
+        self.refused(self.text(array), "disks")
+
+    def text(self, text, name="text.toml"):
+        path = self.folder / name
+        path.write_bytes(text if isinstance(text, bytes) else text.encode())
+        return path
+
+
+class BadFiles(CliTest):
+    def text(self, text, name="bad.toml"):
+        path = self.folder / name
+        path.write_bytes(text if isinstance(text, bytes) else text.encode())
+        return path
+
+    def test_missing(self):
+        self.refused(self.folder / "nowhere.toml", "nowhere.toml")
+        self.refused(self.folder)  # a folder is no scene
+
+    def test_malformed_says_line_and_column(self):
+        for text, line in (
+            ("[disks]\ncount = = 64\n", 2),
+            ("[disks]\n\n\nmodel = \"CD\n", 4),
+            ("[disks\ncount = 64\n", 1),
+            ("[disks]\ncount = 64\ncount = 66\n", 3),
+            ("[disks]\ncount = 99999999999999999999\n", 2),
+        ):
+            with self.subTest(text=text):
+                path = self.text(text)
+                self.refused(path, path.name)
+                error = self.bagnold("validate", path).stderr
+                self.assertRegex(error, rf"line {line}\b.*column \d+|:{line}:\d+")
+
+    def test_bytes_that_are_no_text(self):
+        valid = scene_text(SCENE).encode()
+        for text in (b"\xff\xfe" + valid, b"# \xc3\x28\n" + valid, b"# \x07\n" + valid,
+                     b"title = \"\x1b[31m\"\n" + valid, b"\x00" * 64, valid + b"\x00",
+                     b"\x89HDF\r\n\x1a\n" + bytes(range(256)), b"titl\xc3\xa9 = 1\n" + valid):
+            with self.subTest(text=text[:20]):
+                self.refused(self.text(text))
+
+    def test_text_in_other_languages_is_welcome(self):
+        scene = {"title": "Scherzellen à 0.82, φ", **SCENE}
+        path = self.text("# größer\n" + scene_text(scene).replace("\\u00e0", "à"))
+        self.assertEqual(self.bagnold("validate", path).returncode, 0)
+
+    def test_empty(self):
+        self.refused(self.text(""), "disks.")
+
+    def test_huge(self):
+        path = self.folder / "huge.toml"
+        with open(path, "wb") as file:
+            file.write(scene_text(SCENE).encode() + b"#")
+            file.truncate(3 * 10**9)
+        self.refused(path)
+        self.refused("/dev/zero")
+
+    def test_deeply_nested(self):
+        for text in ("a = " + "[" * 50000, "a = " + "{a=" * 50000, "[" + "a." * 50000 + "a]\n",
+                     "a." * 50000 + "a = 1\n", "a = " + "[" * 500 + "]" * 500 + "\n"):
+            with self.subTest(text=text[:8]):
+                self.refused(self.text(text))
+
+
+class CommandLine(CliTest):
+    def test_set_with_bad_key_or_value(self):
+        path = self.scene()
+        for text, *words in (
+            ("disks.cuont=64", "disks.cuont", "disks.count"),
+            ("disk.count=64", "disk"),
+            ("disks.count=63", "disks.count", "63", "even"),
+            ("disks.count=64.0", "disks.count"),
+            ("disks.count=sixty", "disks.count"),
+            ("disks.count=", "disks.count"),
+            ("disks.count=[", "disks.count"),
+            ("disks.count", "disks.count"),
+            ("disks=1", "disks"),
+            ("=3",), ("",), (".=1",), ("disks..count=64",), ("disks.count=64 # x\n[output]",),
+            ("title=\"a\"\n[disks]",),
+        ):
+            with self.subTest(text=text):
+                self.refused(path, *words, arguments=("--set", text))
+
+    def test_set_is_toml_and_a_bare_word_is_a_string(self):
+        path, out = self.scene(), self.folder / "out"
+        self.run_scene(path, out, "--set", "disks.model=CD_n", "--set", "disks.count=128",
+                       "--set", "shear.strain=1e-2", "--set", 'disks.mass="area"',
+                       "--set", "title=bare")
+        scene = read_summary(out)["scene"]
+        self.assertEqual(scene["disks"]["model"], "CD_n")
+        self.assertEqual(scene["disks"]["mass"], "area")
+        self.assertEqual(scene["disks"]["count"], 128)
+        self.assertEqual(scene["title"], "bare")
+
+    def test_set_can_give_a_required_key(self):
+        path = self.scene(disks__model=None)
+        result = self.bagnold("validate", path, "--set", "disks.model=CD")
+        self.assertEqual(result.returncode, 0, result.stderr)
+
+    def test_integers_are_numbers(self):
+        path = self.scene(disks__elasticity=1, shear__strain=1, shear__discard=0,
+                          output__checkpoint_minutes=10, output__trajectory_strain=0)
+        result = self.bagnold("validate", path)
+        self.assertEqual(result.returncode, 0, result.stderr)
+
+    def test_bad_options(self):
+        path, out = self.scene(), self.folder / "out"
+        for arguments in (
+            ("run", path, "--out", out, "--threads", "0"),
+            ("run", path, "--out", out, "--threads", "-1"),
+            ("run", path, "--out", out, "--threads", "two"),
+            ("run", path, "--out", out, "--threads", "100000000"),
+            ("run", path, "--out", out, "--backend", "vulkan"),
+            ("run", path, "--out", out, "--thread", "2"),
+            ("run", path, "--out", ""),
+            ("run", "--out", out),
+            ("run", path, path, "--out", out),
+            ("simulate", path),
+            ("validate",),
+            ("validate", path, "--nonsense"),
+            ("resume",),
+            ("resume", self.folder / "nowhere"),
+            ("resume", self.folder / "nowhere", "--threads", "0"),
+        ):
+            with self.subTest(arguments=arguments):
+                self.assert_clean_error(self.bagnold(*arguments), 2)
+                self.assertFalse(out.exists())
+
+    def test_resume_of_a_folder_that_is_no_run(self):
+        (self.folder / "empty").mkdir()
+        self.assert_clean_error(self.bagnold("resume", self.folder / "empty"), 2)
+        self.assertEqual(list((self.folder / "empty").glob("*.h5")), [])
+
+    def test_backend_that_is_not_built(self):
+        info = self.bagnold("info").stdout.lower()
+        if "cuda" in info.split("backend")[-1]:
+            self.skipTest("cuda may be built")
+        result = self.bagnold("run", self.scene(), "--out", self.folder / "out",
+                              "--backend", "cuda")
+        self.assert_clean_error(result, 2, "cuda")
+        self.assertFalse((self.folder / "out").exists())
+
+    def test_a_refused_scene_leaves_a_forced_folder_alone(self):
+        out = self.folder / "out"
+        out.mkdir()
+        (out / "summary.json").write_text("{}")
+        result = self.bagnold("run", self.scene(disks__count=63), "--out", out, "--force")
+        self.assert_clean_error(result, 2, "disks.count")
+        self.assertEqual((out / "summary.json").read_text(), "{}")
+
+
+if __name__ == "__main__":
+    unittest.main()

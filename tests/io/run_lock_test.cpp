@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/io/run_lock.hpp"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <optional>
+#include <string>
+
+#include "src/config/errors.hpp"
+#include "tests/io/folder.hpp"
+
+namespace bagnold::io {
+namespace {
+
+/// 0: taken; 1: refused, naming the process; 2: refused, naming another.
+int try_lock(TestFolder const& folder, ::pid_t holder) {
+  try {
+    RunLock const lock(folder.path());
+  } catch (InputError const& error) {
+    auto const pid = "pid " + std::to_string(holder);
+    return std::string_view(error.what()).find(pid) != std::string_view::npos ? 1 : 2;
+  }
+  return 0;
+}
+
+TEST(RunLock, AnotherProcessIsToldWhoHoldsIt) {
+  TestFolder folder;
+  std::optional<RunLock> lock(folder.path());
+  auto const self = ::getpid();
+  EXPECT_EQ(in_child([&] { return try_lock(folder, self); }), 1);
+  lock.reset();
+  EXPECT_EQ(in_child([&] { return try_lock(folder, self); }), 0);
+}
+
+TEST(RunLock, IsReleasedWhenTheProcessIsKilled) {
+  TestFolder folder;
+  EXPECT_EQ(in_child([&] {
+              auto* const lock = new RunLock(folder.path());  // never released by hand
+              ::raise(SIGKILL);
+              return lock == nullptr ? 1 : 0;
+            }),
+            128 + SIGKILL);
+  EXPECT_NO_THROW(RunLock(folder.path()));
+}
+
+TEST(RunLock, DoesNotSurviveExec) {
+  TestFolder folder;
+  EXPECT_EQ(in_child([&] {
+              RunLock const lock(folder.path());
+              // flock belongs to the open file: a sleeping child that kept it would hold it
+              if (::fork() == 0) ::execl("/bin/sleep", "sleep", "2", nullptr);
+              ::usleep(200000);
+              ::_exit(0);
+              return 1;
+            }),
+            0);
+  EXPECT_NO_THROW(RunLock(folder.path()));
+}
+
+TEST(RunLock, MissingFolderIsAFileError) {
+  TestFolder folder;
+  EXPECT_THROW(RunLock(folder / "none"), FileError);
+}
+
+}  // namespace
+}  // namespace bagnold::io

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/io/state_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "src/config/errors.hpp"
+#include "src/io/atomic_file.hpp"
+#include "tests/io/equal.hpp"
+#include "tests/io/folder.hpp"
+#include "tests/io/states.hpp"
+
+namespace bagnold::io {
+namespace {
+
+TEST(StateFile, RoundTripKeepsEveryBit) {
+  TestFolder folder;
+  auto state = some_state(10);
+  state.position[3][1] = -0.0;
+  state.velocity[2][0] = 5e-324;
+  write_state(folder / "state.h5", state);
+  EXPECT_TRUE(same(read_state(folder / "state.h5"), state));
+  EXPECT_TRUE(same(read_state(folder / "state.h5", 10), state));
+
+  state.spin.clear();
+  state.strain_rate.reset();
+  write_state(folder / "state.h5", state);
+  EXPECT_TRUE(same(read_state(folder / "state.h5"), state));
+}
+
+TEST(StateFile, AMillionDisks) {
+  TestFolder folder;
+  auto const state = some_state(1'000'000);
+  write_state(folder / "state.h5", state);
+  EXPECT_TRUE(same(read_state(folder / "state.h5"), state));
+}
+
+TEST(StateFile, ImpossibleValuesAreRefusedByName) {
+  TestFolder folder;
+  auto const refused = [&](std::function<void(State&)> spoil, std::string const& part) {
+    auto state = some_state(4);
+    spoil(state);
+    write_state(folder / "s.h5", state);
+    try {
+      read_state(folder / "s.h5");
+    } catch (InputError const& error) {
+      return std::string(error.what()).find(part) != std::string::npos ? std::string("refused")
+                                                                       : error.what();
+    }
+    return std::string("accepted");
+  };
+  EXPECT_EQ(refused([](State& s) { s.position[1][1] = NAN; }, "/state/position, disk 1"),
+            "refused");
+  EXPECT_EQ(refused([](State& s) { s.velocity[3][0] = INFINITY; }, "velocity, disk 3"), "refused");
+  EXPECT_EQ(refused([](State& s) { s.spin[0] = NAN; }, "/state/spin, disk 0"), "refused");
+  EXPECT_EQ(refused([](State& s) { s.diameter[2] = 0.0; }, "/state/diameter, disk 2"), "refused");
+  EXPECT_EQ(refused([](State& s) { s.box_length = -1.0; }, "box_length = -1"), "refused");
+  EXPECT_EQ(refused([](State& s) { s.offset = NAN; }, "/state@offset"), "refused");
+  EXPECT_EQ(refused([](State& s) { s.time = INFINITY; }, "/state@time"), "refused");
+  EXPECT_EQ(refused([](State& s) { s.strain_rate = NAN; }, "/state@strain_rate"), "refused");
+  EXPECT_EQ(refused([](State& s) { s = some_state(1); }, "number of disks = 1"), "refused");
+  EXPECT_EQ(refused([](State&) {}, ""), "accepted");
+}
+
+TEST(StateFile, CountIsComparedWithTheScenes) {
+  TestFolder folder;
+  write_state(folder / "s.h5", some_state(4));
+  EXPECT_THROW(read_state(folder / "s.h5", 6), InputError);
+}
+
+TEST(StateFile, MissingAndForeignFilesAreInputErrors) {
+  TestFolder folder;
+  EXPECT_THROW(read_state(folder / "none.h5"), InputError);
+  EXPECT_THROW(read_state(folder.path()), InputError);
+  replace_file(folder / "text", bytes_of("position,velocity\n1,2\n"));
+  EXPECT_THROW(read_state(folder / "text"), InputError);
+  replace_file(folder / "empty", {});
+  EXPECT_THROW(read_state(folder / "empty"), InputError);
+}
+
+TEST(StateFile, H5pyReadsWhatIsWritten) {
+  if (!have_h5py()) GTEST_SKIP() << "no h5py";
+  TestFolder folder;
+  write_state(folder / "state.h5", some_state(6));
+  EXPECT_EQ(
+      run_python("import h5py; s = h5py.File(\"" + (folder / "state.h5").string() +
+                 "\")[\"state\"]\n"
+                 "assert s[\"position\"].shape == (6, 2) and s[\"velocity\"].shape == (6, 2)\n"
+                 "assert s[\"spin\"].shape == s[\"diameter\"].shape == (6,)\n"
+                 "assert s.attrs[\"box_length\"] == 12.25 and s.attrs[\"time\"] == 1 / 3\n"
+                 "assert s.attrs[\"offset\"] == 0.1 and s.attrs[\"strain_rate\"] == 1e-4\n"
+                 "assert s[\"position\"].attrs[\"unit\"] == \"d_s\"\n"
+                 "assert list(s[\"diameter\"][:2]) == [1.0, 1.4]"),
+      0);
+}
+
+TEST(StateFile, ReadsWhatH5pyWrites) {
+  if (!have_h5py()) GTEST_SKIP() << "no h5py";
+  TestFolder folder;
+  // float32, integers, big-endian, chunks, attributes as arrays and integers
+  ASSERT_EQ(run_python("import h5py, numpy as np\n"
+                       "f = h5py.File(\"" +
+                       (folder / "s.h5").string() +
+                       "\", \"w\", libver=\"latest\")\n"
+                       "g = f.create_group(\"state\"); n = 500\n"
+                       "x = np.arange(2 * n).reshape(n, 2)\n"
+                       "g.create_dataset(\"position\", data=x / 4, dtype=\"f4\", chunks=(64, 1))\n"
+                       "g.create_dataset(\"velocity\", data=x, dtype=\">i4\")\n"
+                       "g.create_dataset(\"spin\", data=x[:, 0], dtype=\">f8\", maxshape=(None,))\n"
+                       "g.create_dataset(\"diameter\", data=np.ones(n, \"u1\"))\n"
+                       "g.attrs[\"box_length\"] = np.float32(8); g.attrs[\"offset\"] = 0\n"
+                       "g.attrs[\"time\"] = np.array([2.5])"),
+            0);
+  auto const state = read_state(folder / "s.h5");
+  EXPECT_EQ(state.count(), 500u);
+  EXPECT_EQ(state.position[499][1], 999 / 4.0);
+  EXPECT_EQ(state.velocity[499][0], 998.0);
+  EXPECT_EQ(state.spin[7], 14.0);
+  EXPECT_EQ(state.diameter[7], 1.0);
+  EXPECT_EQ(state.box_length, 8.0);
+  EXPECT_EQ(state.time, 2.5);
+}
+
+}  // namespace
+}  // namespace bagnold::io

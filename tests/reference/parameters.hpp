@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+
+#include "src/state/state.hpp"
+
+/// The oracle: all pairs, all images, one disk after another, written from the papers alone (P1 =
+/// PRE 95, 012902 (2017), P2 = PRE 95, 052903 (2017)). Slow and plain on purpose: it shares no code
+/// with kernels/, so that an agreement of the two means something.
+namespace bagnold::reference {
+
+/// What is simulated. Units: d_s, tau_e, and m (equal masses, P2) or m_0 (area masses, P1); k_e
+/// = 1.
+struct Parameters {
+  enum class Model { CD, CD_n, CD_rot, general };
+  Model model = Model::CD_n;
+  double elasticity = 1.0;          ///< Q; k_d = 1 / Q (P1 Eq. 6, P2 Eq. 9)
+  double damping_normal = 1.0;      ///< model general: k_d^(n) Q
+  double damping_tangential = 1.0;  ///< model general: k_d^(t) Q
+  double force_exponent = 2.0;      ///< alpha (P1 Eq. 1)
+  bool area_mass = false;           ///< false: m_i = m = 1 (P2); true: by area, m_0 = 1 (P1)
+  double strain_rate = 0.0;         ///< [1 / tau_e]
+  double time_step = 0.05;          ///< [tau_e]
+};
+
+/// Whether disks carry spins: only where the law reads them.
+inline bool rotates(Parameters const& p) {
+  return p.model == Parameters::Model::CD_rot || p.model == Parameters::Model::general;
+}
+
+/// m_i. By area: m_i = rho_0 pi (d_i/2)^2 with m_0 = rho_0 d_s^2 / 2 = 1 (P1, below Eq. 4), so that
+/// m_i = (pi / 2) d_i^2; pi/2 for a small disk.
+inline double mass(Parameters const& p, double diameter) {
+  double const pi = 3.14159265358979323846;
+  return p.area_mass ? pi / 2.0 * diameter * diameter : 1.0;
+}
+
+/// I_i = m_i (d_i/2)^2 / 2, [m d_s^2] (P2, below Eq. 7).
+inline double moment_of_inertia(Parameters const& p, double diameter) {
+  double const radius = diameter / 2.0;
+  return 0.5 * mass(p, diameter) * radius * radius;
+}
+
+}  // namespace bagnold::reference

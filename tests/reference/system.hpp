@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "tests/reference/forces.hpp"
+
+namespace bagnold::reference {
+
+/// A state under way. Time and strain follow from the integer step count, so that they do not
+/// drift.
+struct System {
+  Parameters p;
+  State s;  ///< positions in [0, L)^2, lab-frame velocities; offset and time kept up to date
+  long step = 0;
+  double initial_strain = 0.0;  ///< at step 0
+  double initial_time = 0.0;    ///< at step 0, [tau_e]
+
+  /// Starts at the strain of s.offset. Spins are added at rest, or dropped, as the law wants.
+  System(Parameters const& parameters, State state) : p(parameters), s(std::move(state)) {
+    initial_strain = s.offset / s.box_length;
+    initial_time = s.time;
+    if (!rotates(p)) s.spin.clear();
+    if (rotates(p) && s.spin.empty()) s.spin.assign(s.count(), 0.0);
+  }
+};
+
+/// gamma = gamma_0 + gammadot t, `steps_ahead` steps from now.
+inline double strain(System const& system, long steps_ahead = 0) {
+  return system.initial_strain +
+         system.p.strain_rate * system.p.time_step * static_cast<double>(system.step + steps_ahead);
+}
+
+/// Puts in place of each disk its image in [0, L)^2: a crossing of y = L takes gamma L off x and
+/// gammadot L off v_x, besides L off y.
+inline void wrap(Parameters const& p, State& s, double strain) {
+  double const L = s.box_length;
+  double const offset = reduced_offset(strain, L);
+  for (std::size_t i = 0; i < s.count(); ++i) {
+    double const n = std::floor(s.position[i][1] / L);
+    s.position[i][1] -= n * L;
+    s.position[i][0] -= n * offset;
+    s.velocity[i][0] -= n * p.strain_rate * L;
+    s.position[i][0] -= std::floor(s.position[i][0] / L) * L;
+  }
+}
+
+/// One step of the modified velocity Verlet scheme, P2 Eqs. (21)-(24), and the equivalent of Eqs.
+/// (21) and (23) for the spins. The trial state belongs to t + dt, and so does its strain.
+inline void step(System& system) {
+  Parameters const& p = system.p;
+  double const dt = p.time_step;
+  State const before = system.s;
+  State trial = before;
+  State& after = system.s;
+  auto const f0 = forces_and_torques(p, before, strain(system));
+  for (std::size_t i = 0; i < before.count(); ++i) {
+    double const m = mass(p, before.diameter[i]);
+    for (int a = 0; a < 2; ++a) {
+      trial.velocity[i][a] = before.velocity[i][a] + f0[i][a] * dt / m;           // (21)
+      trial.position[i][a] = before.position[i][a] + before.velocity[i][a] * dt;  // (22)
+    }
+    if (rotates(p)) {
+      double const inertia = moment_of_inertia(p, before.diameter[i]);
+      trial.spin[i] = before.spin[i] + f0[i][2] * dt / inertia;
+    }
+  }
+  auto const f1 = forces_and_torques(p, trial, strain(system, 1));
+  for (std::size_t i = 0; i < before.count(); ++i) {
+    double const m = mass(p, before.diameter[i]);
+    for (int a = 0; a < 2; ++a) {
+      after.velocity[i][a] =
+          before.velocity[i][a] + (f0[i][a] + f1[i][a]) * dt / (2.0 * m);  // (23)
+      after.position[i][a] = before.position[i][a] +
+                             (before.velocity[i][a] + after.velocity[i][a]) * dt / 2.0;  // (24)
+    }
+    if (rotates(p)) {
+      double const inertia = moment_of_inertia(p, before.diameter[i]);
+      after.spin[i] = before.spin[i] + (f0[i][2] + f1[i][2]) * dt / (2.0 * inertia);
+    }
+  }
+  ++system.step;
+  wrap(p, after, strain(system));
+  after.offset = reduced_offset(strain(system), after.box_length);
+  after.time = system.initial_time + dt * static_cast<double>(system.step);
+}
+
+inline std::vector<Contact> contacts(System const& system) {
+  return contacts(system.p, system.s, strain(system));
+}
+
+inline double largest_overlap(System const& system) {
+  return largest_overlap(system.p, system.s, strain(system));
+}
+
+}  // namespace bagnold::reference

@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# includes_sees_test.sh FOLDER: does includes_test.sh see what it should? One small tree for each fault.
+set -euo pipefail
+test="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd -P)/includes_test.sh"
+failed=0
+
+# expect STATUS FILE LINE...
+expect() {
+  local status="$1" file="$2" found=0
+  rm -rf "$folder"
+  mkdir -p "$folder/kernels/core" "$folder/src/config" "$folder/$(dirname "$file")"
+  printf '%s\n' '#pragma once' >"$folder/kernels/core/a.hpp"
+  printf '%s\n' "${@:3}" >"$folder/$file"
+  bash "$test" "$folder" >/dev/null || found=$?
+  [ "$found" = "$status" ] && return 0
+  echo "expected status $status, found $found, for $file: ${*:3}"
+  failed=1
+}
+
+folder="$1"
+expect 0 kernels/contact/b.hpp '#include "kernels/core/a.hpp"' '#include <Kokkos_Core.hpp>'
+expect 0 kernels/neighbors/b.hpp 'parallel_for("neighbors::Search", n, f);'
+expect 1 kernels/core/b.hpp '#include "kernels/contact/a.hpp"'
+expect 1 kernels/contact/b.hpp '#include "kernels/neighbors/a.hpp"'
+expect 1 kernels/neighbors/b.hpp '#include "kernels/contact/a.hpp"'
+expect 1 kernels/contact/b.hpp '#include "contact.hpp"'
+expect 1 kernels/contact/b.hpp '#include <H5Cpp.h>'
+expect 1 kernels/neighbors/b.hpp 'parallel_for("contact::Search", n, f);'
+expect 0 src/start/b.cpp 'Kokkos::parallel_for(' '    "start::Relax", n, f);'
+expect 1 src/start/b.cpp 'Kokkos::parallel_for(n, f);'
+expect 1 src/config/b.cpp '#include <Kokkos_Core.hpp>'
+expect 1 src/io/b.cpp '#include "src/cli/a.hpp"'
+expect 1 src/unheard/b.cpp '#include <vector>'
+exit "$failed"

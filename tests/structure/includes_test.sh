@@ -1,0 +1,87 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# includes_test.sh ROOT: do includes in ROOT/kernels and ROOT/src point one way, are they written from
+# the root, and do kernel labels carry their module? Prints what does not; exits 1 if anything does not.
+set -euo pipefail
+cd "$1"
+export LC_ALL=C
+
+# A folder, and the folders of this repository that it may include. Itself goes without saying.
+allowed="
+kernels/core
+kernels/geometry     kernels/core
+kernels/contact      kernels/core kernels/geometry
+kernels/neighbors    kernels/core kernels/geometry
+kernels/dynamics     kernels/core kernels/geometry kernels/contact kernels/neighbors
+kernels/observables  kernels/core kernels/geometry kernels/contact kernels/neighbors kernels/dynamics
+src/config
+src/statistics
+src/state            src/config kernels/core
+src/simulation       src/config src/state src/statistics kernels
+src/protocols        src/config src/state src/statistics src/simulation
+src/io               src/config src/state src/statistics
+src/start            src/config src/state src/statistics src/simulation src/io kernels
+src/analysis         src/config src/state src/statistics src/simulation src/io
+src/cli              src kernels
+"
+# A folder, and the libraries that it must not know. Kernels know Kokkos and the standard library.
+forbidden="
+kernels              hdf5|H5|toml|CLI|fmt/|nlohmann|Eigen|xxhash
+src/config           Kokkos|hdf5|H5
+src/state            hdf5|H5|toml|CLI|nlohmann
+src/statistics       Kokkos|hdf5|H5|toml|CLI|nlohmann
+src/protocols        Kokkos|hdf5|H5|toml|CLI
+src/io               Kokkos
+"
+
+mapfile -t files < <(find kernels src -type f \( -name '*.hpp' -o -name '*.cpp' \) | sort)
+
+# shellcheck disable=SC2016 # the $ are awk's
+awk -v allowed="$allowed" -v forbidden="$forbidden" '
+  function complain(text) { print FILENAME ":" FNR ": " text; wrong = 1 }
+  function inside(path, folder) { return index(path, folder "/") == 1 }
+  BEGIN {
+    rules = split(allowed, rule, "\n")
+    bans = split(forbidden, ban, "\n")
+  }
+  FNR == 1 {
+    match(FILENAME, /^[a-z]+\/[a-z_]+/)
+    here = substr(FILENAME, RSTART, RLENGTH)
+    module = here; sub(/.*\//, "", module)
+    friends = ""; known = 0
+    for (r = 1; r <= rules; ++r) {
+      split(rule[r], word, " ")
+      if (word[1] == here) { friends = rule[r]; known = 1 }
+    }
+    if (!known) complain("folder " here " has no row in tests/structure/includes_test.sh")
+    banned = ""
+    for (b = 1; b <= bans; ++b) {
+      split(ban[b], word, " ")
+      if (word[1] != "" && inside(FILENAME, word[1])) banned = word[2]
+    }
+  }
+  /^[ \t]*#[ \t]*include[ \t]*"/ {
+    split($0, part, "\""); path = part[2]
+    if (path ~ /^(git_version|plot_script)\.hpp$/) next  # made by the build
+    if (!(inside(path, "kernels") || inside(path, "src"))) {
+      complain("\"" path "\" is not written from the root"); next
+    }
+    friend = 0
+    count = split(friends, word, " ")
+    for (w = 1; w <= count; ++w) if (inside(path, word[w])) friend = 1
+    if (!friend) complain(here " must not include " path)
+  }
+  banned != "" && /^[ \t]*#[ \t]*include[ \t]*</ && $0 ~ ("<(" banned ")") {
+    complain(here " must not use " $0)
+  }
+  here ~ /^kernels/ && /"[a-z_]+::[A-Za-z_: ]*"/ && index($0, "\"" module "::") == 0 {
+    complain("the label does not start with its module, " module "::")
+  }
+  launch || /parallel_(for|reduce|scan)\(/ {  # the label is on this line or the next
+    first = $0
+    if (!launch) sub(/.*parallel_(for|reduce|scan)\(/, "", first)
+    launch = first ~ /^[ \t]*$/
+    if (!launch && first !~ /^[ \t]*"[a-z_]+::/) complain("a kernel needs a label, \"module::What\"")
+  }
+  END { exit wrong }' "${files[@]}"
