@@ -34,19 +34,16 @@ if(Kokkos_FOUND)
 
 elseif(BAGNOLD_FETCH_KOKKOS)
   include(FetchContent)
-  set(Kokkos_VERSION 4.5.01)
-  set(Kokkos_DEVICES OPENMP SERIAL)
   set(Kokkos_ENABLE_SERIAL ON CACHE BOOL "")
   set(Kokkos_ENABLE_OPENMP ON CACHE BOOL "")
-  message(STATUS "Kokkos ${Kokkos_VERSION} with ${Kokkos_DEVICES}: downloading upstream's release")
+  message(STATUS "Kokkos 4.5.01 with OPENMP;SERIAL: upstream's release, downloaded")
   # What `git archive` gives for tag 4.5.01, commit 175257a51ff29a0059ec48bcd233ee096b2c0438.
   FetchContent_Declare(Kokkos SYSTEM
     URL https://github.com/kokkos/kokkos/releases/download/4.5.01/kokkos-4.5.01.tar.gz
     URL_HASH SHA256=52d003ffbbe05f30c89966e4009c017efb1662b02b2b73190670d3418719564c)
-  set(bagnold_standard "${CMAKE_CXX_STANDARD}")
-  set(CMAKE_CXX_STANDARD 20)
   FetchContent_MakeAvailable(Kokkos)
-  set(CMAKE_CXX_STANDARD "${bagnold_standard}")
+  set(Kokkos_VERSION 4.5.01)  # not before: Kokkos' own build refuses such variables from outside
+  set(Kokkos_DEVICES OPENMP SERIAL)
 
 else()
   message(FATAL_ERROR "Kokkos (3.4 to 5.x) was not found. Do one of these:\n"

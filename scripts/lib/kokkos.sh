@@ -92,6 +92,8 @@ build_kokkos() {
 # Leaves in kokkos_arguments what the configure step needs beyond what CMake finds by itself.
 provide_kokkos() {
   kokkos_arguments=()
+  # One that the user names counts, not the one that an earlier build found.
+  [ -z "${Kokkos_ROOT:-}" ] || kokkos_arguments=(-UKokkos_DIR)
   set_cache
   kokkos_is_found && return 0
   [ -z "${Kokkos_ROOT:-}" ] || die "no Kokkos that will do (3.4 to 5.x) in Kokkos_ROOT=$Kokkos_ROOT"

@@ -12,7 +12,8 @@ namespace bagnold::io {
 // What is refused in an HDF5 file from elsewhere. A file of 2 kB can name another file as the place
 // of its data (external storage, external link, virtual dataset) or declare terabytes; every check
 // here comes before anything is read or allocated. All throw InputError with the file's name,
-// the path inside it, the reason and a remedy.
+// the path inside it, the reason and a remedy. What is left: HDF5 1.10.8 itself reads past the end
+// of a damaged attribute (AddressSanitizer), in 600000 trials without a crash.
 
 /// An open HDF5 file and what messages call it.
 struct OpenFile {

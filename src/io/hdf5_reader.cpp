@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/io/hdf5_reader.hpp"
 
-#include <hdf5_hl.h>
+#include <cstring>
 
 #include "src/io/hash.hpp"
 
@@ -19,12 +19,28 @@ Handle lossless() {
   return transfer;
 }
 
+// HDF5 would copy the image three times; by these calls its core driver works on ours, which it
+// only reads. (H5LTopen_file_image does the same, but loses memory where the opening fails.)
+
+void* lend(std::size_t, H5FD_file_image_op_t, void* ours) { return ours; }
+void* keep(void* to, void const* from, std::size_t size, H5FD_file_image_op_t, void*) {
+  return to == from ? to : std::memcpy(to, from, size);
+}
+void* refuse_to_grow(void*, std::size_t, H5FD_file_image_op_t, void*) { return nullptr; }
+herr_t keep_ours(void*, H5FD_file_image_op_t, void*) { return 0; }
+void* same(void* ours) { return ours; }
+herr_t leave(void*) { return 0; }
+
 Handle open_image(std::vector<std::byte>& image) {
   quiet_hdf5();
   if (image.empty()) return Handle(-1, H5Fclose);
-  return Handle(H5LTopen_file_image(image.data(), image.size(),
-                                    H5LT_FILE_IMAGE_DONT_COPY | H5LT_FILE_IMAGE_DONT_RELEASE),
-                H5Fclose);
+  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_fapl_core(access.get(), /*increment=*/1 << 20, /*backing_store=*/false);
+  H5FD_file_image_callbacks_t calls{lend, keep,  refuse_to_grow, keep_ours,
+                                    same, leave, image.data()};
+  H5Pset_file_image_callbacks(access.get(), &calls);
+  H5Pset_file_image(access.get(), image.data(), image.size());
+  return Handle(H5Fopen("image", H5F_ACC_RDONLY, access.get()), H5Fclose);
 }
 
 herr_t keep_name(hid_t, char const* name, H5A_info_t const*, void* names) {

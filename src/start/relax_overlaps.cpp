@@ -10,11 +10,8 @@ namespace bagnold {
 
 namespace {
 
-using Space = Kokkos::DefaultHostExecutionSpace;
-using Positions = Kokkos::View<Vec2<Real>*, Space>;
-using Policy = Kokkos::RangePolicy<Space, Kokkos::IndexType<std::int64_t>>;
-
 /// Disks at rest that push each other apart.
+template <class Space>
 class Relaxer {
  public:
   Relaxer(State const& state, double skin)
@@ -39,7 +36,7 @@ class Relaxer {
 
   double largest_overlap() const {
     using Overlap = LargestOverlap<NoDissipation, HarmonicRepulsion, Space>;
-    Overlap::Value deepest{};
+    typename Overlap::Value deepest{};
     Kokkos::parallel_reduce("start::LargestOverlap", policy(), Overlap{forces()},
                             Kokkos::MaxLoc<Real, std::int64_t>(deepest));
     return std::max(0.0, deepest.val);
@@ -51,6 +48,9 @@ class Relaxer {
   }
 
  private:
+  using Positions = Kokkos::View<Vec2<Real>*, Space>;
+  using Policy = Kokkos::RangePolicy<Space, Kokkos::IndexType<std::int64_t>>;
+
   Policy policy() const { return Policy(0, static_cast<std::int64_t>(position_.extent(0))); }
 
   ContactForces<NoDissipation, HarmonicRepulsion, Space> forces() const {
@@ -81,11 +81,10 @@ class Relaxer {
   VerletList<Space> list_;
 };
 
-}  // namespace
-
-Relaxation relax_overlaps(State& state, double overlap, std::int64_t iterations, double skin) {
+template <class Space>
+Relaxation relax_on(State& state, double overlap, std::int64_t iterations, double skin) {
   constexpr std::int64_t between_checks = 10;
-  Relaxer relaxer(state, skin);
+  Relaxer<Space> relaxer(state, skin);
   std::int64_t done = 0;
   double left = relaxer.largest_overlap();
   while (left > overlap && done < iterations) {
@@ -95,6 +94,17 @@ Relaxation relax_overlaps(State& state, double overlap, std::int64_t iterations,
   }
   relaxer.write_to(state);
   return {done, left};
+}
+
+}  // namespace
+
+Relaxation relax_overlaps(State& state, double overlap, std::int64_t iterations, double skin) {
+#ifdef KOKKOS_ENABLE_SERIAL
+  constexpr std::size_t worth_threads = 8192;  // fewer disks wait for each other more than they move
+  if (state.count() < worth_threads)
+    return relax_on<Kokkos::Serial>(state, overlap, iterations, skin);
+#endif
+  return relax_on<Kokkos::DefaultHostExecutionSpace>(state, overlap, iterations, skin);
 }
 
 }  // namespace bagnold

@@ -12,7 +12,7 @@ struct Relaxation {
 };
 
 /// Pushes overlapping disks apart at rest until the largest relative overlap is below `overlap` or
-/// the iterations are used up. Runs on the default host backend; the bits do not depend on it.
+/// the iterations are used up. Runs on the host; the bits do not depend on which backend.
 Relaxation relax_overlaps(State& state, double overlap, std::int64_t iterations, double skin);
 
 }  // namespace bagnold

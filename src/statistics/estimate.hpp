@@ -29,8 +29,8 @@ inline constexpr std::size_t fewest_blocks = 8;
 ///
 /// 1. Leaving out one window at a time makes f, however it combines the averages, a series of one
 ///    value a window (jackknife.hpp).
-/// 2. Blocking that series tells a first correlation time, and that the block length
-/// (blocking.hpp).
+/// 2. Blocking that series tells a first correlation time, and that the length of the blocks
+///    (blocking.hpp).
 /// 3. The error is the jackknife over blocks of this length; tau_int = (1/2) (error / se_1)^2, se_1
 ///    being that of the series were its windows independent.
 /// 4. Both are freed from the end effect of blocks, (1/4)(tau_int / n)^(1/3) of the error: 2.5% at
@@ -38,6 +38,7 @@ inline constexpr std::size_t fewest_blocks = 8;
 ///
 /// On first-order autoregressive series errors are right on average within 2% above n = 150 tau_int
 /// and about 4% low at 100 tau_int; each one scatters by (tau_int / n)^(1/3), 10% at 1000 tau_int.
+/// Two time scales (0.3 and 0.95 a window) made them 7 to 9% low, damped oscillations 6 to 9% high.
 ///
 /// No error with fewer than 8 blocks. Far too short a run can still seem long enough (1% of runs of
 /// 4 tau_int, 10% of 20 tau_int): no method sees what has not happened yet, and where a system

@@ -85,7 +85,7 @@ def changed(scene=None, /, **changes):
 
 def environment(**more):
     env = {k: v for k, v in os.environ.items() if not k.startswith(("OMP_", "KOKKOS_"))}
-    return {**env, **more}
+    return {"OMP_WAIT_POLICY": "passive", **env, **more}  # no spinning beside other tests
 
 
 class CliTest(unittest.TestCase):

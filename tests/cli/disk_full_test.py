@@ -2,12 +2,13 @@
 """A full disk or an unwritable directory: exit 4, and the last good checkpoint still resumes."""
 
 import os
+import resource
 import signal
 import subprocess
 import time
 import unittest
 
-from bagnold import SCENE, CliTest, changed, seconds_to_strain
+from bagnold import PROGRAM, SCENE, CliTest, changed, environment, seconds_to_strain
 
 LONG = {"disks__model": "CD_rot", "disks__count": 1024, "shear__strain_rate": 2.0**-7}
 
@@ -89,14 +90,12 @@ class Full(DiskTest):
 
     def test_file_size_limit(self):
         """ulimit -f: the signal SIGXFSZ must not kill the run without a word."""
-        import resource
-
         def limit():
             resource.setrlimit(resource.RLIMIT_FSIZE, (20000, 20000))
 
         scene, out = self.scene(**LONG), self.folder / "out"
-        result = subprocess.run([os.environ["BAGNOLD"], "run", scene, "--out", out], text=True,
-                                capture_output=True, preexec_fn=limit, timeout=60)
+        result = subprocess.run([PROGRAM, "run", scene, "--out", out], text=True, timeout=60,
+                                capture_output=True, preexec_fn=limit, env=environment())
         self.assert_clean_error(result, 4)
 
 

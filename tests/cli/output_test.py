@@ -150,8 +150,8 @@ class Files(CliTest):
         self.assertRegex((result.stdout + result.stderr).lower(), "too short|too few|short")
 
     def test_long_statistics_have_errors(self):
-        out = self.run_new("out", shear__strain=4.0, disks__model="CD")
-        for name in ("p", "sigma", "mu", "I", "sigma_dev", "T_g", "Z"):
+        out = self.run_new("out", shear__strain=64.0, disks__packing_fraction=0.6)
+        for name in ("p", "sigma", "mu", "I", "sigma_dev", "Z"):
             value = read_summary(out)["observables"][name]
             self.assertIsNotNone(value["error"], name)
             self.assertGreater(value["error"], 0.0, name)

@@ -39,8 +39,9 @@ inline State packed(std::size_t side, std::uint64_t seed) {
   s.box_length = spacing * static_cast<double>(side);
   for (std::size_t row = 0; row < side; ++row) {
     for (std::size_t column = 0; column < side; ++column) {
-      s.position.push_back(
-          {spacing * (column + 0.5) + shake(random), spacing * (row + 0.5) + shake(random)});
+      double const x = spacing * (static_cast<double>(column) + 0.5);
+      double const y = spacing * (static_cast<double>(row) + 0.5);
+      s.position.push_back({x + shake(random), y + shake(random)});
       s.velocity.push_back({0.05 * s.position.back()[1] + shake(random), shake(random)});
       s.spin.push_back(shake(random));
       s.diameter.push_back((row + column) % 2 == 0 ? 1.0 : 1.4);

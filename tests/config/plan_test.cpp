@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/config/plan.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "tests/config/scenes.hpp"
+
+namespace bagnold {
+namespace {
+
+Scene scene_of(double strain, double rate, double time_step, double window, double discard) {
+  Scene scene = minimal_scene();
+  scene.shear.strain = strain;
+  scene.shear.strain_rate = rate;
+  scene.shear.discard = discard;
+  scene.integration.time_step = time_step;
+  scene.output.sample_strain = window;
+  return scene;
+}
+
+std::string refusal_of(std::function<void()> const& action) {
+  try {
+    action();
+  } catch (InputError const& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Plan, ExactQuotientsAreNotRoundedUp) {
+  Plan const plan = make_plan(scene_of(20.0, 1e-4, 0.05, 1e-2, 0.5));
+  EXPECT_EQ(plan.time_step, 0.05);
+  EXPECT_EQ(plan.steps, 4'000'000);
+  EXPECT_EQ(plan.window_steps, 2000);
+  EXPECT_EQ(plan.windows, 2000);
+  EXPECT_EQ(plan.discarded_windows, 1000);
+  EXPECT_EQ(plan.every, 10);
+}
+
+/// Whatever powers of ten: strain = K rate dt in decimal is K steps, not one more.
+TEST(Plan, DecimalQuotientsAreExact) {
+  for (double const rate : {1e-6, 3e-5, 1e-4, 7e-3, 0.1})
+    for (double const time_step : {0.01, 0.05, 0.1, 0.03})
+      for (std::int64_t const steps : {1, 3, 7, 1000, 12345, 1'000'000, 999'999'999}) {
+        double const strain = static_cast<double>(steps) * rate * time_step;
+        EXPECT_EQ(make_plan(scene_of(strain, rate, time_step, strain, 0)).steps, steps)
+            << rate << " " << time_step;
+      }
+}
+
+TEST(Plan, OtherQuotientsAreRoundedUp) {
+  Plan const plan = make_plan(scene_of(1.0, 0.01, 0.03, 0.1, 0.5));
+  EXPECT_EQ(plan.steps, 3334);         // 1 / 0.0003 = 3333.3
+  EXPECT_EQ(plan.window_steps, 334);   // 333.3
+  EXPECT_EQ(plan.windows, 10);         // 9.98: the last one is shorter
+  EXPECT_EQ(plan.discarded_windows, 5);
+  EXPECT_EQ(make_plan(scene_of(1.0, 0.01, 0.03, 0.1, 0.51)).discarded_windows, 6);
+  EXPECT_EQ(make_plan(scene_of(1.0, 0.01, 0.03, 0.1, 0.0)).discarded_windows, 0);
+  EXPECT_EQ(make_plan(scene_of(1.0, 0.01, 0.03, 0.1, 0.3)).discarded_windows, 3);
+  EXPECT_EQ(make_plan(scene_of(1.0, 0.01, 0.03, 0.1, 1e-9)).discarded_windows, 1);
+}
+
+TEST(Plan, CoversItsStrainInWholeSteps) {
+  for (double const strain : {0.3, 1.7, 20.0 / 3, 123.456})
+    for (double const window : {0.0007, 0.01, 0.33, 500.0}) {
+      Plan const plan = make_plan(scene_of(strain, 3.7e-4, 0.05, window, 0.5));
+      double const step_strain = 3.7e-4 * 0.05;
+      EXPECT_GE(static_cast<double>(plan.steps) * step_strain, strain * (1 - 1e-11));
+      EXPECT_LT(static_cast<double>(plan.steps - 1) * step_strain, strain);
+      EXPECT_GE(static_cast<double>(plan.window_steps) * step_strain, window * (1 - 1e-11));
+      EXPECT_LT(static_cast<double>(plan.window_steps - 1) * step_strain, window);
+      EXPECT_GE(plan.windows * plan.window_steps, plan.steps);
+      EXPECT_LT((plan.windows - 1) * plan.window_steps, plan.steps);
+      EXPECT_LE(plan.discarded_windows, plan.windows);
+      EXPECT_GE(2 * plan.discarded_windows, plan.windows);
+    }
+}
+
+TEST(Plan, AWindowMayBeLongerThanTheRunOrShorterThanAStep) {
+  Plan const longer = make_plan(scene_of(1.0, 1e-4, 0.05, 7.0, 0.0));
+  EXPECT_EQ(longer.windows, 1);
+  EXPECT_EQ(longer.window_steps, 1'400'000);
+  EXPECT_EQ(make_plan(scene_of(1.0, 1e-4, 0.05, 1e300, 0.0)).windows, 1);
+  Plan const shorter = make_plan(scene_of(1.0, 1e-4, 0.05, 1e-9, 0.0));
+  EXPECT_EQ(shorter.window_steps, 1);
+  EXPECT_EQ(shorter.windows, shorter.steps);
+  EXPECT_EQ(make_plan(scene_of(1e-9, 1e-4, 0.05, 1.0, 0.0)).steps, 1);
+}
+
+TEST(Plan, TakesThePapersTimeStep) {
+  Scene scene = minimal_scene();
+  EXPECT_EQ(make_plan(scene).time_step, 0.05);
+  scene.disks.elasticity = 0.2;
+  EXPECT_EQ(make_plan(scene).time_step, 0.02);
+  EXPECT_EQ(make_plan(scene).steps, 10'000'000);
+}
+
+TEST(Plan, TooManyStepsOrWindowsAreRefused) {
+  auto const refusal_for = [](Scene const& scene) {
+    return refusal_of([&] { make_plan(scene); });
+  };
+  EXPECT_TRUE(has(refusal_for(scene_of(1e9, 1e-10, 0.05, 1e4, 0.5)), "shear.strain = 1"));
+  EXPECT_TRUE(has(refusal_for(scene_of(1.0, 5e-324, 0.05, 1e4, 0.5)), "shear.strain_rate = 5e-324"));
+  EXPECT_TRUE(has(refusal_for(scene_of(1.0, 1e-300, 1e-300, 1e4, 0.5)), "steps"));
+  EXPECT_EQ(refusal_for(scene_of(2e5, 1e-9, 0.05, 1e4, 0.5)), "accepted");  // 4e15
+  EXPECT_TRUE(has(refusal_for(scene_of(20, 1e-4, 0.05, 1.9e-5, 0.5)),
+                  "output.sample_strain = 1.9e-05"));
+  EXPECT_TRUE(has(refusal_for(scene_of(20, 1e-4, 0.05, 1.9e-5, 0.5)), "use at least 2e-05"));
+  EXPECT_EQ(refusal_for(scene_of(20, 1e-4, 0.05, 2e-5, 0.5)), "accepted");
+}
+
+/// As P1 Eq. (8) and P2 Eq. (11) say: the disks' area is phi L^2.
+TEST(Box, HoldsThePackingFraction) {
+  Scene scene = minimal_scene();
+  for (double const phi : {0.1, 0.6, 0.84335}) {
+    scene.disks.packing_fraction = phi;
+    double const pi = std::numbers::pi;
+    double const area = 512 * pi * 0.25 + 512 * pi * 0.49;
+    EXPECT_NEAR(area / (scene.box_length() * scene.box_length()), phi, 1e-14);
+  }
+}
+
+std::string feasibility(Scene const& scene, bool allow_unstable = false) {
+  return refusal_of([&] { check_feasible(scene, make_plan(scene), allow_unstable); });
+}
+
+TEST(Feasible, ABoxMustHoldTwoContactDistancesAndSkins) {
+  Scene scene = minimal_scene();
+  scene.disks.count = 12;
+  double const width = scene.box_length();
+  scene.integration.skin = width / 2 - 1.4;
+  scene.integration.skin *= 1 - 1e-12;
+  EXPECT_EQ(feasibility(scene), "accepted");
+  scene.integration.skin *= 1 + 1e-11;
+  std::string const message = feasibility(scene);
+  EXPECT_TRUE(has(message, "disks.count = 12 makes a box")) << message;
+  EXPECT_TRUE(has(message, "integration.skin")) << message;
+}
+
+TEST(Feasible, MoreMemoryThanThereIsIsRefused) {
+  Scene scene = minimal_scene();
+  EXPECT_EQ(feasibility(scene), "accepted");
+  scene.disks.count = 1'000'000'000'000;
+  std::string const message = feasibility(scene);
+  EXPECT_TRUE(has(message, "disks.count = 1000000000000 needs about") && has(message, "memory"))
+      << message;
+}
+
+/// Positions and velocities now and at the trial step, lists and a host copy: no run does with less
+/// than 150 bytes a disk, and none should be told that it takes 10 kB.
+TEST(Feasible, MemoryGrowsWithDisksAndWindows) {
+  Scene scene = minimal_scene();
+  scene.disks.count = 1'000'000;
+  Plan const plan = make_plan(scene);
+  double const million = memory_needed(scene, plan);
+  scene.disks.count = 2'000'000;
+  double const a_disk = (memory_needed(scene, plan) - million) / 1e6;
+  EXPECT_GT(a_disk, 150);
+  EXPECT_LT(a_disk, 10000);
+  scene.disks.model = "CD";
+  EXPECT_LT(memory_needed(scene, plan), million + 1e6 * a_disk);  // no spins
+  Plan longer = plan;
+  longer.windows += 1'000'000;
+  EXPECT_GT(memory_needed(scene, longer), memory_needed(scene, plan) + 1e6 * 13 * 8);
+}
+
+TEST(Feasible, AnUnstableTimeStepNeedsConsent) {
+  Scene scene = minimal_scene();
+  scene.integration.time_step = 5.0;
+  std::string const message = feasibility(scene);
+  EXPECT_TRUE(has(message, "integration.time_step = 5 (unstable")) << message;
+  EXPECT_TRUE(has(message, "the papers' rule gives 0.05") && has(message, "--allow-unstable"));
+  EXPECT_EQ(feasibility(scene, true), "accepted");
+}
+
+TEST(Feasible, ThePapersStepsAreStable) {
+  Scene scene = minimal_scene();
+  for (auto const* model : {"CD", "CD_n", "CD_rot", "general"})
+    for (auto const* mass : {"equal", "area"})
+      for (double q = 0.1; q <= 1e6; q *= 1.7) {
+        scene.disks.model = model;
+        scene.disks.mass = mass;
+        scene.disks.elasticity = q;
+        scene.shear.strain = 1e-3;
+        EXPECT_EQ(feasibility(scene), "accepted") << model << " " << mass << " Q = " << q;
+      }
+}
+
+}  // namespace
+}  // namespace bagnold

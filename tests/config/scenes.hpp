@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "src/config/errors.hpp"
+#include "src/config/keys.hpp"
+#include "src/config/scene_file.hpp"
+
+/// What the tests of scenes start from.
+namespace bagnold {
+
+/// The required keys and nothing else, one a line: model is line 2, strain line 9.
+inline std::string const minimal_text = R"([disks]
+model = "CD_rot"
+count = 1024
+packing_fraction = 0.82
+elasticity = 1.0
+mass = "equal"
+[shear]
+strain_rate = 1e-4
+strain = 20.0
+)";
+
+inline Scene parse(std::string const& text, std::vector<std::string> const& overrides = {}) {
+  return parse_scene(text, "scene.toml", "/folder", overrides);
+}
+
+inline Scene minimal_scene() { return parse(minimal_text); }
+
+/// The message with which a text is refused as bad input; "accepted" if it is not.
+inline std::string refusal(std::string const& text,
+                           std::vector<std::string> const& overrides = {}) {
+  try {
+    parse(text, overrides);
+  } catch (InputError const& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+inline bool has(std::string const& message, std::string const& part) {
+  return message.find(part) != std::string::npos;
+}
+
+/// `text` with the one line that sets `key` replaced by `line`.
+inline std::string with_line(std::string text, std::string const& key, std::string const& line) {
+  auto const begin = text.find("\n" + key + " = ") + 1;
+  return text.replace(begin, text.find('\n', begin) - begin, line);
+}
+
+/// Whether all members agree, bit for bit.
+inline bool same(Scene const& a, Scene const& b) {
+  bool equal = true;
+  for_each_key(a, [&](Key const& key, auto const& one) {
+    for_each_key(b, [&](Key const& other, auto const& two) {
+      if constexpr (std::is_same_v<decltype(one), decltype(two)>)
+        if (key.name == other.name) equal = equal && one == two;
+    });
+  });
+  return equal;
+}
+
+/// The sources that were compiled, by absolute path: inputs/ is beside tests/.
+inline std::filesystem::path const source_folder =
+    std::filesystem::path(__FILE__).parent_path().parent_path().parent_path();
+
+}  // namespace bagnold

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <tuple>
+
+#include "kernels/observables/sums.hpp"
+#include "src/config/time_step.hpp"
+#include "src/simulation/laws.hpp"
+#include "src/simulation/make_simulation.hpp"
+#include "src/start/relax_overlaps.hpp"
+#include "src/start/start.hpp"
+#include "tests/reference/reference.hpp"
+
+/// Scenes, starts and comparisons that the tests of simulations share.
+namespace bagnold::test {
+
+/// The names in the one list of laws.
+inline std::vector<std::string> law_names() {
+  return []<class... L>(std::tuple<L...> const*) {
+    return std::vector<std::string>{std::string(L::name)...};
+  }(static_cast<Laws const*>(nullptr));
+}
+
+/// A test runs once for every (law, backend).
+class EveryLawAndBackend
+    : public testing::TestWithParam<std::tuple<std::string, std::string>> {
+ public:
+  std::string law() const { return std::get<0>(GetParam()); }
+  std::string backend() const { return std::get<1>(GetParam()); }
+
+  static auto all() {
+    return testing::Combine(testing::ValuesIn(law_names()), testing::ValuesIn(backend_names()));
+  }
+  static std::string name(testing::TestParamInfo<ParamType> const& info) {
+    return std::get<0>(info.param) + "_" + std::get<1>(info.param);
+  }
+};
+
+#define BAGNOLD_FOR_EVERY_LAW_AND_BACKEND(Suite) \
+  INSTANTIATE_TEST_SUITE_P(All, Suite, Suite::all(), Suite::name)
+
+/// A small system under fast shear: many contacts, rebuilds and crossings in a few hundred steps.
+inline Scene small_scene(std::string const& model, double packing_fraction = 0.82,
+                         std::int64_t count = 64) {
+  Scene scene;
+  scene.disks.model = model;
+  scene.disks.count = count;
+  scene.disks.packing_fraction = packing_fraction;
+  scene.disks.elasticity = 2.0;
+  scene.disks.mass = "area";
+  if (model == "general") {
+    scene.disks.damping_normal = 0.7;
+    scene.disks.damping_tangential = 1.6;
+  }
+  scene.shear.strain_rate = 1e-2;
+  scene.shear.strain = 1.0;
+  scene.start.iterations = 3000;
+  scene.integration.time_step = 0.05;
+  scene.integration.skin = 0.1;
+  return scene;
+}
+
+inline Snapshot start(State state) {
+  Snapshot snapshot;
+  snapshot.initial_offset = state.offset;
+  snapshot.initial_time = state.time;
+  snapshot.state = std::move(state);
+  return snapshot;
+}
+
+/// A random start with the offset at a third of the box, so that rows above and below are shifted,
+/// and with velocities beyond the mean flow: all drift upwards, so that some cross the edge.
+inline State shaken_start(Scene const& scene) {
+  State state = random_start(scene).state;
+  state.offset = state.box_length / 3;
+  relax_overlaps(state, scene.start.overlap, scene.start.iterations, scene.integration.skin);
+  for (std::size_t i = 0; i < state.count(); ++i) {
+    double const k = static_cast<double>(i);
+    state.velocity[i][0] += 0.02 * std::sin(12.9898 * k);
+    state.velocity[i][1] += 0.1 + 0.02 * std::cos(78.233 * k);
+    if (!state.spin.empty()) state.spin[i] += 0.02 * std::sin(4.1 * k);
+  }
+  return state;
+}
+
+inline std::unique_ptr<Simulation> simulate(Scene const& scene, State const& state,
+                                            std::string const& backend) {
+  return make_simulation(scene, start(state), backend);
+}
+
+/// Steps on without measuring.
+inline void advance(Simulation& simulation, std::int64_t steps) {
+  WindowSums unused;
+  simulation.advance(steps, {0, std::int64_t{1} << 40}, unused);
+}
+
+inline reference::Parameters reference_parameters(Scene const& scene) {
+  using Model = reference::Parameters::Model;
+  reference::Parameters p;
+  auto const& name = scene.disks.model;
+  p.model = name == "CD"       ? Model::CD
+            : name == "CD_n"   ? Model::CD_n
+            : name == "CD_rot" ? Model::CD_rot
+                               : Model::general;
+  p.elasticity = scene.disks.elasticity;
+  p.damping_normal = scene.disks.damping_normal;
+  p.damping_tangential = scene.disks.damping_tangential;
+  p.force_exponent = scene.disks.force_exponent;
+  p.area_mass = scene.mass_by_area();
+  p.strain_rate = scene.shear.strain_rate;
+  p.time_step = time_step(scene);
+  return p;
+}
+
+/// Largest difference of two states of one system, whichever images their disks are at:
+/// positions [d_s], velocities [d_s/tau_e] and spins [1/tau_e] alike.
+inline double largest_difference(State const& a, State const& b, double strain_rate) {
+  double const length = a.box_length;
+  double largest = 0.0;
+  auto const see = [&](double difference) {
+    if (!(std::abs(difference) <= largest)) largest = std::abs(difference);
+  };
+  for (std::size_t i = 0; i < a.count(); ++i) {
+    double dy = a.position[i][1] - b.position[i][1];
+    double const n = std::round(dy / length);
+    dy -= n * length;
+    double dx = a.position[i][0] - b.position[i][0] - n * a.offset;
+    dx -= std::round(dx / length) * length;
+    see(dx);
+    see(dy);
+    see(a.velocity[i][0] - b.velocity[i][0] - n * strain_rate * length);
+    see(a.velocity[i][1] - b.velocity[i][1]);
+    if (!a.spin.empty()) see(a.spin[i] - b.spin[i]);
+  }
+  return largest;
+}
+
+}  // namespace bagnold::test
