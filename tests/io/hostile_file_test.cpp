@@ -180,8 +180,8 @@ TEST_F(HostileFile, TruncatedAnywhere) {
   write_state(path_, some_state(disks));
   auto const whole = read_file(path_);
   for (std::size_t length = 0; length < whole.size(); length += 13) {
-    replace_file(path_, std::span(whole).first(length));
-    EXPECT_THROW(read_state(path_), InputError) << length;
+    std::vector const cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length));
+    EXPECT_THROW((void)get_state(Hdf5Reader("cut", cut)), InputError) << length;
   }
 }
 
