@@ -28,6 +28,7 @@ except ImportError as error:
 BLUE, ORANGE, GREEN, VERMILION, SKY, GREY = (
     "#0072B2", "#E69F00", "#009E73", "#D55E00", "#56B4E9", "#777777")
 MOST_CIRCLES = 20000  # more disks become an image
+MANY_WINDOWS = 400  # from here on a running mean is drawn too
 MOST_CONTACTS = 5000  # more disks are drawn without their contacts
 
 STYLE = {
@@ -75,6 +76,8 @@ class Run:
         found = self.observables.get(name, {})
         if isinstance(found.get("mean"), (int, float)):
             return found["mean"], found.get("error") or np.nan
+        if name == "mu":  # a ratio of means, never a mean of ratios
+            return self.mean("sigma")[0] / (self.mean("p")[0] or np.nan), np.nan
         return mean_of(self[name][self.discarded:]), np.nan
 
 
@@ -127,11 +130,25 @@ def rounded(mean, error):
 # ---------------------------------------------------------------------------------------- series
 
 
-def draw_series(axes, run, name, colour, label, marker=None):
-    """Windows as a line, the mean of the measured ones as a dashed one."""
-    axes.plot(run.strain, run[name], color=colour, marker="." if len(run.strain) < 20 else marker,
-              alpha=0.85, lw=1.1 if len(run.strain) < 500 else 0.8,
-              label=f"{label} = {rounded(*run.mean(name))}")
+def smooth(values, width):
+    """Running mean over `width` windows, of what is defined."""
+    defined = np.isfinite(values).astype(float)
+    kernel = np.ones(width)
+    total = np.convolve(np.where(defined > 0, values, 0.0), kernel, mode="same")
+    count = np.convolve(defined, kernel, mode="same")
+    return np.where(count > 0, total / np.maximum(count, 1.0), np.nan)
+
+
+def draw_series(axes, run, name, colour, label):
+    """Windows as a line (many: pale, with a running mean), the mean of the measured ones dashed."""
+    label = f"{label} = {rounded(*run.mean(name))}"
+    windows = len(run.strain)
+    if windows >= MANY_WINDOWS:
+        axes.plot(run.strain, run[name], color=colour, alpha=0.3, lw=0.5)
+        axes.plot(run.strain, smooth(run[name], windows // 100), color=colour, lw=1.3, label=label)
+    else:
+        axes.plot(run.strain, run[name], color=colour, marker="." if windows < 20 else None,
+                  alpha=0.85, label=label)
     mean, error = run.mean(name)
     if np.isfinite(mean):
         measured = [run.strain[min(run.discarded, len(run.strain) - 1)], run.strain[-1]]
@@ -186,9 +203,11 @@ def draw_stress(figure, spot, run):
     axes.set_ylabel(r"stress  $[m/\tau_e^2]$")
     finish_series(axes, run, "p", "sigma", log=True)
     if run.discarded:
-        axes.text(0.015, 0.02, "not measured", transform=axes.transAxes, color=GREY, fontsize=8.5)
-    axes.text(0.985, 0.02, "dashed: mean ± standard error", transform=axes.transAxes, color=GREY,
-              fontsize=8.5, ha="right")
+        axes.text(0.015, 0.98, "not measured", transform=axes.transAxes, color=GREY, fontsize=8.5,
+                  va="top")
+    note = "bold: running mean,  " if len(run.strain) >= MANY_WINDOWS else ""
+    axes.text(0.985, 0.02, note + "dashed: mean ± standard error", transform=axes.transAxes,
+              color=GREY, fontsize=8.5, ha="right")
 
 
 def draw_stack(figure, spot, run, rows):
@@ -221,7 +240,8 @@ def draw_shares(figure, spot, run):
         share[~np.isfinite(share)] = 0.0
         axes.bar(np.arange(3) + shift, share, 0.34, color=colour, label=label)
         for x, value in zip(np.arange(3) + shift, share):
-            axes.annotate(f"{value:.3g}%", (x, value), (0, 3 if value >= 0 else -3),
+            text = f"{value:.0f}%" if abs(value) >= 10 else f"{value:.2g}%"
+            axes.annotate(text, (x, value), (0, 3 if value >= 0 else -3),
                           textcoords="offset points", ha="center", fontsize=9,
                           va="bottom" if value >= 0 else "top")
     axes.axhline(0.0, color="#444444", lw=0.8)
@@ -414,7 +434,8 @@ def draw(run):
     title, parameters = heading(run)
     figure.text(0.075, 0.96, title, fontsize=15, weight="bold", va="center")
     figure.text(0.075, 0.925, parameters, fontsize=11.5, va="center")
-    version = " ".join(str(run.about[k]) for k in ("version", "git") if run.about.get(k))
+    provenance = [run.about.get(k) for k in ("version", "bagnold_version", "git")]
+    version = " ".join(str(part) for part in provenance if part)
     figure.text(0.985, 0.96, f"bagnold {version}", fontsize=9, color=GREY, ha="right",
                 va="center")
     return figure

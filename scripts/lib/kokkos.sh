@@ -93,10 +93,14 @@ build_kokkos() {
 provide_kokkos() {
   kokkos_arguments=()
   # One that the user names counts, not the one that an earlier build found.
-  [ -z "${Kokkos_ROOT:-}" ] || kokkos_arguments=(-UKokkos_DIR)
+  if [ -n "${Kokkos_ROOT:-}" ]; then
+    [ -n "$(find -L "$Kokkos_ROOT" -maxdepth 6 -name KokkosConfig.cmake -print -quit 2>/dev/null)" ] ||
+      die "there is no Kokkos in Kokkos_ROOT=$Kokkos_ROOT (no KokkosConfig.cmake)"
+    kokkos_arguments=(-UKokkos_DIR)
+  fi
   set_cache
   kokkos_is_found && return 0
-  [ -z "${Kokkos_ROOT:-}" ] || die "no Kokkos that will do (3.4 to 5.x) in Kokkos_ROOT=$Kokkos_ROOT"
+  [ -z "${Kokkos_ROOT:-}" ] || die "the Kokkos in Kokkos_ROOT=$Kokkos_ROOT will not do: 3.4 to 5.x are supported"
   is_debian_12 || return 0 # the configure step will say what is missing
   local prefix
   prefix="$(kokkos_prefix)"

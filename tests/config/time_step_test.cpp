@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#define EIGEN_DONT_VECTORIZE  // GCC 12 warns about its own AVX-512 header
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
