@@ -50,7 +50,8 @@ int main(int argc, char** argv) try {
   auto* run_command = app.add_subcommand("run", "run a scene");
   run_command->footer(units);
   add_scene(*run_command, run);
-  run_command->add_option("--out", run.folder, "folder for the results [results/SCENE]");
+  run_command->add_option("--out", run.folder, "folder for the results [results/SCENE]")
+      ->check([](std::string const& name) { return std::string(name.empty() ? "is empty" : ""); });
   run_command->add_flag("--force", run.force, "replace the run that is in the folder");
   add_machine(*run_command, run.machine, run.quiet);
 

@@ -15,6 +15,7 @@
 #include "src/cli/signals.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/scene_file.hpp"
+#include "src/config/toml_text.hpp"
 #include "src/io/checkpoint.hpp"
 #include "src/io/state_file.hpp"
 #include "src/simulation/make_simulation.hpp"
@@ -60,6 +61,22 @@ Snapshot snapshot_of(State state) {
   return snapshot;
 }
 
+/// Leave the state to look at, and go on failing.
+[[noreturn]] void fail(RunFolder const& folder, NumericalError const& error, State const& state) {
+  io::write_state(folder.failed_state(), state);
+  throw NumericalError(
+      fmt::format("{}; the state is in {}", error.what(), folder.failed_state().string()));
+}
+
+std::unique_ptr<Simulation> begin(RunFolder const& folder, Scene const& scene,
+                                  Snapshot const& snapshot, std::string const& backend) {
+  try {
+    return make_simulation(scene, snapshot, backend);
+  } catch (NumericalError const& error) {
+    fail(folder, error, snapshot.state);
+  }
+}
+
 /// A run in its folder: steps, checkpoints, results.
 class Runner {
  public:
@@ -82,9 +99,7 @@ class Runner {
     try {
       finished = run_steady(*simulation_, run_.plan, run_.measurement, go_on);
     } catch (NumericalError const& error) {
-      io::write_state(folder_.failed_state(), simulation_->state());
-      throw NumericalError(
-          fmt::format("{}; the state is in {}", error.what(), folder_.failed_state().string()));
+      fail(folder_, error, simulation_->state());
     }
     progress.finish(simulation_->step());
     checkpoint();
@@ -128,11 +143,11 @@ class Runner {
   void finish() {
     io::write_state(folder_.state(), simulation_->state());
     auto const list = estimates(run_);
-    if (run_.scene.output.plot) {
+    write_summary(folder_, run_, list);
+    if (run_.scene.output.plot) {  // shows the summary's errors
       auto const trouble = draw_plot(folder_.result(), folder_.picture());
       if (!trouble.empty()) fmt::print(stderr, "bagnold: warning: {}\n", trouble);
     }
-    write_summary(folder_, run_, list);
     if (quiet_) return;
     print_table(run_, list);
     fmt::print("\nresults in {}\n", folder_.path().string());
@@ -168,7 +183,7 @@ int run_from_start(RunFolder const& folder, Scene const& scene, Plan const& plan
   run.start_record = started->record;
   run.backend = machine.backend;
   auto simulation =
-      make_simulation(scene, snapshot_of(std::move(started->state)), machine.backend);
+      begin(folder, scene, snapshot_of(std::move(started->state)), machine.backend);
   run.measurement.windows.columns = static_cast<std::size_t>(simulation->columns());
   return Runner(folder, std::move(run), std::move(simulation), quiet).run();
 }
@@ -199,7 +214,7 @@ int run_from_checkpoint(RunFolder const& folder, io::Checkpoint checkpoint, Mach
   snapshot.initial_time = checkpoint.initial_time;
   snapshot.list_builds = checkpoint.builds;
   if (!quiet) fmt::print("going on from step {} of {}\n", snapshot.step, run.plan.steps);
-  auto simulation = make_simulation(scene, snapshot, machine.backend);
+  auto simulation = begin(folder, scene, snapshot, machine.backend);
   return Runner(folder, std::move(run), std::move(simulation), quiet).run();
 }
 
@@ -217,22 +232,27 @@ int run_command(RunOptions const& options) {
   auto const name = options.folder.empty()
                         ? std::filesystem::path("results") / options.scene_file.stem()
                         : options.folder;
+  catch_signals();
   RunFolder const folder = RunFolder::make(name, options.force);
   RunFolder::write_text(folder.scene(), write_scene(scene));
-  catch_signals();
   return run_from_start(folder, scene, plan, machine, options.quiet, std::move(from_file));
 }
 
 int resume_command(ResumeOptions const& options) {
+  catch_signals();
   RunFolder const folder = RunFolder::open(options.folder);
   if (std::filesystem::exists(folder.summary())) {
     fmt::print("{} is finished: nothing to resume\n", options.folder.string());
     return 0;
   }
-  catch_signals();
   std::vector<std::string> remarks;
   auto checkpoint = io::newest_checkpoint(folder.path(), &remarks);
   for (auto const& remark : remarks) fmt::print(stderr, "bagnold: {}\n", remark);
+  if (checkpoint && std::filesystem::exists(folder.scene()) &&
+      read_text(folder.scene()) != checkpoint->scene)
+    throw InputError(fmt::format("{} is not the scene of the checkpoint beside it; put it back, or "
+                                 "start a new run with it in another folder",
+                                 folder.scene().string()));
   if (checkpoint)
     return run_from_checkpoint(folder, std::move(*checkpoint), options.machine, options.quiet);
 

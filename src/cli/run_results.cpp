@@ -74,6 +74,7 @@ void write_result_file(RunFolder const& folder, Run const& run) {
                        {"backend", run.backend},
                        {"scene", write_scene(run.scene)},
                        {"model", disks.model},
+                       {"mass", disks.mass},
                        {"count", disks.count},
                        {"packing_fraction", disks.packing_fraction},
                        {"elasticity", disks.elasticity},

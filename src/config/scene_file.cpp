@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <sstream>
 
 #define TOML_ASSERT(expression) static_cast<void>(0)
@@ -31,8 +32,10 @@ std::string describe(toml::node const& node) {
 /// One scene text being read into a scene.
 class Reader {
  public:
-  Reader(toml::table const& table, std::string origin)
-      : table_(table), origin_(std::move(origin)) {}
+  /// `overrides`: which keys came from --set, and the text that set them.
+  Reader(toml::table const& table, std::string origin,
+         std::map<std::string, std::string> const& overrides)
+      : table_(table), origin_(std::move(origin)), overrides_(overrides) {}
 
   Scene read() {
     Scene scene;
@@ -48,15 +51,15 @@ class Reader {
     return scene;
   }
 
+ private:
   /// "file:line:column: ", or the command line's.
-  std::string place(toml::node const& node) const {
-    auto const source = node.source();
-    std::string const& where = source.path ? *source.path : origin_;
-    if (!source.path && source.begin.line == 0) return fmt::format("{}: ", where);
-    return fmt::format("{}:{}:{}: ", where, source.begin.line, source.begin.column);
+  std::string place(std::string_view name, toml::node const& node) const {
+    if (auto const set = overrides_.find(std::string(name)); set != overrides_.end())
+      return set->second + ": ";
+    auto const begin = node.source().begin;
+    return fmt::format("{}:{}:{}: ", origin_, begin.line, begin.column);
   }
 
- private:
   void refuse_unknown(std::string const& name, toml::node const& node) {
     bool const is_table_name =
         std::any_of(known_.begin(), known_.end(),
@@ -67,16 +70,20 @@ class Reader {
       return;
     }
     if (is_table_name)
-      throw InputError(fmt::format("{}{} = {} (must be a table); write [{}]", place(node), name,
+      throw InputError(fmt::format("{}{} = {} (must be a table); write [{}]", place(name, node), name,
                                    describe(node), name));
     if (std::find(known_.begin(), known_.end(), name) != known_.end()) return;
-    throw InputError(fmt::format("{}unknown key {}; did you mean {}?", place(node), name,
-                                 nearest_word(name, known_)));
+    std::vector<std::string> candidates = known_;
+    if (node.is_table())  // a table is most like a table
+      for (auto& key : candidates) key = key.substr(0, key.find('.'));
+    throw InputError(fmt::format("{}unknown {} {}; did you mean {}?", place(name, node),
+                                 node.is_table() ? "table" : "key", name,
+                                 nearest_word(name, candidates)));
   }
 
   [[noreturn]] void refuse(Key const& key, toml::node const& node, std::string const& why) const {
     throw InputError(
-        fmt::format("{}{} = {} ({}): {}", place(node), key.name, describe(node), why, key.meaning));
+        fmt::format("{}{} = {} ({}): {}", place(key.name, node), key.name, describe(node), why, key.meaning));
   }
 
   void in_range(Key const& key, toml::node const& node, double value) const {
@@ -129,6 +136,7 @@ class Reader {
 
   toml::table const& table_;
   std::string origin_;
+  std::map<std::string, std::string> const& overrides_;
   std::vector<std::string> known_;
 };
 
@@ -144,7 +152,8 @@ toml::table parse(std::string_view text, std::string const& origin) {
 }
 
 /// "table.key=value" with the value in TOML; a word that is no TOML value is a string.
-void put_override(toml::table& scene, std::string const& text) {
+/// Returns the key.
+std::string put_override(toml::table& scene, std::string const& text) {
   auto const equals = text.find('=');
   std::string const origin = fmt::format("--set {}", text);
   if (equals == std::string::npos || equals == 0)
@@ -168,11 +177,12 @@ void put_override(toml::table& scene, std::string const& text) {
   toml::node& node = *parsed.get("value");
   if (dot == std::string::npos) {
     scene.insert_or_assign(name, node);
-    return;
+    return name;
   }
   std::string const outer = name.substr(0, dot), inner = name.substr(dot + 1);
   if (!scene.get_as<toml::table>(outer)) scene.insert_or_assign(outer, toml::table{});
   scene.get_as<toml::table>(outer)->insert_or_assign(inner, node);
+  return name;
 }
 
 void refuse_contradictions(Scene const& scene, std::string const& origin) {
@@ -211,8 +221,10 @@ Scene parse_scene(std::string_view text, std::string const& origin,
                   std::filesystem::path const& folder,
                   std::vector<std::string> const& overrides) {
   toml::table table = parse(text, origin);
-  for (auto const& override_text : overrides) put_override(table, override_text);
-  Scene scene = Reader(table, origin).read();
+  std::map<std::string, std::string> set;
+  for (auto const& text_of_one : overrides)
+    set[put_override(table, text_of_one)] = fmt::format("--set {}", text_of_one);
+  Scene scene = Reader(table, origin, set).read();
   refuse_contradictions(scene, origin);
   if (!scene.start.file.empty())
     scene.start.file =
@@ -228,9 +240,16 @@ Scene read_scene(std::filesystem::path const& file, std::vector<std::string> con
 namespace {
 
 std::string toml_value(std::string const& text) {
-  std::ostringstream out;
-  out << toml::value<std::string>(text);
-  return out.str();
+  std::string quoted = "\"";
+  for (char const c : text) {
+    if (c == '"' || c == '\\')
+      quoted += fmt::format("\\{}", c);
+    else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+      quoted += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+    else
+      quoted += c;
+  }
+  return quoted + "\"";
 }
 std::string toml_value(bool flag) { return flag ? "true" : "false"; }
 std::string toml_value(std::int64_t number) { return fmt::format("{}", number); }

@@ -29,34 +29,61 @@ std::string read_text(std::filesystem::path const& file) {
   return text;
 }
 
+namespace {
+
+/// Bytes of the UTF-8 character at the start of `text`; 0 if it is none (overlong, surrogate, cut).
+std::size_t character_length(std::string_view text) {
+  auto const byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
+  unsigned const lead = byte(0);
+  if (lead < 0x80) return 1;
+  std::size_t const length = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
+  if (lead < 0xc2 || lead > 0xf4 || text.size() < length) return 0;
+  for (std::size_t k = 1; k < length; ++k)
+    if ((byte(k) & 0xc0) != 0x80) return 0;
+  unsigned const second = byte(1);
+  if ((lead == 0xe0 && second < 0xa0) || (lead == 0xed && second > 0x9f) ||
+      (lead == 0xf0 && second < 0x90) || (lead == 0xf4 && second > 0x8f))
+    return 0;
+  return length;
+}
+
+}  // namespace
+
 void refuse_strange_bytes(std::string_view text, std::string const& origin) {
+  constexpr int most_dots = 100;  // in a line: the parser descends a level for each
   enum class In { code, comment, string } in = In::code;
   std::string_view closing;  // of the string we are in
-  int line = 1, column = 0;
+  int line = 1, dots = 0;
+  std::size_t line_start = 0;
   for (std::size_t k = 0; k < text.size(); ++k) {
     auto const byte = static_cast<unsigned char>(text[k]);
-    ++column;
-    bool const control = (byte < 0x20 && byte != '\t' && byte != '\n' && byte != '\r') ||
-                         byte == 0x7f;
-    if (control || (byte >= 0x80 && in == In::code))
-      throw InputError(fmt::format(
-          "{}:{}:{}: byte 0x{:02x} does not belong in a scene file; save it as plain text", origin,
-          line, column, byte));
-    if (byte == '\n') {
+    auto const refuse = [&](std::string const& why) {
+      throw InputError(fmt::format("{}:{}:{}: {}", origin, line, k - line_start + 1, why));
+    };
+    bool const control =
+        (byte < 0x20 && byte != '\t' && byte != '\n' && byte != '\r') || byte == 0x7f;
+    std::size_t const length = character_length(text.substr(k));
+    if (control || length == 0 || (byte >= 0x80 && in == In::code))
+      refuse(fmt::format("byte 0x{:02x} does not belong in a scene file; save it as plain text",
+                         byte));
+    if (length > 1) {
+      k += length - 1;
+    } else if (byte == '\n') {
       ++line;
-      column = 0;
+      line_start = k + 1;
+      dots = 0;
       if (in == In::comment || (in == In::string && closing.size() == 1)) in = In::code;
-      continue;
-    }
-    if (in == In::code && byte == '#') {
+    } else if (in == In::code && byte == '.') {
+      if (++dots > most_dots) refuse("too deeply nested; keys are table.key");
+    } else if (in == In::code && byte == '#') {
       in = In::comment;
     } else if (in == In::code && (byte == '"' || byte == '\'')) {
-      bool const triple = text.substr(k, 3) == "\"\"\"" || text.substr(k, 3) == "'''";
+      bool const triple = text.substr(k, 3) == "\"\"\"" || text.substr(k, 3) == "\'\'\'";
       closing = text.substr(k, triple ? 3 : 1);
       in = In::string;
       k += closing.size() - 1;
     } else if (in == In::string && byte == '\\' && closing[0] == '"') {
-      ++k;
+      if (k + 1 < text.size() && text[k + 1] != '\n') ++k;
     } else if (in == In::string && text.substr(k, closing.size()) == closing) {
       k += closing.size() - 1;
       in = In::code;

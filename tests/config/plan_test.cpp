@@ -95,7 +95,7 @@ TEST(Plan, TakesThePapersTimeStep) {
   Scene scene = minimal_scene();
   EXPECT_EQ(make_plan(scene).time_step, 0.05);
   scene.disks.elasticity = 0.2;
-  EXPECT_EQ(make_plan(scene).time_step, 0.02);
+  EXPECT_DOUBLE_EQ(make_plan(scene).time_step, 0.02);
   EXPECT_EQ(make_plan(scene).steps, 10'000'000);
 }
 
@@ -107,10 +107,20 @@ TEST(Plan, TooManyStepsOrWindowsAreRefused) {
   EXPECT_TRUE(has(refusal_for(scene_of(1.0, 5e-324, 0.05, 1e4, 0.5)), "shear.strain_rate = 5e-324"));
   EXPECT_TRUE(has(refusal_for(scene_of(1.0, 1e-300, 1e-300, 1e4, 0.5)), "steps"));
   EXPECT_EQ(refusal_for(scene_of(2e5, 1e-9, 0.05, 1e4, 0.5)), "accepted");  // 4e15
-  EXPECT_TRUE(has(refusal_for(scene_of(20, 1e-4, 0.05, 1.9e-5, 0.5)),
-                  "output.sample_strain = 1.9e-05"));
-  EXPECT_TRUE(has(refusal_for(scene_of(20, 1e-4, 0.05, 1.9e-5, 0.5)), "use at least 2e-05"));
+  EXPECT_TRUE(has(refusal_for(scene_of(20, 1e-4, 0.05, 1.5e-5, 0.5)),
+                  "output.sample_strain = 1.5e-05 makes 1333334 windows"));
   EXPECT_EQ(refusal_for(scene_of(20, 1e-4, 0.05, 2e-5, 0.5)), "accepted");
+}
+
+TEST(Plan, TheAdviceForAWindowWorks) {
+  for (double const strain : {20.0, 20.4, 1234.5, 7.77}) {
+    Scene scene = scene_of(strain, 1e-4, 0.05, 5e-6, 0.5);
+    std::string const message = refusal_of([&] { make_plan(scene); });
+    auto const advice = message.find("use at least ");
+    ASSERT_NE(advice, std::string::npos) << message;
+    scene.output.sample_strain = std::stod(message.substr(advice + 13));
+    EXPECT_EQ(refusal_of([&] { make_plan(scene); }), "accepted") << message;
+  }
 }
 
 /// As P1 Eq. (8) and P2 Eq. (11) say: the disks' area is phi L^2.

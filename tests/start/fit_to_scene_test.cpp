@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include "src/config/errors.hpp"
+#include "src/start/start.hpp"
+
+namespace bagnold {
+namespace {
+
+Scene scene_of(std::string const& model) {
+  Scene scene;
+  scene.disks.model = model;
+  scene.disks.mass = "equal";
+  scene.disks.count = 20;
+  scene.disks.packing_fraction = 0.7;
+  scene.disks.elasticity = 1;
+  scene.shear.strain_rate = 3e-3;
+  scene.shear.strain = 1;
+  scene.start.kind = "state";
+  scene.start.file = "/folder/state.h5";
+  return scene;
+}
+
+/// Fits scene_of, disks in an order that no random start has; made at the scene's rate.
+State some_state() {
+  State state;
+  for (int i = 0; i < 20; ++i) {
+    double const x = i;
+    state.position.push_back({0.3 + 0.2 * x, 5 - 0.1 * x});
+    state.velocity.push_back({1e-3 * x, -2e-3 / (x + 1)});
+    state.spin.push_back(-1e-3 + 1e-4 * x);
+    state.diameter.push_back(i % 2 == 0 ? 1.4 : 1.0);
+  }
+  state.box_length = scene_of("CD").box_length();
+  state.offset = 1.25;
+  state.time = 77;
+  state.strain_rate = 3e-3;
+  return state;
+}
+
+/// The message with which a spoilt state is refused as bad input; "accepted" if it is not.
+std::string refusal(std::function<void(State&)> const& spoil, Scene scene = scene_of("CD_rot")) {
+  State state = some_state();
+  spoil(state);
+  try {
+    fit_to_scene(state, scene);
+  } catch (InputError const& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+::testing::AssertionResult names(std::string const& message, std::vector<std::string> const& parts) {
+  for (auto const& part : parts)
+    if (message.find(part) == std::string::npos)
+      return ::testing::AssertionFailure() << "no '" << part << "' in: " << message;
+  return ::testing::AssertionSuccess();
+}
+
+TEST(FitToScene, KeepsEveryBitAtTheSameRate) {
+  for (auto const* model : {"CD_rot", "general"}) {
+    auto const started = fit_to_scene(some_state(), scene_of(model));
+    State const expected = some_state();
+    EXPECT_EQ(started.state.position, expected.position);
+    EXPECT_EQ(started.state.velocity, expected.velocity);
+    EXPECT_EQ(started.state.spin, expected.spin);
+    EXPECT_EQ(started.state.diameter, expected.diameter);
+    EXPECT_EQ(started.state.box_length, expected.box_length);
+    EXPECT_EQ(started.state.offset, 1.25);
+    EXPECT_EQ(started.state.time, 77);
+    EXPECT_EQ(started.state.strain_rate, 3e-3);
+    EXPECT_TRUE(started.record.empty());
+  }
+}
+
+/// P2 Eqs. (40)-(41): v and thetadot are multiplied by the ratio of the rates.
+TEST(FitToScene, ScalesToAnotherRate) {
+  State state = some_state();
+  state.strain_rate = 6e-3;
+  auto const started = fit_to_scene(state, scene_of("CD_rot"));
+  for (std::size_t i = 0; i < state.count(); ++i) {
+    for (int a = 0; a < 2; ++a)
+      EXPECT_DOUBLE_EQ(started.state.velocity[i][a], state.velocity[i][a] / 2);
+    EXPECT_DOUBLE_EQ(started.state.spin[i], state.spin[i] / 2);
+  }
+  EXPECT_EQ(started.state.position, state.position);
+  EXPECT_EQ(started.state.strain_rate, 3e-3);
+  EXPECT_DOUBLE_EQ(started.record.at("start_velocity_scale"), 0.5);
+}
+
+TEST(FitToScene, RescalingCanBeTurnedOff) {
+  Scene scene = scene_of("CD_rot");
+  scene.start.rescale = false;
+  for (double const rate : {6e-3, -1.0, 0.0}) {
+    State state = some_state();
+    state.strain_rate = rate;
+    auto const started = fit_to_scene(state, scene);
+    EXPECT_EQ(started.state.velocity, state.velocity);
+    EXPECT_EQ(started.state.spin, state.spin);
+    EXPECT_EQ(started.state.strain_rate, 3e-3);
+    EXPECT_EQ(started.record.count("start_velocity_scale"), 0u);
+  }
+}
+
+TEST(FitToScene, AStateWithoutARateIsKept) {
+  State state = some_state();
+  state.strain_rate.reset();
+  auto const started = fit_to_scene(state, scene_of("CD_rot"));
+  EXPECT_EQ(started.state.velocity, state.velocity);
+  EXPECT_EQ(started.state.spin, state.spin);
+  EXPECT_EQ(started.state.strain_rate, 3e-3);
+}
+
+TEST(FitToScene, MissingSpinsAreThoseOfTheFlowAndRecorded) {
+  State state = some_state();
+  state.spin.clear();
+  auto started = fit_to_scene(state, scene_of("CD_rot"));
+  EXPECT_EQ(started.state.spin, std::vector<double>(20, -1.5e-3));
+  EXPECT_EQ(started.record.at("start_spins_assumed"), 1);
+  state.strain_rate = 6e-3;  // scaled with the velocities: those of the new flow
+  started = fit_to_scene(state, scene_of("CD_rot"));
+  ASSERT_EQ(started.state.spin.size(), 20u);
+  for (double const spin : started.state.spin) EXPECT_DOUBLE_EQ(spin, -1.5e-3);
+}
+
+TEST(FitToScene, SpinsAreDroppedWhereTheLawHasNone) {
+  for (auto const* model : {"CD", "CD_n"}) {
+    auto const started = fit_to_scene(some_state(), scene_of(model));
+    EXPECT_TRUE(started.state.spin.empty());
+    EXPECT_TRUE(started.record.empty());
+  }
+}
+
+TEST(FitToScene, DisagreementsAreRefusedByName) {
+  EXPECT_EQ(refusal([](State&) {}), "accepted");
+  EXPECT_TRUE(names(refusal([](State& s) {
+                      for (auto* column : {&s.position, &s.velocity}) column->resize(18);
+                      s.spin.resize(18);
+                      s.diameter.resize(18);
+                    }),
+                    {"/folder/state.h5", "18 disks", "disks.count = 20"}));
+  EXPECT_TRUE(names(refusal([](State& s) { s.diameter[7] = 1.2; }),
+                    {"/folder/state.h5", "diameter[7] = 1.2"}));
+  EXPECT_TRUE(names(refusal([](State& s) { s.diameter[7] = 1 + 1e-8; }), {"diameter[7]"}));
+  EXPECT_TRUE(names(refusal([](State& s) { s.diameter[2] = NAN; }), {"diameter[2]"}));
+  EXPECT_TRUE(names(refusal([](State& s) { s.diameter[1] = 1.4; }),
+                    {"/folder/state.h5", "9 of 20 disks are small"}));
+  EXPECT_TRUE(names(refusal([](State& s) { s.box_length *= 1 + 3e-9; }),
+                    {"/folder/state.h5", "box_length", "disks.packing_fraction = 0.7"}));
+  EXPECT_TRUE(names(refusal([](State& s) { s.box_length *= 1 - 3e-9; }), {"box_length"}));
+  EXPECT_TRUE(names(refusal([](State& s) { s.box_length = NAN; }), {"box_length"}));
+  for (double const rate : {0.0, -6e-3})
+    EXPECT_TRUE(names(refusal([=](State& s) { s.strain_rate = rate; }),
+                      {"/folder/state.h5", "strain_rate = ", "start.rescale"}));
+}
+
+/// Diameters and box to 1e-9: what the file says of the box is used.
+TEST(FitToScene, SmallDisagreementsAreNone) {
+  EXPECT_EQ(refusal([](State& s) { s.diameter[1] = 1 + 1e-10; }), "accepted");
+  State state = some_state();
+  state.box_length *= 1 + 5e-10;
+  EXPECT_EQ(fit_to_scene(state, scene_of("CD")).state.box_length, state.box_length);
+}
+
+}  // namespace
+}  // namespace bagnold
