@@ -40,9 +40,9 @@ Plan make_plan(Scene const& scene) {
   plan.windows = (plan.steps + plan.window_steps - 1) / plan.window_steps;
   if (static_cast<double>(plan.windows) > most_windows)
     throw InputError(fmt::format("output.sample_strain = {} makes {} windows (limit {:.0f}); use at "
-                                 "least {:.2g}",
+                                 "least {}",
                                  scene.output.sample_strain, plan.windows, most_windows,
-                                 scene.shear.strain / most_windows));
+                                 std::ceil(steps / most_windows) * step_strain));
   plan.discarded_windows = static_cast<std::int64_t>(
       round_up(scene.shear.discard * static_cast<double>(plan.windows)));
   return plan;

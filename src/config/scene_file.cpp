@@ -74,10 +74,9 @@ class Reader {
                                    describe(node), name));
     if (std::find(known_.begin(), known_.end(), name) != known_.end()) return;
     std::vector<std::string> candidates = known_;
-    if (node.is_table())  // a table is most like a table
+    if (node.is_table() && name.find('.') == std::string::npos)  // a table is most like a table
       for (auto& key : candidates) key = key.substr(0, key.find('.'));
-    throw InputError(fmt::format("{}unknown {} {}; did you mean {}?", place(name, node),
-                                 node.is_table() ? "table" : "key", name,
+    throw InputError(fmt::format("{}unknown key {}; did you mean {}?", place(name, node), name,
                                  nearest_word(name, candidates)));
   }
 
@@ -168,6 +167,7 @@ std::string put_override(toml::table& scene, std::string const& text) {
     parsed = parse("value = " + value, origin);
   } catch (InputError const&) {
     if (value.empty() || value.find_first_of("\"'[]{}#=\n") != std::string::npos) throw;
+    refuse_strange_bytes("'" + value + "'", origin);
     parsed.insert("value", value);
   }
   if (parsed.size() != 1)

@@ -41,7 +41,8 @@ TEST(Clock, OffsetIsThatOfIntegers) {
     std::int64_t const build = static_cast<std::int64_t>(random() % trillion);
     std::int64_t const step = build + static_cast<std::int64_t>(random() % 100000);
     // the strain up to the build is up to 3.6e6 turns; 2^-64 of that is 2e-13, times L
-    EXPECT_NEAR(dyadic.offset(step, build), exact_offset(step, build), 1e-11) << step << " " << build;
+    EXPECT_NEAR(dyadic.offset(step, build), exact_offset(step, build), 1e-11)
+        << step << " " << build;
   }
 }
 
@@ -60,8 +61,14 @@ TEST(Clock, OffsetAtABuildIsInTheBox) {
   std::uniform_real_distribution<double> unit(0, 1);
   for (int k = 0; k < 100000; ++k) {
     double const length = 4 + 100 * unit(random);
-    double const offsets[] = {0.0, length * unit(random), std::nextafter(length, 0.0), length, -1e-20,
-                              -length * unit(random), 1e-320, 17.3 * length};
+    double const offsets[] = {0.0,
+                              length * unit(random),
+                              std::nextafter(length, 0.0),
+                              length,
+                              -1e-20,
+                              -length * unit(random),
+                              1e-320,
+                              17.3 * length};
     Clock const clock{1e-4 * unit(random), 0.05, length, offsets[random() % 8], 0.0};
     std::int64_t const build = static_cast<std::int64_t>(random() % trillion) * (random() % 2);
     double const offset = clock.offset(build, build);

@@ -99,7 +99,8 @@ Values by_the_papers(Scene const& scene, double length, Means const& m) {
   }
   v["mu"] = v["sigma"] / v["p"];
   v["I"] = rate / std::sqrt(v["p"]);  // P1 Eq. (20)
-  v["T_g"] = v["p_kin"] / (static_cast<double>(scene.disks.count) / (length * length));  // p_kin = n T_g
+  v["T_g"] =
+      v["p_kin"] / (static_cast<double>(scene.disks.count) / (length * length));  // p_kin = n T_g
   v["Z"] = m.contacts;
   v["R_v"] = m.dvx2 / m.vy2;  // P2 Eq. (37)
   if (scene.rotates()) {
@@ -139,11 +140,11 @@ TEST(Observables, AreTheFormulasOfThePapers) {
 
 TEST(Observables, NamesAndOrderAreThoseOfTheContract) {
   std::vector<std::string> const names{
-      "p",          "p_el",         "p_dis",     "p_kin",      "sigma",     "sigma_el",
-      "sigma_dis",  "sigma_kin",    "delta_p",   "sigma_dev",  "B_p",       "B_p_el",
-      "B_p_dis",    "B_p_kin",      "B_sigma",   "B_sigma_el", "B_sigma_dis", "B_sigma_kin",
-      "eta_p",      "eta_p_el",     "eta_sigma", "eta_sigma_el", "mu",      "I",
-      "T_g",        "Z",            "R_v",       "spin_mean",  "spin_var"};
+      "p",         "p_el",      "p_dis",     "p_kin",        "sigma",       "sigma_el",
+      "sigma_dis", "sigma_kin", "delta_p",   "sigma_dev",    "B_p",         "B_p_el",
+      "B_p_dis",   "B_p_kin",   "B_sigma",   "B_sigma_el",   "B_sigma_dis", "B_sigma_kin",
+      "eta_p",     "eta_p_el",  "eta_sigma", "eta_sigma_el", "mu",          "I",
+      "T_g",       "Z",         "R_v",       "spin_mean",    "spin_var"};
   for (auto const* model : {"CD", "CD_rot"}) {
     Scene const scene = scene_of(model, 1.0);
     auto expected = names;

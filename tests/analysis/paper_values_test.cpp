@@ -93,10 +93,10 @@ TEST(PaperValues, TakeOursFromTheObservables) {
     };
     for (auto const& value : paper_values(scene, list)) {
       auto const slash = value.quantity.find('/');
-      double const expected = slash == std::string::npos
-                                  ? ours(value.quantity)
-                                  : ours(value.quantity.substr(0, slash)) /
-                                        ours(value.quantity.substr(slash + 1));
+      double const expected =
+          slash == std::string::npos
+              ? ours(value.quantity)
+              : ours(value.quantity.substr(0, slash)) / ours(value.quantity.substr(slash + 1));
       EXPECT_EQ(value.value(averages), expected) << value.quantity;
       EXPECT_FALSE(value.source.empty());
     }

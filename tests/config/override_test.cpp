@@ -28,7 +28,9 @@ TEST(Overrides, ApplyInOrderAndToAbsentTables) {
   EXPECT_EQ(with("measure.every=3").measure.every, 3);
   EXPECT_EQ(parse("", {"disks.model=CD", "disks.count=10", "disks.packing_fraction=0.5",
                        "disks.elasticity=2", "disks.mass=area", "shear.strain_rate=1e-3",
-                       "shear.strain=1"}).disks.mass, "area");
+                       "shear.strain=1"})
+                .disks.mass,
+            "area");
 }
 
 TEST(Overrides, RepairWhatTheFileHasWrong) {
@@ -37,12 +39,29 @@ TEST(Overrides, RepairWhatTheFileHasWrong) {
 }
 
 TEST(Overrides, AreCheckedLikeTheFile) {
-  for (auto const* bad :
-       {"disks.count=7", "disks.count=10.0", "disks.count=[10]", "disks.model=[\"CD\"]",
-        "disks.model={a = 1}", "disks.model=", "disks.model", "=CD", "disks=5", "disks.count.x=1",
-        "disks..count=1", ".count=1", "disks.=1", "count=10", "disks.kount=10", "dusks.count=10",
-        "disks.packing_fraction=nan", "disks.model=\"CD", "disks.model=CD\"",
-        "disks .count=10", "di[sks.count=10", "title=true", "shear.strain=1e999"}) {
+  for (auto const* bad : {"disks.count=7",
+                          "disks.count=10.0",
+                          "disks.count=[10]",
+                          "disks.model=[\"CD\"]",
+                          "disks.model={a = 1}",
+                          "disks.model=",
+                          "disks.model",
+                          "=CD",
+                          "disks=5",
+                          "disks.count.x=1",
+                          "disks..count=1",
+                          ".count=1",
+                          "disks.=1",
+                          "count=10",
+                          "disks.kount=10",
+                          "dusks.count=10",
+                          "disks.packing_fraction=nan",
+                          "disks.model=\"CD",
+                          "disks.model=CD\"",
+                          "disks .count=10",
+                          "di[sks.count=10",
+                          "title=true",
+                          "shear.strain=1e999"}) {
     std::string const message = refusal(minimal_text, {bad});
     EXPECT_NE(message, "accepted") << bad;
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
@@ -56,19 +75,18 @@ TEST(Overrides, MessagesNameThem) {
 }
 
 TEST(Overrides, CannotBringMoreThanOneValue) {
-  for (auto const* bad :
-       {"disks.count=10\n[shear]\nstrain = 3", "disks.count=10\nmass = \"area\"",
-        "measure.every=1\n[x]", "title=x\n[y]", "title=\"x\"\n[y]", "measure.every=1\nvalue = 2",
-        "measure.every=1\n[value]", "a.b=1\n[x]", "measure\n.every=1", "title=\"a\"\nb",
-        "measure.every=1,2", "title=a\nb"})
+  for (auto const* bad : {"disks.count=10\n[shear]\nstrain = 3", "disks.count=10\nmass = \"area\"",
+                          "measure.every=1\n[x]", "title=x\n[y]", "title=\"x\"\n[y]",
+                          "measure.every=1\nvalue = 2", "measure.every=1\n[value]", "a.b=1\n[x]",
+                          "measure\n.every=1", "title=\"a\"\nb", "measure.every=1,2", "title=a\nb"})
     EXPECT_NE(refusal(minimal_text, {bad}), "accepted") << bad;
 }
 
 /// A scene is written into the run's folder: what was accepted must be readable again.
 TEST(Overrides, WhatIsAcceptedReadsBack) {
-  for (std::string const& value : std::vector<std::string>{
-           "\xff", "a\xc3", "a\x01z", "a\x7f", "\xed\xa0\x80", "\xf5\x80\x80\x80", "\\", "a\tb",
-           "a\rb", "\u00e9"}) {
+  for (std::string const& value :
+       std::vector<std::string>{"\xff", "a\xc3", "a\x01z", "a\x7f", "\xed\xa0\x80",
+                                "\xf5\x80\x80\x80", "\\", "a\tb", "a\rb", "\u00e9"}) {
     Scene scene;
     try {
       scene = with("title=" + value);

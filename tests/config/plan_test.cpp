@@ -54,9 +54,9 @@ TEST(Plan, DecimalQuotientsAreExact) {
 
 TEST(Plan, OtherQuotientsAreRoundedUp) {
   Plan const plan = make_plan(scene_of(1.0, 0.01, 0.03, 0.1, 0.5));
-  EXPECT_EQ(plan.steps, 3334);         // 1 / 0.0003 = 3333.3
-  EXPECT_EQ(plan.window_steps, 334);   // 333.3
-  EXPECT_EQ(plan.windows, 10);         // 9.98: the last one is shorter
+  EXPECT_EQ(plan.steps, 3334);        // 1 / 0.0003 = 3333.3
+  EXPECT_EQ(plan.window_steps, 334);  // 333.3
+  EXPECT_EQ(plan.windows, 10);        // 9.98: the last one is shorter
   EXPECT_EQ(plan.discarded_windows, 5);
   EXPECT_EQ(make_plan(scene_of(1.0, 0.01, 0.03, 0.1, 0.51)).discarded_windows, 6);
   EXPECT_EQ(make_plan(scene_of(1.0, 0.01, 0.03, 0.1, 0.0)).discarded_windows, 0);
@@ -100,11 +100,10 @@ TEST(Plan, TakesThePapersTimeStep) {
 }
 
 TEST(Plan, TooManyStepsOrWindowsAreRefused) {
-  auto const refusal_for = [](Scene const& scene) {
-    return refusal_of([&] { make_plan(scene); });
-  };
+  auto const refusal_for = [](Scene const& scene) { return refusal_of([&] { make_plan(scene); }); };
   EXPECT_TRUE(has(refusal_for(scene_of(1e9, 1e-10, 0.05, 1e4, 0.5)), "shear.strain = 1"));
-  EXPECT_TRUE(has(refusal_for(scene_of(1.0, 5e-324, 0.05, 1e4, 0.5)), "shear.strain_rate = 5e-324"));
+  EXPECT_TRUE(
+      has(refusal_for(scene_of(1.0, 5e-324, 0.05, 1e4, 0.5)), "shear.strain_rate = 5e-324"));
   EXPECT_TRUE(has(refusal_for(scene_of(1.0, 1e-300, 1e-300, 1e4, 0.5)), "steps"));
   EXPECT_EQ(refusal_for(scene_of(2e5, 1e-9, 0.05, 1e4, 0.5)), "accepted");  // 4e15
   EXPECT_TRUE(has(refusal_for(scene_of(20, 1e-4, 0.05, 1.5e-5, 0.5)),

@@ -58,11 +58,32 @@ TEST(RoundTrip, KeepsWholeNumbersAndLargeOnes) {
 
 TEST(RoundTrip, KeepsAnyText) {
   Scene scene = minimal_scene();
-  for (std::string const& title : std::vector<std::string>{
-           "\"quoted\"", "back\\slash", "two\nlines", "'single'", "\"\"\"", "'''", "'''\"\"\"",
-           "tab\there", "carriage\rreturn", "\r\n", "# no comment", "[x]\ny = 1", "trailing\\",
-           "trailing\"", "\n", " ", "\\n", "\\u0041", "\x01\x1f\x7f", "\b\f", "\u03c6 = 0.82",
-           "\U0001f980", "\"\n'''", "\n\"\"\"\"", std::string(5000, 'x'), "a\n\n\\\nb"}) {
+  for (std::string const& title : std::vector<std::string>{"\"quoted\"",
+                                                           "back\\slash",
+                                                           "two\nlines",
+                                                           "'single'",
+                                                           "\"\"\"",
+                                                           "'''",
+                                                           "'''\"\"\"",
+                                                           "tab\there",
+                                                           "carriage\rreturn",
+                                                           "\r\n",
+                                                           "# no comment",
+                                                           "[x]\ny = 1",
+                                                           "trailing\\",
+                                                           "trailing\"",
+                                                           "\n",
+                                                           " ",
+                                                           "\\n",
+                                                           "\\u0041",
+                                                           "\x01\x1f\x7f",
+                                                           "\b\f",
+                                                           "\u03c6 = 0.82",
+                                                           "\U0001f980",
+                                                           "\"\n'''",
+                                                           "\n\"\"\"\"",
+                                                           std::string(5000, 'x'),
+                                                           "a\n\n\\\nb"}) {
     scene.title = title;
     std::string const text = write_scene(scene);
     try {
@@ -74,8 +95,8 @@ TEST(RoundTrip, KeepsAnyText) {
 }
 
 TEST(RoundTrip, KeepsRandomTextOfAwkwardCharacters) {
-  std::vector<std::string> const parts{"\"", "'",  "\\", "\n", "\r", "\t", "#",      "[",
-                                       "]",  "=",  "a",  " ",  "u",  "\u00e9", "\x02", "\u2028"};
+  std::vector<std::string> const parts{"\"", "'", "\\", "\n", "\r", "\t",     "#",    "[",
+                                       "]",  "=", "a",  " ",  "u",  "\u00e9", "\x02", "\u2028"};
   std::mt19937_64 random(2);
   Scene scene = minimal_scene();
   for (int k = 0; k < 3000; ++k) {

@@ -38,8 +38,7 @@ TEST(PaperTimeStep, OfP1) {
 /// P2 Sec. II D: 0.05; below Q = 0.5 down to 0.01.
 TEST(PaperTimeStep, OfP2) {
   for (auto const* model : {"CD", "CD_rot"}) {
-    for (double const q : {0.5, 1.0, 50.0, 1e4})
-      EXPECT_EQ(paper_time_step(disks(model, q)), 0.05);
+    for (double const q : {0.5, 1.0, 50.0, 1e4}) EXPECT_EQ(paper_time_step(disks(model, q)), 0.05);
     EXPECT_DOUBLE_EQ(paper_time_step(disks(model, 0.3)), 0.03);
     EXPECT_DOUBLE_EQ(paper_time_step(disks(model, 0.1)), 0.01);
     EXPECT_DOUBLE_EQ(paper_time_step(disks(model, 0.001)), 0.01);
@@ -88,7 +87,7 @@ struct TwoDisks {
     a[6] = fy / mass;
     a[7] = -fy / mass;
     if (rotate) {
-      a[8] = 0.5 * fy / inertia;     // s_ji x f_ij
+      a[8] = 0.5 * fy / inertia;    // s_ji x f_ij
       a[9] = -0.5 * -fy / inertia;  // s_ij x f_ji
     }
     return a;
@@ -97,9 +96,9 @@ struct TwoDisks {
   /// P2 Eqs. (21)-(24).
   Vector step(Vector const& q0, double dt) const {
     Vector const a0 = acceleration(q0);
-    Vector trial = q0 + dt * a0;                        // (21)
-    trial.head<4>() = q0.head<4>() + dt * q0.segment<4>(4);  // (22)
-    Vector q1 = q0 + dt / 2 * (a0 + acceleration(trial));    // (23)
+    Vector trial = q0 + dt * a0;                                                   // (21)
+    trial.head<4>() = q0.head<4>() + dt * q0.segment<4>(4);                        // (22)
+    Vector q1 = q0 + dt / 2 * (a0 + acceleration(trial));                          // (23)
     q1.head<4>() = q0.head<4>() + dt / 2 * (q0.segment<4>(4) + q1.segment<4>(4));  // (24)
     return q1;
   }
@@ -126,8 +125,8 @@ std::vector<Scene::Disks> all_disks() {
           Scene::Disks d = disks(model, q, mass);
           d.force_exponent = alpha;
           if (d.model == "general") {  // mostly normal, then mostly tangential
-            bool const second = !all.empty() && all.back().model == "general" &&
-                                all.back().damping_normal < 1;
+            bool const second =
+                !all.empty() && all.back().model == "general" && all.back().damping_normal < 1;
             d.damping_normal = second ? 0.3 : 1.7;
             d.damping_tangential = second ? 2.1 : 0.4;
           }
@@ -146,8 +145,8 @@ TEST(ContactSpectralRadius, IsThatOfTheSchemesMatrix) {
       scene.disks = d;
       double const expected = TwoDisks(d).radius(dt);
       EXPECT_NEAR(contact_spectral_radius(scene, dt) / expected, 1.0, 1e-6)
-          << d.model << " " << d.mass << " alpha = " << d.force_exponent
-          << " Q = " << d.elasticity << " dt = " << dt;
+          << d.model << " " << d.mass << " alpha = " << d.force_exponent << " Q = " << d.elasticity
+          << " dt = " << dt;
     }
 }
 
@@ -172,9 +171,8 @@ TEST(ContactSpectralRadius, IsAboveOneWhereAContactGrows) {
       q[6] = 0.2;
       double const before = felt(q);
       for (int k = 0; k < 3000 && felt(q) < 1e100 && felt(q) > 1e-100; ++k) q = two.step(q, dt);
-      EXPECT_EQ(felt(q) > before, radius > 1)
-          << d.model << " " << d.mass << " Q = " << d.elasticity << " dt = " << dt
-          << " radius = " << radius;
+      EXPECT_EQ(felt(q) > before, radius > 1) << d.model << " " << d.mass << " Q = " << d.elasticity
+                                              << " dt = " << dt << " radius = " << radius;
       ++(felt(q) > before ? grown : shrunk);
     }
   EXPECT_GT(grown, 100);

@@ -124,8 +124,8 @@ TEST(Steady, StretchesShrinkWhileSlow) {
   simulation.pause = std::chrono::milliseconds(110);
   Measurement measurement = nothing();
   int calls = 0;
-  EXPECT_FALSE(run_steady(simulation, plan_of(1000, 1000, 10), measurement,
-                          [&] { return ++calls < 6; }));
+  EXPECT_FALSE(
+      run_steady(simulation, plan_of(1000, 1000, 10), measurement, [&] { return ++calls < 6; }));
   EXPECT_EQ(simulation.stretches, (std::vector<std::int64_t>{16, 8, 4, 2, 1, 1}));
 }
 

@@ -54,7 +54,8 @@ std::string refusal(std::function<void(State&)> const& spoil, Scene scene = scen
   return "accepted";
 }
 
-::testing::AssertionResult names(std::string const& message, std::vector<std::string> const& parts) {
+::testing::AssertionResult names(std::string const& message,
+                                 std::vector<std::string> const& parts) {
   for (auto const& part : parts)
     if (message.find(part) == std::string::npos)
       return ::testing::AssertionFailure() << "no '" << part << "' in: " << message;

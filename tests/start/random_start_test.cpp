@@ -50,7 +50,8 @@ TEST(RandomStart, PositionsArePhiloxOfSeedAndDisk) {
       r123::Philox2x64::key_type const key{{static_cast<std::uint64_t>(seed)}};
       auto const words = r123::Philox2x64{}(counter, key);
       for (int a = 0; a < 2; ++a) {
-        double const unit = static_cast<double>((static_cast<long double>(words[a]) + 0.5L) / 0x1p64L);
+        double const unit =
+            static_cast<double>((static_cast<long double>(words[a]) + 0.5L) / 0x1p64L);
         EXPECT_NEAR(state.position[disk][a] / state.box_length, unit, 1e-15) << seed << " " << disk;
       }
     }
@@ -77,7 +78,8 @@ TEST(RandomStart, PositionsAreUniform) {
 
 /// x of a disk against its y, and against x of the next disk and of the next seed.
 TEST(RandomStart, NumbersAreNotCorrelated) {
-  State const one = random_start(dilute(20000, 1)).state, two = random_start(dilute(20000, 2)).state;
+  State const one = random_start(dilute(20000, 1)).state,
+              two = random_start(dilute(20000, 2)).state;
   double with_y = 0, with_next = 0, with_seed = 0;
   auto const unit = [&](State const& s, std::size_t i, int a) {
     return (s.position[i][a] / s.box_length - 0.5) * std::sqrt(12.0);
@@ -185,7 +187,8 @@ TEST(RandomStart, MoreThanFivePercentIsAFailure) {
     FAIL() << "accepted";
   } catch (NumericalError const& error) {
     std::string const message = error.what();
-    for (auto const* part : {"overlap of", "disks.packing_fraction = 0.99", "start.iterations = 2000"})
+    for (auto const* part :
+         {"overlap of", "disks.packing_fraction = 0.99", "start.iterations = 2000"})
       EXPECT_NE(message.find(part), std::string::npos) << message;
   }
   scene.disks.packing_fraction = 0.7;
