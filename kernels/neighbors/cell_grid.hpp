@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "kernels/geometry/sheared_box.hpp"
 
@@ -19,6 +20,10 @@ struct CellGrid {
   KOKKOS_FUNCTION int column(Real coordinate) const {
     int const c = static_cast<int>(coordinate / width);
     return c < 0 ? 0 : (c >= side ? side - 1 : c);  // rounding may leave a coordinate at L itself
+  }
+
+  KOKKOS_FUNCTION std::int64_t cell(Vec2<Real> const& point) const {
+    return static_cast<std::int64_t>(column(point.y)) * side + column(point.x);
   }
 };
 
@@ -50,7 +55,8 @@ CellGrid<Space> make_cell_grid(Space const& space,
   using Counts = Kokkos::View<std::uint32_t*, Space>;
   auto const count = static_cast<std::int64_t>(position.extent(0));
   CellGrid<Space> grid;
-  grid.side = std::max(1, static_cast<int>(length / reach));
+  Real const most = std::ceil(std::sqrt(static_cast<Real>(count)));  // a cell a disk is enough
+  grid.side = static_cast<int>(std::clamp(length / reach, Real(1), std::max(Real(1), most)));
   grid.width = length / grid.side;
   auto const cells = static_cast<std::int64_t>(grid.side) * grid.side;
   grid.first = Counts("neighbors::first", cells + 1);
@@ -61,7 +67,7 @@ CellGrid<Space> make_cell_grid(Space const& space,
   Kokkos::parallel_for(
       "neighbors::CellGrid::count", Kokkos::RangePolicy<Space>(space, 0, count),
       KOKKOS_LAMBDA(std::int64_t i) {
-        auto const c = g.column(position(i).y) * g.side + g.column(position(i).x);
+        auto const c = g.cell(position(i));
         Kokkos::atomic_fetch_add(&g.first(c + 1), 1u);
       });
   Kokkos::parallel_scan(
@@ -73,7 +79,7 @@ CellGrid<Space> make_cell_grid(Space const& space,
   Kokkos::parallel_for(
       "neighbors::CellGrid::fill", Kokkos::RangePolicy<Space>(space, 0, count),
       KOKKOS_LAMBDA(std::int64_t i) {
-        auto const c = g.column(position(i).y) * g.side + g.column(position(i).x);
+        auto const c = g.cell(position(i));
         g.members(g.first(c) + Kokkos::atomic_fetch_add(&filled(c), 1u)) =
             static_cast<std::uint32_t>(i);
       });

@@ -37,14 +37,14 @@ struct NeighborSearch {
         int column = column_i + side_step;
         int const wrapped = column < 0 ? -1 : (column >= grid.side ? 1 : 0);
         column -= wrapped * grid.side;
-        visit_cell(i, row * grid.side + column, Image{m + wrapped, n}, visit);
+        visit_cell(i, static_cast<std::int64_t>(row) * grid.side + column, Image{m + wrapped, n}, visit);
       }
     }
   }
 
  private:
   template <class Visitor>
-  KOKKOS_FUNCTION void visit_cell(std::uint32_t i, int cell, Image const& image,
+  KOKKOS_FUNCTION void visit_cell(std::uint32_t i, std::int64_t cell, Image const& image,
                                   Visitor&& visit) const {
     for (auto k = grid.first(cell); k < grid.first(cell + 1); ++k)
       visit_if_near(i, grid.members(k), image, visit);

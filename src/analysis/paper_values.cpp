@@ -35,8 +35,8 @@ std::vector<PaperValue> paper_values(Scene const& scene, std::vector<Observable>
     bool const coexists = (at(phi, 0.7984) && at(rate, 3e-5)) ||
                           (at(phi, 0.792) && at(rate, 5e-5)) || (at(phi, 0.802) && at(rate, 2e-5));
     if (coexists && at(q, 1) && disks.count == 65536) {
-      values.push_back({"p", "2e-5", "P2 Sec. III C", of("p")});
-      values.push_back({"mu", "0.346", "P2 Sec. III C", of("mu")});
+      values.push_back({"p", "2e-5", "P2 Sec. III C 2", of("p")});
+      values.push_back({"mu", "0.346", "P2 Appendix B", of("mu")});
     }
   }
   return values;

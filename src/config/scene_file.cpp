@@ -76,7 +76,8 @@ class Reader {
     std::vector<std::string> candidates = known_;
     if (node.is_table() && name.find('.') == std::string::npos)  // a table is most like a table
       for (auto& key : candidates) key = key.substr(0, key.find('.'));
-    throw InputError(fmt::format("{}unknown key {}; did you mean {}?", place(name, node), name,
+    throw InputError(fmt::format("{}unknown {} {}; did you mean {}?", place(name, node),
+                                 node.is_table() ? "table" : "key", name,
                                  nearest_word(name, candidates)));
   }
 

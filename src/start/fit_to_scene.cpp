@@ -23,7 +23,7 @@ void refuse_disagreement(State const& state, Scene const& scene) {
   for (std::size_t i = 0; i < state.count(); ++i) {
     double const d = state.diameter[i];
     bool const is_small = std::abs(d - small_diameter) < 1e-9;
-    if (!is_small && std::abs(d - big_diameter) >= 1e-9)
+    if (!is_small && !(std::abs(d - big_diameter) < 1e-9))
       refuse(fmt::format("/state/diameter[{}] = {} (must be {} or {} d_s)", i, d, small_diameter,
                          big_diameter));
     small += is_small;

@@ -88,8 +88,9 @@ Relaxation relax_on(State& state, double overlap, std::int64_t iterations, doubl
   std::int64_t done = 0;
   double left = relaxer.largest_overlap();
   while (left > overlap && done < iterations) {
-    for (std::int64_t k = 0; k < between_checks; ++k) relaxer.iterate();
-    done += between_checks;
+    std::int64_t const more = std::min(between_checks, iterations - done);
+    for (std::int64_t k = 0; k < more; ++k) relaxer.iterate();
+    done += more;
     left = relaxer.largest_overlap();
   }
   relaxer.write_to(state);
