@@ -24,8 +24,11 @@ std::vector<PaperValue> paper_values(Scene const& scene, std::vector<Observable>
   if (disks.model == "CD_n" && scene.mass_by_area()) {
     if (at(phi, 0.60))
       values.push_back({"p_kin/p", "about 0.10", "P1 Sec. III A", ratio("p_kin", "p")});
-    if (at(phi, 0.835))
+    if (at(phi, 0.835)) {
       values.push_back({"p_kin/p", "0.001 to 0.005", "P1 Sec. III A", ratio("p_kin", "p")});
+      values.push_back({"|sigma_kin|/sigma", "0.0005 to 0.001", "P1 Sec. III A",
+                        [r = ratio("sigma_kin", "sigma")](Averages a) { return std::abs(r(a)); }});
+    }
     if (phi < 0.75 && q <= 10)
       values.push_back({"delta_p/p", "0.05 to 0.12, smaller phi", "P1 Appendix",
                         ratio("delta_p", "p")});

@@ -41,11 +41,11 @@ void print_table(Run const& run, std::vector<NamedEstimate> const& list) {
   for (auto const& named : list) only.push_back(named.observable);
   auto const papers = paper_values(run.scene, only);
   if (papers.empty()) return;
-  fmt::print("\n{:<13} {:<26} {:<28} {}\n", "quantity", "ours", "the paper", "where");
+  fmt::print("\n{:<18} {:<26} {:<28} {}\n", "quantity", "ours", "the paper", "where");
   auto const first = std::min(static_cast<std::size_t>(run.plan.discarded_windows),
                               run.measurement.windows.size());
   for (auto const& paper : papers)
-    fmt::print("{:<13} {:<26} {:<28} {}\n", paper.quantity,
+    fmt::print("{:<18} {:<26} {:<28} {}\n", paper.quantity,
                with_error(statistics::estimate(run.measurement.windows, first, paper.value)),
                paper.stated, paper.source);
 }
