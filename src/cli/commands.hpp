@@ -29,6 +29,9 @@ struct ResumeOptions {
   bool quiet = false;
 };
 
+/// A line on stderr, quiet or not; nothing for no message.
+void warn(std::string const& message);
+
 // Each returns the exit code: 0 done, 130 or 143 interrupted with a checkpoint written. What goes
 // wrong is thrown: InputError, NumericalError, FileError.
 int run_command(RunOptions const& options);

@@ -145,8 +145,7 @@ class Runner {
     auto const list = estimates(run_);
     write_summary(folder_, run_, list);
     if (run_.scene.output.plot) {  // shows the summary's errors
-      auto const trouble = draw_plot(folder_.result(), folder_.picture());
-      if (!trouble.empty()) fmt::print(stderr, "bagnold: warning: {}\n", trouble);
+      warn(draw_plot(folder_.result(), folder_.picture()));
     }
     if (quiet_) return;
     print_table(run_, list);
@@ -220,10 +219,15 @@ int run_from_checkpoint(RunFolder const& folder, io::Checkpoint checkpoint, Mach
 
 }  // namespace
 
+void warn(std::string const& message) {
+  if (!message.empty()) fmt::print(stderr, "bagnold: warning: {}\n", message);
+}
+
 int run_command(RunOptions const& options) {
   Scene scene = read_scene(options.scene_file, options.overrides);
   Plan const plan = make_plan(scene);
   check_feasible(scene, plan, options.allow_unstable);
+  warn(plan_warning(plan));
   scene.integration.time_step = plan.time_step;  // resolved
   Machine const machine = choose(options.machine, scene);
   std::optional<StartedState> from_file;

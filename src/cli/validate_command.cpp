@@ -29,6 +29,7 @@ int validate_command(RunOptions const& options) {
   Scene scene = read_scene(options.scene_file, options.overrides);
   Plan const plan = make_plan(scene);
   check_feasible(scene, plan, options.allow_unstable);
+  warn(plan_warning(plan));
   if (scene.start.kind == "state") fit_to_scene(io::read_state(scene.start.file), scene);
   scene.integration.time_step = plan.time_step;
 

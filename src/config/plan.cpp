@@ -48,6 +48,14 @@ Plan make_plan(Scene const& scene) {
   return plan;
 }
 
+std::string plan_warning(Plan const& plan) {
+  if (plan.discarded_windows < plan.windows) return {};
+  return fmt::format(
+      "shear.discard discards all {} windows of {} steps, so nothing will be measured; make "
+      "output.sample_strain or shear.discard smaller, or shear.strain larger",
+      plan.windows, plan.window_steps);
+}
+
 double memory_needed(Scene const& scene, Plan const& plan) {
   // Per disk: Views (positions, trials, list reference, motion), the list (about 7 neighbours in
   // both rows, as packed words), cells, and on the host two states and one checkpoint image.

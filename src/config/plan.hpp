@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "src/config/scene.hpp"
 
@@ -27,5 +28,8 @@ double memory_needed(Scene const& scene, Plan const& plan);
 /// What the input checks alone cannot see: stability of the time step (unless allowed), width of the
 /// box, memory of this machine. Throws InputError.
 void check_feasible(Scene const& scene, Plan const& plan, bool allow_unstable);
+
+/// What a user should know before the run although it may go ahead; empty if nothing.
+std::string plan_warning(Plan const& plan);
 
 }  // namespace bagnold

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The program as a black box: write a scene, run it, read what came out.
 
-The tests in this folder are written from the contract (issue 2, sections 2-4), not from the code.
+The tests in this folder are written from the contract, not from the code.
 BAGNOLD is the program, BAGNOLD_SOURCE the root of the repository.
 """
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Bad input: one clear message, exit code 2, nothing written (issue 2, sections 3 and 4)."""
+"""Bad input: one clear message, exit code 2, nothing written."""
 
 import os
 import unittest

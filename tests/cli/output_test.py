@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a run leaves behind, and that its numbers agree with each other (issue 2, section 3)."""
+"""What a run leaves behind, and that its numbers agree with each other."""
 
 import math
 import re
@@ -374,8 +374,8 @@ class Inputs(CliTest):
         self.assert_same_state(*outs)
 
     def test_the_example_of_the_contract(self):
-        """The scene printed in the issue, word for word."""
-        path = self.folder / "issue.toml"
+        """The scene with every key spelled out, as in the guide."""
+        path = self.folder / "full.toml"
         path.write_text('''
 title = "CD_rot, Newtonian side"
 

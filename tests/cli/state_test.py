@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Starting from a state file: [start] kind = "state" (issue 2, section 2)."""
+"""Starting from a state file: [start] kind = "state"."""
 
 import unittest
 

@@ -177,6 +177,12 @@ TEST(Feasible, MemoryGrowsWithDisksAndWindows) {
   EXPECT_GT(memory_needed(scene, longer), memory_needed(scene, plan) + 1e6 * 13 * 8);
 }
 
+TEST(Plan, WarnsWhereNothingWillBeMeasured) {
+  Plan const nothing = make_plan(scene_of(0.1, 1e-3, 0.05, 0.1, 0.5));
+  EXPECT_TRUE(has(plan_warning(nothing), "discards all 1 windows")) << plan_warning(nothing);
+  EXPECT_EQ(plan_warning(make_plan(scene_of(0.2, 1e-3, 0.05, 0.1, 0.5))), "");
+}
+
 TEST(Feasible, AnUnstableTimeStepNeedsConsent) {
   Scene scene = minimal_scene();
   scene.integration.time_step = 5.0;
