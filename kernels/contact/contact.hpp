@@ -15,8 +15,11 @@ struct Contact {
   Vec2<T> velocity;    ///< v_i - v_j with the shear of the image, [d_s / tau_e]; at the point of
                        ///< contact (P2 Eq. 6) if the law rotates, else of the centres
   T relative_overlap;  ///< 1 - r_ij / d_ij, in (0, 1)
-  T contact_distance;  ///< d_ij, [d_s]
+  T inverse_distance;  ///< 1 / d_ij, [1 / d_s]
 };
+
+/// Largest relative overlap at which a soft disk is still taken for a grain.
+inline constexpr Real largest_relative_overlap = 0.2;
 
 /// A dissipative contact law: name, whether it needs spins, and the force on i from j.
 template <class Law>

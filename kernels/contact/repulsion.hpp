@@ -16,7 +16,7 @@ struct HarmonicRepulsion {
 
   template <class T>
   KOKKOS_FUNCTION T magnitude(Contact<T> const& c) const {
-    return c.relative_overlap / c.contact_distance;
+    return c.relative_overlap * c.inverse_distance;
   }
 };
 
@@ -26,7 +26,10 @@ struct HertzianRepulsion {
 
   template <class T>
   KOKKOS_FUNCTION T magnitude(Contact<T> const& c) const {
-    return c.relative_overlap * math::sqrt(c.relative_overlap) / c.contact_distance;
+    using math::positive_part;  // packs bring their own
+    using math::sqrt;
+    T const overlap = positive_part(c.relative_overlap);  // rounding may leave -1e-16 at a touch
+    return overlap * sqrt(overlap) * c.inverse_distance;
   }
 };
 

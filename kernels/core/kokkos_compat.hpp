@@ -14,6 +14,11 @@ using Kokkos::Experimental::floor;
 using Kokkos::Experimental::sqrt;
 #endif
 
+/// 1/sqrt(x)
+KOKKOS_INLINE_FUNCTION double inverse_sqrt(double x) { return 1 / sqrt(x); }
+
+KOKKOS_INLINE_FUNCTION double positive_part(double x) { return x > 0 ? x : 0; }
+
 }  // namespace bagnold::math
 
 namespace bagnold {

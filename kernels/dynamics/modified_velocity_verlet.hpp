@@ -6,9 +6,6 @@
 
 namespace bagnold {
 
-/// Largest relative overlap at which a soft disk is still taken for a grain.
-inline constexpr Real largest_relative_overlap = 0.2;
-
 /// m + action dt, per mass and inertia: one kick of a disk.
 template <bool Rotates>
 KOKKOS_FUNCTION Motion<Rotates> kicked(Motion<Rotates> motion, Action<Rotates> const& action,
@@ -48,7 +45,7 @@ struct Predict {
 /// Notes an overlap too large to be physics.
 struct OverlapLimit {
   bool exceeded = false;
-  KOKKOS_FUNCTION void operator()(PairForce const& pair) {
+  KOKKOS_FUNCTION void operator()(PairForce<Real> const& pair) {
     exceeded = exceeded || pair.relative_overlap > largest_relative_overlap;
   }
 };

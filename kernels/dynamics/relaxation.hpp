@@ -51,7 +51,7 @@ struct LargestOverlap {
 
   struct Watch {
     Real& largest;
-    KOKKOS_FUNCTION void operator()(PairForce const& pair) const {
+    KOKKOS_FUNCTION void operator()(PairForce<Real> const& pair) const {
       if (pair.relative_overlap > largest) largest = pair.relative_overlap;
     }
   };

@@ -42,7 +42,7 @@ template <bool Rotates>
 struct PairSums {
   Sums<Rotates>& sums;
 
-  KOKKOS_FUNCTION void operator()(PairForce const& pair) const {
+  KOKKOS_FUNCTION void operator()(PairForce<Real> const& pair) const {
     auto& s = sums.value;
     Vec2<Real> const half = Real(0.5) * pair.separation;
     s[SumColumns::elastic_xx] += pair.elastic.x * half.x;

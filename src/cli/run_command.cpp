@@ -122,6 +122,7 @@ class Runner {
     c.initial_offset = snapshot.initial_offset;
     c.initial_time = snapshot.initial_time;
     c.builds = snapshot.list_builds;
+    c.engine = std::move(snapshot.engine);
     c.columns = simulation_->columns();
     c.window_sums = run_.measurement.windows.sums;
     c.window_weight = run_.measurement.windows.weight;
@@ -212,6 +213,7 @@ int run_from_checkpoint(RunFolder const& folder, io::Checkpoint checkpoint, Mach
   snapshot.initial_offset = checkpoint.initial_offset;
   snapshot.initial_time = checkpoint.initial_time;
   snapshot.list_builds = checkpoint.builds;
+  snapshot.engine = std::move(checkpoint.engine);
   if (!quiet) fmt::print("going on from step {} of {}\n", snapshot.step, run.plan.steps);
   auto simulation = begin(folder, scene, snapshot, machine.backend);
   return Runner(folder, std::move(run), std::move(simulation), quiet).run();

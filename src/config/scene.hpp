@@ -42,6 +42,7 @@ struct Scene {
 
   struct Integration {
     std::string scheme = "modified-velocity-verlet";
+    std::string engine = "auto";
     std::optional<double> time_step;  ///< dt; none: "auto"
     double skin = 0.35;
   } integration;

@@ -15,7 +15,7 @@
 namespace bagnold::io {
 namespace {
 
-constexpr std::int64_t schema = 1;  ///< of the file, see SCHEMA.md
+constexpr std::int64_t schema = 2;  ///< of the file, see SCHEMA.md
 
 std::filesystem::path newest_of(std::filesystem::path const& folder) {
   return folder / "checkpoint.h5";
@@ -79,6 +79,9 @@ std::vector<std::byte> checkpoint_image(Checkpoint const& checkpoint) {
   file.attribute("/windows", "columns", checkpoint.columns);
   file.attribute("/windows", "open_weight", checkpoint.open_weight);
 
+  file.group("/engine");
+  for (auto const& [name, value] : checkpoint.engine) file.attribute("/engine", name, value);
+
   file.group("/start_record");
   for (auto const& [name, value] : checkpoint.start_record)
     file.attribute("/start_record", name, value);
@@ -114,6 +117,9 @@ Checkpoint parse_checkpoint(std::string const& name, std::vector<std::byte> imag
       "/windows/sums", {checkpoint.window_weight.size(), static_cast<hsize_t>(checkpoint.columns)});
   checkpoint.open_sums = file.doubles("/windows/open_sums", file.shape("/windows/open_sums"));
   checkpoint.open_weight = file.number("/windows", "open_weight");
+
+  for (auto const& counter : file.attribute_names("/engine"))
+    checkpoint.engine[counter] = file.number("/engine", counter);
 
   for (auto const& record : file.attribute_names("/start_record"))
     checkpoint.start_record[record] = file.number("/start_record", record);

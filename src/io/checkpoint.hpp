@@ -31,6 +31,7 @@ struct Checkpoint {
   std::map<std::string, double> start_record;  ///< e.g. relaxation iterations, remaining overlap
   double wall_seconds = 0.0;                   ///< so far, [s]
   std::int64_t builds = 0;                     ///< of the neighbour list, so far
+  std::map<std::string, double> engine;        ///< what else the engine needs: ages, bounds, counters
 };
 
 /// The sealed file in memory.

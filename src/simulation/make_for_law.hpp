@@ -7,6 +7,7 @@
 
 #include "src/config/time_step.hpp"
 #include "src/simulation/backends.hpp"
+#include "src/simulation/block_engine.hpp"
 #include "src/simulation/laws.hpp"
 #include "src/simulation/reference_engine.hpp"
 
@@ -25,8 +26,15 @@ std::unique_ptr<Simulation> make_on_backend(Scene const& scene, Snapshot const& 
   auto const law = make_law<Law>(scene.disks);
   auto const table = make_species_table(scene.mass_by_area());
   auto const make = [&]<class Repulsion>(Repulsion) -> std::unique_ptr<Simulation> {
-    return std::make_unique<ReferenceEngine<Law, Repulsion, Space>>(
-        law, table, scene.shear.strain_rate, time_step(scene), scene.integration.skin, snapshot);
+    auto const make_engine = [&]<class Engine>(std::type_identity<Engine>) {
+      return std::make_unique<Engine>(law, table, scene.shear.strain_rate, time_step(scene),
+                                      scene.integration.skin, snapshot);
+    };
+    if constexpr (Kokkos::SpaceAccessibility<Kokkos::HostSpace,
+                                             typename Space::memory_space>::accessible)
+      if (scene.integration.engine != "reference")
+        return make_engine(std::type_identity<BlockEngine<Law, Repulsion, Space>>{});
+    return make_engine(std::type_identity<ReferenceEngine<Law, Repulsion, Space>>{});
   };
   if (scene.disks.force_exponent == HertzianRepulsion::force_exponent)
     return make(HertzianRepulsion{});

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "src/state/state.hpp"
@@ -11,13 +13,14 @@ namespace bagnold {
 
 /// Everything a simulation needs to go on bit for bit.
 struct Snapshot {
-  State state;                                       ///< raw: positions may be outside the box
+  State state;                                       ///< as the engine holds it, outside the box perhaps
   std::vector<std::array<double, 2>> list_position;  ///< [N], at the last list build, [d_s]
   std::int64_t list_step = 0;                        ///< step of that build
   std::int64_t step = 0;                             ///< steps done
   double initial_offset = 0.0;                       ///< at step 0, [d_s]
   double initial_time = 0.0;                         ///< at step 0, [tau_e]
   std::int64_t list_builds = 0;                      ///< so far
+  std::map<std::string, double> engine;              ///< what else the engine needs
 };
 
 /// At which steps a configuration is evaluated: origin, origin + every, ...

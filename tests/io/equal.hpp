@@ -40,7 +40,7 @@ inline bool same(Checkpoint const& a, Checkpoint const& b) {
          same(a.window_sums, b.window_sums) && a.columns == b.columns &&
          same(a.window_weight, b.window_weight) && same(a.open_sums, b.open_sums) &&
          same(a.open_weight, b.open_weight) && same(a.wall_seconds, b.wall_seconds) &&
-         a.builds == b.builds;
+         a.builds == b.builds && a.engine == b.engine;
 }
 
 }  // namespace bagnold::io

@@ -45,6 +45,7 @@ inline Checkpoint some_checkpoint(std::size_t count, std::int64_t step) {
   checkpoint.start_record = {{"iterations", 12.0}, {"overlap", 1e-9}};
   checkpoint.wall_seconds = 1.5;
   checkpoint.builds = 42;
+  checkpoint.engine = {{"margin", 0.015}, {"prune_step", 117.0}};
   return checkpoint;
 }
 

@@ -3,12 +3,12 @@
 
 namespace bagnold::test {
 
-class Balance : public EveryLawAndBackend {};
+class Balance : public EverySimulation {};
 
 /// Total momentum along y is conserved to rounding; along x, a wrap changes it by m gammadot L, so
 /// it is checked without shear, where the third law alone decides.
 TEST_P(Balance, MomentumIsConserved) {
-  Scene scene = small_scene(law(), 0.84);
+  Scene scene = small_scene(0.84);
   State const before = shaken_start(scene);
   scene.shear.strain_rate = 0.0;
   auto const simulation = simulate(scene, before, backend());
@@ -30,7 +30,7 @@ TEST_P(Balance, MomentumIsConserved) {
 /// conserved, which needs the actual arms r_ij d_i/(d_i + d_j).
 TEST_P(Balance, AngularMomentumOfAPairIsConserved) {
   if (law() == "CD") GTEST_SKIP() << "CD has no spins to take up the torque of its force";
-  Scene scene = small_scene(law());
+  Scene scene = small_scene();
   scene.shear.strain_rate = 0.0;
   scene.integration.skin = 0.5;
   State state;
@@ -67,7 +67,7 @@ TEST_P(Balance, AngularMomentumOfAPairIsConserved) {
 /// 1% of the power at the papers' time step, and closing as dt^2 while contacts last.
 TEST_P(Balance, EnergyIsAccountedFor) {
   for (auto const* mass : {"equal", "area"}) {
-    Scene scene = small_scene(law(), 0.86);
+    Scene scene = small_scene(0.86);
     scene.disks.mass = mass;
     scene.shear.strain_rate = 1e-3;
     State start_state = random_start(scene).state;
@@ -112,6 +112,6 @@ TEST_P(Balance, EnergyIsAccountedFor) {
   }
 }
 
-BAGNOLD_FOR_EVERY_LAW_AND_BACKEND(Balance);
+BAGNOLD_FOR_EVERY_SIMULATION(Balance);
 
 }  // namespace bagnold::test

@@ -4,9 +4,9 @@
 namespace bagnold::test {
 
 /// Equality to the last bit.
-class Bits : public EveryLawAndBackend {
+class Bits : public EverySimulation {
  public:
-  Scene scene() const { return small_scene(law(), 0.82, 300); }
+  Scene scene() const { return small_scene(0.82, 300); }
 
   static void expect_equal(State const& a, State const& b) {
     EXPECT_EQ(a.position, b.position);
@@ -24,6 +24,19 @@ TEST_P(Bits, DoNotDependOnTheBackend) {
   WindowSums a, b;
   one->advance(500, {0, 7}, a);
   first->advance(500, {0, 7}, b);
+  expect_equal(one->state(), first->state());
+  EXPECT_EQ(a.sums, b.sums);
+}
+
+/// With more patches than threads.
+TEST_P(Bits, OfManyDisksDoNotDependOnTheBackend) {
+  Scene const scene = small_scene(0.82, 5000);
+  State const state = shaken_start(scene);
+  auto const one = simulate(scene, state, backend());
+  auto const first = simulate(scene, state, backend_names().front());
+  WindowSums a, b;
+  one->advance(60, {0, 7}, a);
+  first->advance(60, {0, 7}, b);
   expect_equal(one->state(), first->state());
   EXPECT_EQ(a.sums, b.sums);
 }
@@ -71,6 +84,6 @@ TEST_P(Bits, ListsDoNotActOnTheTrajectory) {
             1e-12);
 }
 
-BAGNOLD_FOR_EVERY_LAW_AND_BACKEND(Bits);
+BAGNOLD_FOR_EVERY_SIMULATION(Bits);
 
 }  // namespace bagnold::test

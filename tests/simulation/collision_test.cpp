@@ -5,10 +5,10 @@
 namespace bagnold::test {
 
 /// Two small disks on a line, nothing else; time_step in tau_e.
-class Collision : public EveryLawAndBackend {
+class Collision : public EverySimulation {
  public:
   Scene pair_scene(double elasticity, double time_step) const {
-    Scene scene = small_scene(law());
+    Scene scene = small_scene();
     scene.disks.elasticity = elasticity;
     scene.disks.damping_normal = 1.0;
     scene.shear.strain_rate = 0.0;
@@ -71,6 +71,6 @@ TEST_P(Collision, IsOfSecondOrderInsideAContact) {
   EXPECT_NEAR(coarse / fine, 4.0, 0.2);
 }
 
-BAGNOLD_FOR_EVERY_LAW_AND_BACKEND(Collision);
+BAGNOLD_FOR_EVERY_SIMULATION(Collision);
 
 }  // namespace bagnold::test

@@ -4,11 +4,11 @@
 namespace bagnold::test {
 
 /// What must not matter does not: the same system described differently moves the same.
-class Invariance : public EveryLawAndBackend {
+class Invariance : public EverySimulation {
  public:
   static constexpr int steps = 200;
 
-  Scene scene() const { return small_scene(law(), 0.84); }
+  Scene scene() const { return small_scene(0.84); }
 
   /// Largest difference after some steps of two descriptions; `shift` is taken off the second.
   double difference(State const& a, State const& b, std::array<double, 2> shift = {0, 0}) const {
@@ -84,6 +84,6 @@ TEST_P(Invariance, GeneralLawHasCDnAndCDrotAsItsEnds) {
   EXPECT_LT(largest_difference(a, b, scene().shear.strain_rate), 1e-12);
 }
 
-BAGNOLD_FOR_EVERY_LAW_AND_BACKEND(Invariance);
+BAGNOLD_FOR_EVERY_SIMULATION(Invariance);
 
 }  // namespace bagnold::test

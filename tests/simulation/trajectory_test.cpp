@@ -3,7 +3,7 @@
 
 namespace bagnold::test {
 
-class Trajectory : public EveryLawAndBackend {};
+class Trajectory : public EverySimulation {};
 
 /// Against the all-pairs reference: hundreds of steps, several list builds, disks crossing the
 /// boundary in x and y. The two share no code; what is left is rounding, grown by collisions.
@@ -14,7 +14,7 @@ TEST_P(Trajectory, IsThatOfTheAllPairsReference) {
   };
   for (auto const& [packing_fraction, force_exponent, mass] :
        {Case{0.60, 2.0, "area"}, Case{0.84, 2.0, "equal"}, Case{0.84, 2.5, "area"}}) {
-    Scene scene = small_scene(law(), packing_fraction);
+    Scene scene = small_scene(packing_fraction);
     scene.disks.force_exponent = force_exponent;
     scene.disks.mass = mass;
     State const state = shaken_start(scene);
@@ -42,7 +42,7 @@ TEST_P(Trajectory, IsThatOfTheAllPairsReference) {
 /// A box just wide enough for the list, without cells.
 TEST_P(Trajectory, InTheSmallestBoxes) {
   for (std::int64_t count : {12, 16, 24, 30}) {
-    Scene scene = small_scene(law(), 0.80, count);
+    Scene scene = small_scene(0.80, count);
     scene.integration.skin = 0.35;
     State const state = shaken_start(scene);
     if (state.box_length < 2 * (1.4 + scene.integration.skin)) continue;
@@ -55,9 +55,27 @@ TEST_P(Trajectory, InTheSmallestBoxes) {
   }
 }
 
+/// Thousands of disks, so that a fast engine cuts them into several patches, in contact across every
+/// edge: against the reference engine, which knows no patches.
+TEST_P(Trajectory, InManyPatches) {
+  if (engine() == "reference") GTEST_SKIP() << "is the oracle";
+  Scene scene = small_scene(0.84, 5000);
+  State const state = shaken_start(scene);
+  auto const simulation = simulate(scene, state, backend());
+  scene.integration.engine = "reference";
+  auto const oracle = simulate(scene, state, backend_names().front());
+  WindowSums sums, expected;
+  simulation->advance(200, {0, 50}, sums);
+  oracle->advance(200, {0, 50}, expected);
+  EXPECT_LT(largest_difference(simulation->state(), oracle->state(), scene.shear.strain_rate), 1e-12);
+  EXPECT_GE(simulation->snapshot().list_builds, 3);
+  for (int c = 0; c < simulation->columns(); ++c)
+    EXPECT_NEAR(sums.sums[c], expected.sums[c], 1e-10 * (1 + std::abs(expected.sums[c]))) << c;
+}
+
 /// The sums of a configuration against the reference's.
 TEST_P(Trajectory, HasTheReferencesStresses) {
-  Scene const scene = small_scene(law(), 0.84);
+  Scene const scene = small_scene(0.84);
   State const state = shaken_start(scene);
   auto const simulation = simulate(scene, state, backend());
   reference::System oracle(reference_parameters(scene), state);
@@ -96,6 +114,6 @@ TEST_P(Trajectory, HasTheReferencesStresses) {
   }
 }
 
-BAGNOLD_FOR_EVERY_LAW_AND_BACKEND(Trajectory);
+BAGNOLD_FOR_EVERY_SIMULATION(Trajectory);
 
 }  // namespace bagnold::test

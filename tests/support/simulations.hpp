@@ -26,24 +26,6 @@ inline std::vector<std::string> law_names() {
   }(static_cast<Laws const*>(nullptr));
 }
 
-/// A test runs once for every (law, backend).
-class EveryLawAndBackend
-    : public testing::TestWithParam<std::tuple<std::string, std::string>> {
- public:
-  std::string law() const { return std::get<0>(GetParam()); }
-  std::string backend() const { return std::get<1>(GetParam()); }
-
-  static auto all() {
-    return testing::Combine(testing::ValuesIn(law_names()), testing::ValuesIn(backend_names()));
-  }
-  static std::string name(testing::TestParamInfo<ParamType> const& info) {
-    return std::get<0>(info.param) + "_" + std::get<1>(info.param);
-  }
-};
-
-#define BAGNOLD_FOR_EVERY_LAW_AND_BACKEND(Suite) \
-  INSTANTIATE_TEST_SUITE_P(All, Suite, Suite::all(), Suite::name)
-
 /// A small system under fast shear: many contacts, rebuilds and crossings in a few hundred steps.
 inline Scene small_scene(std::string const& model, double packing_fraction = 0.82,
                          std::int64_t count = 64) {
@@ -65,6 +47,36 @@ inline Scene small_scene(std::string const& model, double packing_fraction = 0.8
   return scene;
 }
 
+/// A test runs once for every (law, backend, engine).
+class EverySimulation
+    : public testing::TestWithParam<std::tuple<std::string, std::string, std::string>> {
+ public:
+  std::string law() const { return std::get<0>(GetParam()); }
+  std::string backend() const { return std::get<1>(GetParam()); }
+  std::string engine() const { return std::get<2>(GetParam()); }
+
+  /// A small system under fast shear: many contacts, rebuilds and crossings in a few hundred steps.
+  Scene small_scene(double packing_fraction = 0.82, std::int64_t count = 64) const {
+    Scene scene = test::small_scene(law(), packing_fraction, count);
+    scene.integration.engine = engine();
+    return scene;
+  }
+
+  static auto all() {
+    return testing::Combine(testing::ValuesIn(law_names()), testing::ValuesIn(backend_names()),
+                            testing::Values("reference", "contact-rich"));
+  }
+  static std::string name(testing::TestParamInfo<ParamType> const& info) {
+    auto const& [law, backend, engine] = info.param;
+    auto name = law + "_" + backend + "_" + engine;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+  }
+};
+
+#define BAGNOLD_FOR_EVERY_SIMULATION(Suite) \
+  INSTANTIATE_TEST_SUITE_P(All, Suite, Suite::all(), Suite::name)
+
 inline Snapshot start(State state) {
   Snapshot snapshot;
   snapshot.initial_offset = state.offset;
@@ -81,7 +93,8 @@ inline State shaken_start(Scene const& scene) {
   relax_overlaps(state, scene.start.overlap, scene.start.iterations, scene.integration.skin);
   for (std::size_t i = 0; i < state.count(); ++i) {
     double const k = static_cast<double>(i);
-    state.velocity[i][0] += 0.02 * std::sin(12.9898 * k);
+    state.velocity[i][0] =
+        scene.shear.strain_rate * state.position[i][1] + 0.02 * std::sin(12.9898 * k);
     state.velocity[i][1] += 0.1 + 0.02 * std::cos(78.233 * k);
     if (!state.spin.empty()) state.spin[i] += 0.02 * std::sin(4.1 * k);
   }

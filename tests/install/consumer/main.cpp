@@ -7,7 +7,7 @@ int main() {
   bagnold::Contact<double> const contact{.normal = {1.0, 0.0},
                                          .velocity = {-1.0, 3.0},
                                          .relative_overlap = 0.01,
-                                         .contact_distance = 1.0};
+                                         .inverse_distance = 1.0};
   bagnold::Vec2<double> const force = law.dissipative_force(contact);
   return force.x == 2.0 && force.y == 0.0 ? 0 : 1;
 }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr Contact<Real> contact_of(Vec2<Real> const& normal, Vec2<Real> const& velocity,
                                    double relative_overlap, double contact_distance) {
-  return {normal, velocity, relative_overlap, contact_distance};
+  return {normal, velocity, relative_overlap, 1 / contact_distance};
 }
 
 /// The contact all numbers by hand are for: r_ij = 0.9 n, d_ij = 1.2, and the law's velocity is

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kernels/core/species.hpp"
+#include "kernels/geometry/sheared_box.hpp"
+#include "kernels/simd/records.hpp"
+
+namespace bagnold {
+
+/// Pairs of equal contact distance lie together: small-small, small-big, big-big.
+inline constexpr int pair_classes = 3;
+
+KOKKOS_INLINE_FUNCTION int pair_class(Species a, Species b) { return a + b; }
+
+constexpr Real class_distance(int pair_class) {  ///< d_ij, [d_s]
+  return small_diameter + pair_class * (big_diameter - small_diameter) / 2;
+}
+
+/// A compact patch of disks and all that they may touch, as a stretch of slots:
+///
+///     own disks | inert ones, to a multiple of the pack width, at least two | halo
+///
+/// The halo holds copies of disks of other blocks, and of images, already shifted: so pairs have no
+/// image and no foreign partner, and their indices are local. A pair across the edge of a block is in
+/// both blocks' lists; each keeps the force on its own disk. The inert disks touch nothing: pairs of
+/// them fill up lists.
+struct Block {
+  std::uint32_t first = 0;   ///< slot of the first own disk
+  std::uint32_t own = 0;     ///< disks owned
+  std::uint32_t padded = 0;  ///< own and inert
+  std::uint32_t halo = 0;
+  std::uint32_t halo_first = 0;            ///< in Blocks::halo
+  std::uint32_t pairs[pair_classes + 1]{};  ///< where the classes begin, in Blocks::outer and ::inner
+  std::uint32_t inner[pair_classes]{};      ///< pairs of each class in the inner list
+
+  std::uint32_t local() const { return padded + halo; }
+};
+
+/// The disks cut into blocks, and the pairs of each: an outer list within d_ij + skin, and an inner
+/// one of those whose gap can close before the next pruning.
+struct Blocks {
+  template <class T>
+  using Array = Kokkos::View<T*, Kokkos::HostSpace>;
+
+  std::uint32_t count = 0;       ///< blocks
+  std::uint32_t slots = 0;       ///< of all blocks
+  std::uint32_t most_local = 0;  ///< largest Block::local()
+  Array<Block> block;            ///< [count]
+  Array<Neighbor> halo;          ///< the slot that each halo disk copies, and its image
+  Array<simd::LocalPair> outer;  ///< class segments, multiples of the pack width
+  Array<simd::LocalPair> inner;  ///< the same places, filled from the front
+  Array<std::uint32_t> slot_of;  ///< [N]: where a disk is, by its index at the start
+};
+
+}  // namespace bagnold

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <type_traits>
+
+#include "kernels/blocks/blocks.hpp"
+#include "kernels/contact/pair_force.hpp"
+
+namespace bagnold {
+
+/// Pairs of one pack that touch, as observers of the block's pair loop are given them.
+struct PackOfPairs {
+  simd::LocalPair const* pairs;  ///< [width]
+  simd::Mask touching;
+  PairForce<simd::Pack> const& force;
+};
+
+struct NoPackObserver {
+  void operator()(PackOfPairs const&) const {}
+};
+
+/// The forces on the disks of one block from its inner list, a pack of pairs at once.
+///
+/// The pairs are added in the order of the list, so the bits depend neither on threads nor on when
+/// the list was pruned: a pair that does not touch adds zero.
+template <ContactLaw Law, class Repulsion>
+struct BlockForces {
+  static constexpr bool rotates = Law::rotates;
+  using Force = std::conditional_t<rotates, simd::TurningForce, simd::Force>;
+
+  Law law;
+  Repulsion repulsion;
+
+  /// records, spins (thetadot d, [d_s / tau_e]; null if the law does not rotate) and force: the
+  /// block's slots, halo included; force: zeroed here.
+  template <class Observer>
+  void operator()(Block const& block, simd::LocalPair const* inner, simd::Record const* records,
+                  double const* spins, Force* force, Observer&& observe) const {
+    for (std::uint32_t i = 0; i < block.local(); ++i) force[i] = Force{};
+    for (int c = 0; c < pair_classes; ++c)
+      add_class(c, inner + block.pairs[c], block.inner[c], records, spins, force, observe);
+  }
+
+ private:
+  /// What a pack of pairs needs of memory.
+  struct Loaded {
+    simd::Records difference;
+    simd::Pack distance2, spins;
+  };
+
+  static Loaded load(simd::LocalPair const* pairs, simd::Record const* records,
+                     double const* spins) {
+    Loaded l;
+    l.difference = simd::load_differences(records, pairs);
+    if constexpr (rotates) l.spins = simd::load_sums(spins, pairs);
+    l.distance2 = fma(l.difference.x, l.difference.x, l.difference.y * l.difference.y);
+    return l;
+  }
+
+  /// The next pack is loaded before this one is worked on, so that neither waits for the other.
+  template <class Observer>
+  void add_class(int pair_class, simd::LocalPair const* pairs, std::uint32_t count,
+                 simd::Record const* records, double const* spins, Force* force,
+                 Observer& observe) const {
+    using simd::Pack;
+    if (count == 0) return;
+    Real const distance = class_distance(pair_class);
+    Pack const reach2 = distance * distance, inverse_distance = 1 / distance;
+    Law const law = this->law;  // on the stack, where stores of forces cannot reach
+    Repulsion const repulsion = this->repulsion;
+    Loaded next = load(pairs, records, spins);
+    for (std::uint32_t k = 0; k < count; k += simd::width) {
+      Loaded const now = next;
+      next = load(pairs + (k + simd::width < count ? k + simd::width : 0), records, spins);
+      simd::Mask const touching = now.distance2 < reach2;
+      auto const& d = now.difference;
+      auto const f = pair_force<Law, Repulsion, Pack>(law, repulsion, {d.x, d.y}, now.distance2,
+                                                      {d.vx, d.vy}, inverse_distance, now.spins);
+      Pack const x = zero_unless(touching, f.elastic.x + f.dissipative.x);
+      Pack const y = zero_unless(touching, f.elastic.y + f.dissipative.y);
+      if constexpr (rotates)
+        simd::scatter(force, pairs + k, x, y, zero_unless(touching, f.turn(inverse_distance)));
+      else
+        simd::scatter(force, pairs + k, x, y);
+      observe(PackOfPairs{pairs + k, touching, f});
+    }
+  }
+};
+
+}  // namespace bagnold

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kernels/core/species.hpp"
+#include "kernels/dynamics/block_forces.hpp"
+
+namespace bagnold {
+
+/// Positions and velocities of all blocks, slot by slot.
+struct BlockState {
+  Blocks::Array<simd::Record> record;
+  Blocks::Array<double> spin;  ///< thetadot d, [d_s / tau_e]; empty if the law does not rotate
+};
+
+/// Copies the disks of other blocks, and images, into a block's halo.
+inline void refresh_halo(Blocks const& blocks, Block const& block, BlockState const& state,
+                         ShearedBox const& box) {
+  auto const* halo = blocks.halo.data() + block.halo_first;
+  auto* const record = state.record.data();
+  auto const to = block.first + block.padded;
+  for (std::uint32_t h = 0; h < block.halo; ++h) {
+    Image const image = halo[h].image();
+    Vec2<Real> const shift = box.shift(image);
+    simd::Record r = record[halo[h].index()];
+    r.x += shift.x;
+    r.y += shift.y;
+    r.vx += box.velocity_shift(image);
+    record[to + h] = r;
+    if (state.spin.extent(0) != 0) state.spin(to + h) = state.spin(halo[h].index());
+  }
+}
+
+/// What a step tells of a block.
+struct BlockReport {
+  Real fastest2 = 0;          ///< largest (v - gammadot y x^)^2, [d_s^2 / tau_e^2]
+  Real largest_overlap = 0;   ///< relative
+  Real poison = 0;            ///< 0, or no number where a motion is none
+};
+
+/// Keeps the largest overlap.
+struct OverlapWatch {
+  simd::Pack largest = 0.0;
+  void operator()(PackOfPairs const& p) {
+    largest = max(largest, zero_unless(p.touching, p.force.relative_overlap));
+  }
+};
+
+/// The papers' step on a block (P2 Eqs. 21-24), as in modified_velocity_verlet.hpp.
+template <ContactLaw Law, class Repulsion>
+struct BlockStep {
+  static constexpr bool rotates = Law::rotates;
+  using Forces = BlockForces<Law, Repulsion>;
+  using Force = typename Forces::Force;
+
+  Forces forces;
+  Blocks blocks;
+  Blocks::Array<Species> species;  ///< by slot
+  SpeciesTable table;
+  BlockState now;
+  BlockState trial;
+  Real time_step;
+
+  /// First half: trial state at t + dt from forces at t. force: scratch, [most_local].
+  void predict(std::uint32_t b, ShearedBox const& box, Force* force) const {
+    using simd::Pack;
+    Block const& block = blocks.block(b);
+    refresh_halo(blocks, block, now, box);
+    auto const* record = now.record.data() + block.first;
+    evaluate(block, now, force, NoPackObserver{});
+    Kick const kick(*this, time_step);
+    for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
+      auto r = simd::load_records(record + i);
+      auto const f = simd::load_forces(force + i);
+      Pack const k = kick.per_mass(block.first + i);
+      r.x = fma(time_step, r.vx, r.x);
+      r.y = fma(time_step, r.vy, r.y);
+      r.vx = fma(k, f.x, r.vx);
+      r.vy = fma(k, f.y, r.vy);
+      simd::store_records(trial.record.data() + block.first + i, r);
+      if constexpr (rotates)
+        fma(8.0 * k, f.turn, Pack::load(now.spin.data() + block.first + i))
+            .store(trial.spin.data() + block.first + i);
+    }
+  }
+
+  /// Second half: the state at t + dt from forces at the trial state.
+  BlockReport correct(std::uint32_t b, ShearedBox const& box, Force* force) const {
+    using simd::Pack;
+    Block const& block = blocks.block(b);
+    refresh_halo(blocks, block, trial, box);
+    OverlapWatch watch;
+    evaluate(block, trial, force, watch);
+    Kick const kick(*this, time_step / 2);
+    Pack fastest2 = 0.0, poison = 0.0;
+    for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
+      auto const slot = block.first + i;
+      auto r = simd::load_records(now.record.data() + slot);
+      auto const t = simd::load_records(trial.record.data() + slot);
+      auto const f = simd::load_forces(force + i);
+      Pack const k = kick.per_mass(slot);
+      Pack const vx = fma(k, f.x, 0.5 * (r.vx + t.vx));
+      Pack const vy = fma(k, f.y, 0.5 * (r.vy + t.vy));
+      r.x = fma(time_step / 2, r.vx + vx, r.x);
+      r.y = fma(time_step / 2, r.vy + vy, r.y);
+      r.vx = vx;
+      r.vy = vy;
+      simd::store_records(now.record.data() + slot, r);
+      if constexpr (rotates)
+        fma(8.0 * k, f.turn, 0.5 * (Pack::load(now.spin.data() + slot) + Pack::load(trial.spin.data() + slot)))
+            .store(now.spin.data() + slot);
+      Pack const ux = fnma(box.strain_rate, r.y, vx);
+      Pack const speed2 = fma(ux, ux, vy * vy);
+      fastest2 = max(fastest2, speed2);
+      poison = fma(speed2 + r.x, 0.0, poison);
+    }
+    return {simd::largest(fastest2), simd::largest(watch.largest), simd::sum(poison)};
+  }
+
+  template <class Observer>
+  void evaluate(Block const& block, BlockState const& state, Force* force,
+                Observer&& observe) const {
+    double const* spins = nullptr;
+    if constexpr (rotates) spins = state.spin.data() + block.first;
+    forces(block, blocks.inner.data(), state.record.data() + block.first, spins, force, observe);
+  }
+
+ private:
+  /// dt/m of eight slots, by species.
+  struct Kick {
+    Species const* species;
+    simd::Pack small, big;
+    Kick(BlockStep const& step, Real time)
+        : species(step.species.data()), small(time * step.table.inverse_mass[0]),
+          big(time * step.table.inverse_mass[1]) {}
+    simd::Pack per_mass(std::uint32_t slot) const {
+      return select(simd::nonzero(species + slot), big, small);
+    }
+  };
+};
+
+}  // namespace bagnold

@@ -1,0 +1,397 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <utility>
+
+#include "kernels/blocks/build_blocks.hpp"
+#include "kernels/blocks/prune.hpp"
+#include "kernels/neighbors/verlet_list.hpp"
+#include "kernels/observables/block_sums.hpp"
+#include "src/config/errors.hpp"
+#include "src/simulation/clock.hpp"
+#include "src/simulation/device_copy.hpp"
+#include "src/simulation/simulation.hpp"
+
+namespace bagnold {
+
+/// The papers' step on blocks of neighbouring disks, pairs and disks a pack at a time.
+///
+/// Blocks are cut by place and not by thread, and each adds up its own disks' forces, so the bits do
+/// not depend on threads. Space: a host space.
+template <ContactLaw Law, class Repulsion, class Space>
+class BlockEngine final : public Simulation {
+ public:
+  static constexpr bool rotates = Law::rotates;
+  static constexpr std::uint32_t block_size = 1024;
+
+  BlockEngine(Law law, SpeciesTable table, double strain_rate, double time_step, double skin,
+              Snapshot const& snapshot)
+      : clock_{strain_rate, time_step, snapshot.state.box_length, snapshot.initial_offset,
+               snapshot.initial_time},
+        skin_(skin),
+        step_(snapshot.step),
+        builds_(snapshot.list_builds),
+        diameter_(snapshot.state.diameter) {
+    kernels_.forces = {law, Repulsion{}};
+    kernels_.table = table;
+    kernels_.time_step = time_step;
+    auto const position = vectors(snapshot.state.position);
+    auto motion = motions<rotates>(snapshot.state);
+    if (snapshot.list_position.empty()) {
+      if constexpr (rotates)
+        for (std::size_t i = 0; i < count(); ++i) motion[i].spin *= diameter_[i];
+      build(position, motion);
+    } else {
+      list_step_ = snapshot.list_step;
+      arrange(vectors(snapshot.list_position), position, motion);
+      outer_drift_ = snapshot.engine.at("outer_drift");
+      prune_step_ = static_cast<std::int64_t>(snapshot.engine.at("prune_step"));
+      inner_drift_ = snapshot.engine.at("inner_drift");
+      margin_ = snapshot.engine.at("inner_margin");
+      fastest_ = fastest();
+      prune_all();
+    }
+  }
+
+  int columns() const override { return Sums<rotates>::columns; }
+  std::int64_t step() const override { return step_; }
+
+  void advance(std::int64_t steps, Sampling const& sampling, WindowSums& window) override {
+    for (std::int64_t const end = step_ + steps; step_ < end;) {
+      keep_lists();
+      if ((step_ - sampling.origin) % sampling.every == 0) measure(window);
+      do_step();
+    }
+  }
+
+  Snapshot snapshot() const override {
+    Snapshot s;
+    s.state = raw_state();
+    s.list_position.resize(count());
+    for (std::size_t i = 0; i < count(); ++i) {
+      auto const& r = at_build_(kernels_.blocks.slot_of(i));
+      s.list_position[i] = {r.x, r.y};
+    }
+    s.list_step = list_step_;
+    s.step = step_;
+    s.initial_offset = clock_.initial_offset;
+    s.initial_time = clock_.initial_time;
+    s.list_builds = builds_;
+    s.engine = {{"outer_drift", outer_drift_},
+                {"prune_step", static_cast<double>(prune_step_)},
+                {"inner_drift", inner_drift_},
+                {"inner_margin", margin_}};
+    return s;
+  }
+
+  State state() const override {
+    State state = raw_state();
+    for (std::size_t i = 0; i < state.spin.size(); ++i) state.spin[i] /= diameter_[i];
+    ShearedBox const box{clock_.box_length, clock_.offset(step_, step_), clock_.strain_rate};
+    for (std::size_t i = 0; i < state.count(); ++i) {
+      Vec2<Real> position{state.position[i][0], state.position[i][1]};
+      // Between builds the offset may have passed L: its images are the same.
+      wrap(box, position, state.velocity[i][0]);
+      state.position[i] = {position.x, position.y};
+    }
+    state.offset = box.offset;
+    return state;
+  }
+
+ private:
+  using Step = BlockStep<Law, Repulsion>;
+  using Force = typename Step::Force;
+  using Policy = Kokkos::RangePolicy<Space, Kokkos::IndexType<std::int64_t>>;
+
+  std::size_t count() const { return diameter_.size(); }
+  ShearedBox box_at(std::int64_t step) const {
+    return {clock_.box_length, clock_.offset(step, list_step_), clock_.strain_rate};
+  }
+
+  /// body(b, force) for every block; force: scratch of the thread.
+  template <class Body>
+  void for_blocks(char const* name, Body const& body) const {
+    auto const scratch = force_;
+    auto const stride = kernels_.blocks.most_local;
+    auto const threads = threads_;
+    if (kernels_.blocks.count == 1) return body(0, scratch.data());  // no thread is worth waking
+    Kokkos::parallel_for(name, Policy(space_, 0, kernels_.blocks.count), [=](std::int64_t b) {
+      int const thread = threads.acquire();
+      body(static_cast<std::uint32_t>(b), scratch.data() + std::size_t(thread) * stride);
+      threads.release(thread);
+    });
+  }
+
+  void do_step() {
+    auto const box = box_at(step_), next_box = box_at(step_ + 1);
+    auto const& kernels = kernels_;
+    auto const reports = reports_;
+    for_blocks("dynamics::predict", [&kernels, box](std::uint32_t b, Force* force) {
+      kernels.predict(b, box, force);
+    });
+    for_blocks("dynamics::correct", [&kernels, next_box, reports](std::uint32_t b, Force* force) {
+      reports(b) = kernels.correct(b, next_box, force);
+    });
+    ++step_;
+    Real fastest2 = 0, overlap = 0, poison = 0;
+    for (std::uint32_t b = 0; b < kernels_.blocks.count; ++b) {
+      fastest2 = std::max(fastest2, reports_(b).fastest2);
+      overlap = std::max(overlap, reports_(b).largest_overlap);
+      poison += reports_(b).poison;
+    }
+    if (poison != 0 || overlap > largest_relative_overlap) fail();
+    Real const before = fastest_;
+    fastest_ = std::sqrt(fastest2);
+    // |dw| of a step; the second factor: the mean flow at the new place, not the old one.
+    Real const moved = clock_.time_step * (before + fastest_) / 2 * step_strain_factor();
+    outer_drift_ += moved;
+    inner_drift_ += moved;
+  }
+
+  Real step_strain_factor() const {
+    return 1 + std::abs(clock_.strain_rate) * clock_.time_step;
+  }
+
+  /// Whether a list from `since` still holds for the next trial positions, if no disk has moved more
+  /// than `drift` beyond the mean flow.
+  bool holds_next(std::int64_t since, Real drift, Real skin) const {
+    Real const strain = std::abs(clock_.strain_between(since, step_ + 1));
+    if (strain > 0.5) return false;
+    // drift adds up |v - gammadot y x^|; w is taken about the flow at the place of the build, which
+    // differs by gammadot w_y.
+    Real const w = (drift + clock_.time_step * fastest_ * step_strain_factor()) / (1 - strain);
+    return list_holds(strain, w * w, skin);
+  }
+
+  /// Renews what would not hold through the next step.
+  void keep_lists() {
+    if (!holds_next(list_step_, outer_drift_, skin_)) {
+      outer_drift_ = farthest();
+      if (!holds_next(list_step_, 1.25 * outer_drift_, skin_)) rebuild();
+    }
+    if (!holds_next(prune_step_, inner_drift_, margin_)) prune();
+  }
+
+  void rebuild() {
+    State const state = raw_state();
+    build(vectors(state.position), motions<rotates>(state));
+  }
+
+  /// Takes the disks into the box and lists their pairs anew. Here and below a motion's spin is
+  /// thetadot d.
+  void build(std::vector<Vec2<Real>> position, std::vector<Motion<rotates>> motion) {
+    list_step_ = step_;
+    auto const box = box_at(step_);
+    for (std::size_t i = 0; i < count(); ++i) wrap(box, position[i], motion[i].velocity.x);
+    arrange(position, position, motion);
+    ++builds_;
+    outer_drift_ = 0;
+    fastest_ = fastest();
+    if (!holds_next(list_step_, outer_drift_, skin_))
+      throw NumericalError(fmt::format(
+          "step {} (strain {:.6g}): a disk moves {:.3g} d_s against the mean flow in one step, more "
+          "than the neighbour list's skin of {:.3g} d_s allows; take a smaller "
+          "integration.time_step or a larger integration.skin",
+          step_, clock_.strain(step_), fastest_ * clock_.time_step, skin_));
+    prune();
+  }
+
+  /// Blocks and lists from `at_build`, filled with the disks as they are now; all in the order of the
+  /// start.
+  void arrange(std::vector<Vec2<Real>> const& at_build, std::vector<Vec2<Real>> const& position,
+               std::vector<Motion<rotates>> const& motion) {
+    kernels_.blocks = {};
+    auto const species = species_of(diameter_);
+    kernels_.blocks =
+        build_blocks(space_, to_device<Space>("blocks::position", at_build),
+                     to_device<Space>("blocks::species", species), kernels_.table,
+                     box_at(list_step_), skin_, block_size);
+    auto const& blocks = kernels_.blocks;
+    auto const slots = blocks.slots;
+    if (kernels_.species.extent(0) < slots) {
+      auto const room = slots + slots / 16;
+      kernels_.now = kernels_.trial = {};
+      at_build_ = {};
+      kernels_.species = Blocks::Array<Species>("state::species", room);
+      kernels_.now.record = Blocks::Array<simd::Record>("state::record", room);
+      kernels_.trial.record = Blocks::Array<simd::Record>("dynamics::trial_record", room);
+      if constexpr (rotates) {
+        kernels_.now.spin = Blocks::Array<double>("state::spin", room);
+        kernels_.trial.spin = Blocks::Array<double>("dynamics::trial_spin", room);
+      }
+      at_build_ = Blocks::Array<Vec2<Real>>("neighbors::at_build", room);
+    }
+    reports_ = Blocks::Array<BlockReport>("dynamics::reports", blocks.count);
+    sums_ = Blocks::Array<Sums<rotates>>("observables::block_sums", blocks.count);
+    force_ = Blocks::Array<Force>("dynamics::force",
+                                  std::size_t(threads_.size()) * blocks.most_local);
+
+    for (std::uint32_t b = 0; b < blocks.count; ++b) make_inert(blocks.block(b));
+    for (std::size_t i = 0; i < count(); ++i) {
+      auto const slot = blocks.slot_of(i);
+      kernels_.species(slot) = species[i];
+      kernels_.now.record(slot) = {position[i].x, position[i].y, motion[i].velocity.x,
+                                   motion[i].velocity.y};
+      at_build_(slot) = at_build[i];
+      if constexpr (rotates) kernels_.now.spin(slot) = motion[i].spin;
+    }
+  }
+
+  /// The slots behind the own disks: at rest, far from everything and from each other.
+  void make_inert(Block const& block) {
+    for (auto i = block.own; i < block.padded; ++i) {
+      auto const slot = block.first + i;
+      Real const far = 1e3 * clock_.box_length * (i - block.own + 1);
+      kernels_.now.record(slot) = kernels_.trial.record(slot) = {far, 0, 0, 0};
+      kernels_.species(slot) = 0;
+      if constexpr (rotates) kernels_.now.spin(slot) = kernels_.trial.spin(slot) = 0;
+      at_build_(slot) = {far, 0};
+    }
+  }
+
+  void prune() {
+    // Enough for sixteen steps at least.
+    margin_ = std::min(skin_, std::max(least_margin, 40 * clock_.time_step * fastest_));
+    prune_step_ = step_;
+    inner_drift_ = 0;
+    if (!holds_next(prune_step_, inner_drift_, margin_)) margin_ = skin_;
+    prune_all();
+  }
+
+  void prune_all() {
+    auto const& kernels = kernels_;
+    auto const box = box_at(step_);
+    auto const margin = margin_;
+    for_blocks("neighbors::prune", [&kernels, box, margin](std::uint32_t b, Force*) {
+      Block& block = kernels.blocks.block(b);
+      refresh_halo(kernels.blocks, block, kernels.now, box);
+      prune_block(kernels.blocks, block, kernels.now.record.data() + block.first, margin);
+    });
+  }
+
+  /// Largest |v - gammadot y x^|, [d_s / tau_e].
+  Real fastest() const {
+    return std::sqrt(over_disks([&](std::uint32_t slot) {
+      auto const& r = kernels_.now.record(slot);
+      Real const ux = std::fma(-clock_.strain_rate, r.y, r.vx);
+      return std::fma(ux, ux, r.vy * r.vy);
+    }));
+  }
+
+  /// Largest |w| since the build, [d_s].
+  Real farthest() const {
+    Real const strain = clock_.strain_between(list_step_, step_);
+    return std::sqrt(over_disks([&](std::uint32_t slot) {
+      auto const& r = kernels_.now.record(slot);
+      return excursion2({r.x, r.y}, at_build_(slot), strain);
+    }));
+  }
+
+  template <class Value>
+  Real over_disks(Value const& value) const {
+    Real largest = 0;
+    for (std::size_t i = 0; i < count(); ++i)
+      largest = std::max(largest, value(kernels_.blocks.slot_of(i)));
+    return largest;
+  }
+
+  void measure(WindowSums& window) {
+    auto const& kernels = kernels_;
+    auto const box = box_at(step_);
+    auto const sums = sums_;
+    for_blocks("observables::measure", [&kernels, box, sums](std::uint32_t b, Force* force) {
+      sums(b) = measure_block(kernels, b, box, force);
+    });
+    window.sums.resize(columns());
+    Sums<rotates> total;
+    for (std::uint32_t b = 0; b < kernels_.blocks.count; ++b)
+      for (int c = 0; c < columns(); ++c) total.value[c] += sums_(b).value[c];
+    for (int c = 0; c < columns(); ++c) window.sums[c] += total.value[c];
+    window.weight += 1;
+  }
+
+  [[noreturn]] void fail() const {
+    auto const where = fmt::format("step {} (strain {:.6g})", step_, clock_.strain(step_));
+    State const state = raw_state();
+    for (std::size_t i = 0; i < state.count(); ++i)
+      if (!std::isfinite(state.position[i][0] + state.position[i][1] + state.velocity[i][0] +
+                         state.velocity[i][1]))
+        throw NumericalError(fmt::format(
+            "{}: the motion of disk {} is not a finite number; take a smaller "
+            "integration.time_step",
+            where, i));
+    auto const [overlap, disk] = deepest();
+    throw NumericalError(fmt::format(
+        "{}: disk {} overlaps a neighbour by {:.1f}% (limit {:.0f}%): no grain any more; take a "
+        "smaller shear.strain_rate, integration.time_step or disks.packing_fraction",
+        where, disk, 100 * overlap, 100 * largest_relative_overlap));
+  }
+
+  /// The largest relative overlap at the trial positions, and a disk that has it.
+  std::pair<Real, std::size_t> deepest() const {
+    std::pair<Real, std::uint32_t> found{-1, 0};
+    auto const& blocks = kernels_.blocks;
+    for (std::uint32_t b = 0; b < blocks.count; ++b) {
+      Block const& block = blocks.block(b);
+      auto const* record = kernels_.trial.record.data() + block.first;
+      for (int c = 0; c < pair_classes; ++c)
+        for (std::uint32_t k = 0; k < block.inner[c]; ++k) {
+          auto const pair = blocks.inner(block.pairs[c] + k);
+          auto const &p = record[pair.a()], &q = record[pair.b()];
+          Real const overlap = 1 - std::hypot(p.x - q.x, p.y - q.y) / class_distance(c);
+          if (overlap > found.first) found = {overlap, block.first + pair.a()};
+        }
+    }
+    std::size_t disk = 0;
+    while (disk + 1 < count() && blocks.slot_of(disk) != found.second) ++disk;
+    return {found.first, disk};
+  }
+
+  /// As it is: positions may be outside the box, and spins are times the diameter.
+  State raw_state() const {
+    State state;
+    state.position.resize(count());
+    state.velocity.resize(count());
+    if constexpr (rotates) state.spin.resize(count());
+    for (std::size_t i = 0; i < count(); ++i) {
+      auto const slot = kernels_.blocks.slot_of(i);
+      auto const& r = kernels_.now.record(slot);
+      state.position[i] = {r.x, r.y};
+      state.velocity[i] = {r.vx, r.vy};
+      if constexpr (rotates) state.spin[i] = kernels_.now.spin(slot);
+    }
+    state.diameter = diameter_;
+    state.box_length = clock_.box_length;
+    state.offset = clock_.offset(step_, step_);
+    state.time = clock_.time(step_);
+    state.strain_rate = clock_.strain_rate;
+    return state;
+  }
+
+  static constexpr Real least_margin = 0.015;  ///< of the inner list, [d_s]
+
+  Space space_{};
+  Kokkos::Experimental::UniqueToken<Space> threads_;
+  Clock clock_;
+  Real skin_;
+  std::int64_t step_ = 0;
+  std::int64_t list_step_ = 0;
+  std::int64_t prune_step_ = 0;
+  std::int64_t builds_ = 0;
+  Real outer_drift_ = 0;  ///< at least the largest |w| since the build, [d_s]
+  Real inner_drift_ = 0;  ///< since the pruning
+  Real margin_ = 0;       ///< of the inner list, [d_s]
+  Real fastest_ = 0;      ///< largest peculiar speed now, [d_s / tau_e]
+  std::vector<double> diameter_;
+
+  Step kernels_;
+  Blocks::Array<Vec2<Real>> at_build_;
+  Blocks::Array<BlockReport> reports_;
+  Blocks::Array<Sums<rotates>> sums_;
+  Blocks::Array<Force> force_;
+};
+
+}  // namespace bagnold
