@@ -7,7 +7,7 @@
 
 namespace bagnold {
 
-/// Pairs of equal contact distance lie together: small-small, small-big, big-big.
+/// Pairs of equal contact distance lie together: small-small, small-big (in this order), big-big.
 inline constexpr int pair_classes = 3;
 
 KOKKOS_INLINE_FUNCTION int pair_class(Species a, Species b) { return a + b; }

@@ -141,7 +141,9 @@ Blocks build_blocks(Space const& space, Kokkos::View<Vec2<Real>*, Space> const& 
                                        std::lower_bound(halo.begin(), halo.end(), n.packed) -
                                        halo.begin());
         auto& to = end[pair_class(kind(i), kind(n.index()))];
-        blocks.outer(to++) = simd::LocalPair::make(i - begin, partner);
+        bool const swap = kind(i) > kind(n.index());
+        blocks.outer(to++) = swap ? simd::LocalPair::make(partner, i - begin)
+                                  : simd::LocalPair::make(i - begin, partner);
       });
     for (int c = 0; c < pair_classes; ++c) {
       while (end[c] < mine.pairs[c + 1])

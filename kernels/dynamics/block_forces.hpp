@@ -31,7 +31,7 @@ struct BlockForces {
   Law law;
   Repulsion repulsion;
 
-  /// records, spins (thetadot d, [d_s / tau_e]; null if the law does not rotate) and force: the
+  /// records, spins (thetadot, [1 / tau_e]; null if the law does not rotate) and force: the
   /// block's slots, halo included; force: zeroed here.
   template <class Observer>
   void operator()(Block const& block, simd::LocalPair const* inner, simd::Record const* records,
@@ -49,10 +49,10 @@ struct BlockForces {
   };
 
   static Loaded load(simd::LocalPair const* pairs, simd::Record const* records,
-                     double const* spins) {
+                     double const* spins, double weight) {
     Loaded l;
     l.difference = simd::load_differences(records, pairs);
-    if constexpr (rotates) l.spins = simd::load_sums(spins, pairs);
+    if constexpr (rotates) l.spins = simd::load_sums(spins, pairs, weight);
     l.distance2 = fma(l.difference.x, l.difference.x, l.difference.y * l.difference.y);
     return l;
   }
@@ -68,14 +68,17 @@ struct BlockForces {
     Pack const reach2 = distance * distance, inverse_distance = 1 / distance;
     Law const law = this->law;  // on the stack, where stores of forces cannot reach
     Repulsion const repulsion = this->repulsion;
-    Loaded next = load(pairs, records, spins);
+    // thetadot_a d_a + thetadot_b d_b as d_a (thetadot_a + d_b/d_a thetadot_b); a is the smaller one.
+    Real const diameter_a = pair_class == 2 ? big_diameter : small_diameter;
+    Real const weight = pair_class == 1 ? big_diameter / small_diameter : 1;
+    Loaded next = load(pairs, records, spins, weight);
     for (std::uint32_t k = 0; k < count; k += simd::width) {
       Loaded const now = next;
-      next = load(pairs + (k + simd::width < count ? k + simd::width : 0), records, spins);
+      next = load(pairs + (k + simd::width < count ? k + simd::width : 0), records, spins, weight);
       simd::Mask const touching = now.distance2 < reach2;
       auto const& d = now.difference;
       auto const f = pair_force<Law, Repulsion, Pack>(law, repulsion, {d.x, d.y}, now.distance2,
-                                                      {d.vx, d.vy}, inverse_distance, now.spins);
+                                                      {d.vx, d.vy}, inverse_distance, diameter_a * now.spins);
       Pack const x = zero_unless(touching, f.elastic.x + f.dissipative.x);
       Pack const y = zero_unless(touching, f.elastic.y + f.dissipative.y);
       if constexpr (rotates)

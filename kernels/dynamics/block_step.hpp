@@ -9,7 +9,7 @@ namespace bagnold {
 /// Positions and velocities of all blocks, slot by slot.
 struct BlockState {
   Blocks::Array<simd::Record> record;
-  Blocks::Array<double> spin;  ///< thetadot d, [d_s / tau_e]; empty if the law does not rotate
+  Blocks::Array<double> spin;  ///< thetadot, [1 / tau_e]; empty if the law does not rotate
 };
 
 /// Copies the disks of other blocks, and images, into a block's halo.
@@ -34,13 +34,16 @@ inline void refresh_halo(Blocks const& blocks, Block const& block, BlockState co
 struct BlockReport {
   Real fastest2 = 0;          ///< largest (v - gammadot y x^)^2, [d_s^2 / tau_e^2]
   Real largest_overlap = 0;   ///< relative
+  std::uint32_t touching = 0;  ///< pairs, those across the edge included
   Real poison = 0;            ///< 0, or no number where a motion is none
 };
 
-/// Keeps the largest overlap.
+/// Keeps the largest overlap and counts contacts.
 struct OverlapWatch {
   simd::Pack largest = 0.0;
+  std::uint32_t touching = 0;
   void operator()(PackOfPairs const& p) {
+    touching += __builtin_popcount(p.touching.lanes());
     largest = max(largest, zero_unless(p.touching, p.force.relative_overlap));
   }
 };
@@ -67,7 +70,7 @@ struct BlockStep {
     refresh_halo(blocks, block, now, box);
     auto const* record = now.record.data() + block.first;
     evaluate(block, now, force, NoPackObserver{});
-    Kick const kick(*this, time_step);
+    Kick const kick{*this, time_step};
     for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
       auto r = simd::load_records(record + i);
       auto const f = simd::load_forces(force + i);
@@ -78,19 +81,21 @@ struct BlockStep {
       r.vy = fma(k, f.y, r.vy);
       simd::store_records(trial.record.data() + block.first + i, r);
       if constexpr (rotates)
-        fma(8.0 * k, f.turn, Pack::load(now.spin.data() + block.first + i))
+        fma(kick.per_inertia(block.first + i), f.turn, Pack::load(now.spin.data() + block.first + i))
             .store(trial.spin.data() + block.first + i);
     }
   }
 
-  /// Second half: the state at t + dt from forces at the trial state.
-  BlockReport correct(std::uint32_t b, ShearedBox const& box, Force* force) const {
+  /// Second half: the state at t + dt from forces at the trial state. seen(slot, records): called
+  /// with the new motion of each pack of disks.
+  template <class Watch>
+  BlockReport correct(std::uint32_t b, ShearedBox const& box, Force* force, Watch&& seen) const {
     using simd::Pack;
     Block const& block = blocks.block(b);
     refresh_halo(blocks, block, trial, box);
     OverlapWatch watch;
     evaluate(block, trial, force, watch);
-    Kick const kick(*this, time_step / 2);
+    Kick const kick{*this, time_step / 2};
     Pack fastest2 = 0.0, poison = 0.0;
     for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
       auto const slot = block.first + i;
@@ -105,15 +110,16 @@ struct BlockStep {
       r.vx = vx;
       r.vy = vy;
       simd::store_records(now.record.data() + slot, r);
+      seen(slot, r);
       if constexpr (rotates)
-        fma(8.0 * k, f.turn, 0.5 * (Pack::load(now.spin.data() + slot) + Pack::load(trial.spin.data() + slot)))
+        fma(kick.per_inertia(slot), f.turn, 0.5 * (Pack::load(now.spin.data() + slot) + Pack::load(trial.spin.data() + slot)))
             .store(now.spin.data() + slot);
       Pack const ux = fnma(box.strain_rate, r.y, vx);
       Pack const speed2 = fma(ux, ux, vy * vy);
       fastest2 = max(fastest2, speed2);
       poison = fma(speed2 + r.x, 0.0, poison);
     }
-    return {simd::largest(fastest2), simd::largest(watch.largest), simd::sum(poison)};
+    return {simd::largest(fastest2), simd::largest(watch.largest), watch.touching, simd::sum(poison)};
   }
 
   template <class Observer>
@@ -125,15 +131,23 @@ struct BlockStep {
   }
 
  private:
-  /// dt/m of eight slots, by species.
+  /// What turns forces on eight slots into changes of motion, by species.
   struct Kick {
-    Species const* species;
-    simd::Pack small, big;
-    Kick(BlockStep const& step, Real time)
-        : species(step.species.data()), small(time * step.table.inverse_mass[0]),
-          big(time * step.table.inverse_mass[1]) {}
-    simd::Pack per_mass(std::uint32_t slot) const {
-      return select(simd::nonzero(species + slot), big, small);
+    BlockStep const& step;
+    Real time;
+    simd::Pack per_mass(std::uint32_t slot) const {  ///< dt / m
+      return pick(slot, [&](int s) { return time * step.table.inverse_mass[s]; });
+    }
+    simd::Pack per_inertia(std::uint32_t slot) const {  ///< dt d / I
+      return pick(slot, [&](int s) {
+        return time * step.table.diameter[s] * step.table.inverse_inertia[s];
+      });
+    }
+
+   private:
+    template <class Of>
+    simd::Pack pick(std::uint32_t slot, Of const& of) const {
+      return select(simd::nonzero(step.species.data() + slot), of(1), of(0));
     }
   };
 };

@@ -1,34 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include "kernels/dynamics/block_step.hpp"
 #include "kernels/observables/sums.hpp"
 
 namespace bagnold {
 
-/// Adds up pairs a pack at a time. A pair across the edge of a block is seen by both of its blocks
-/// and counts half in each.
+/// Adds up pairs one after the other, in the order of the list, so that the sums do not depend on when
+/// it was pruned. A pair across the edge of a block is seen by both of its blocks and counts half in
+/// each.
 struct PackSums {
-  std::uint32_t padded;                   ///< of the block: partners from here on are halo
-  simd::Pack value[SumColumns::count]{};  ///< the pair columns are used
+  std::uint32_t padded;  ///< of the block: partners from here on are halo
+  Real value[SumColumns::contacts + 1]{};
 
   void operator()(PackOfPairs const& p) {
-    using simd::Pack;
-    Pack weight;
-    for (int k = 0; k < simd::width; ++k) weight.v[k] = p.pairs[k].b() < padded ? 1.0 : 0.5;
-    weight = zero_unless(p.touching, weight);
-    auto const add = [&](int column, Pack f, Pack r) {
-      value[column] += zero_unless(p.touching, weight * f * r);
-    };
     auto const& [r, elastic, dissipative, overlap] = p.force;
-    add(SumColumns::elastic_xx, elastic.x, r.x);
-    add(SumColumns::elastic_xy, elastic.x, r.y);
-    add(SumColumns::elastic_yy, elastic.y, r.y);
-    add(SumColumns::dissipative_xx, dissipative.x, r.x);
-    add(SumColumns::dissipative_xy, dissipative.x, r.y);
-    add(SumColumns::dissipative_yx, dissipative.y, r.x);
-    add(SumColumns::dissipative_yy, dissipative.y, r.y);
-    value[SumColumns::contacts] += weight + weight;
+    using C = SumColumns;
+    alignas(64) Real of[C::contacts][simd::width];
+    (elastic.x * r.x).store(of[C::elastic_xx]);
+    (elastic.x * r.y).store(of[C::elastic_xy]);
+    (elastic.y * r.y).store(of[C::elastic_yy]);
+    (dissipative.x * r.x).store(of[C::dissipative_xx]);
+    (dissipative.x * r.y).store(of[C::dissipative_xy]);
+    (dissipative.y * r.x).store(of[C::dissipative_yx]);
+    (dissipative.y * r.y).store(of[C::dissipative_yy]);
+    for (unsigned lanes = p.touching.lanes(); lanes != 0; lanes &= lanes - 1) {
+      int const k = __builtin_ctz(lanes);
+      Real const weight = std::max(p.pairs[k].a(), p.pairs[k].b()) < padded ? 1.0 : 0.5;
+      for (int c = 0; c <= C::dissipative_yy; ++c) value[c] += weight * of[c][k];
+      value[C::contacts] += 2 * weight;
+    }
   }
 };
 
@@ -41,10 +43,10 @@ Sums<Law::rotates> measure_block(BlockStep<Law, Repulsion> const& step, std::uin
   using C = SumColumns;
   Block const& block = step.blocks.block(b);
   refresh_halo(step.blocks, block, step.now, box);
-  PackSums packs{block.padded};
-  step.evaluate(block, step.now, force, packs);
-  Pack spin = 0.0, spin2 = 0.0;
-  auto* const v = packs.value;
+  PackSums pairs{block.padded};
+  step.evaluate(block, step.now, force, pairs);
+  Pack v[C::count], spin = 0.0, spin2 = 0.0;
+  for (auto& sum : v) sum = 0.0;
   for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
     auto const slot = block.first + i;
     auto const r = simd::load_records(step.now.record.data() + slot);
@@ -57,14 +59,16 @@ Sums<Law::rotates> measure_block(BlockStep<Law, Repulsion> const& step, std::uin
     v[C::velocity_x2] += ux * ux;
     v[C::velocity_y2] += uy * uy;
     if constexpr (Law::rotates) {
-      Pack const inverse_diameter = select(big, 1 / big_diameter, 1 / small_diameter);
-      Pack const s = inverse_diameter * Pack::load(step.now.spin.data() + slot);
+      Pack const s = Pack::load(step.now.spin.data() + slot);
       spin += s;
       spin2 += s * s;
     }
   }
   Sums<Law::rotates> sums;
-  for (int c = 0; c < C::count; ++c) sums.value[c] = simd::sum(v[c]);
+  for (int c : {C::kinetic_xx, C::kinetic_xy, C::kinetic_yy, C::velocity_x2, C::velocity_y2})
+    sums.value[c] = simd::sum(v[c]);
+  for (int c = C::elastic_xx; c <= C::dissipative_yy; ++c) sums.value[c] = pairs.value[c];
+  sums.value[C::contacts] = pairs.value[C::contacts];
   if constexpr (Law::rotates) {
     sums.value[C::spin] = simd::sum(spin);
     sums.value[C::spin2] = simd::sum(spin2);

@@ -25,10 +25,12 @@ struct Mask {
 #if BAGNOLD_AVX512
   __mmask8 bits;
   friend Mask operator&(Mask a, Mask b) { return {static_cast<__mmask8>(a.bits & b.bits)}; }
+  friend Mask operator|(Mask a, Mask b) { return {static_cast<__mmask8>(a.bits | b.bits)}; }
   unsigned lanes() const { return bits; }  ///< lane k is bit k
 #else
   Bits bits;
   friend Mask operator&(Mask a, Mask b) { return {a.bits & b.bits}; }
+  friend Mask operator|(Mask a, Mask b) { return {a.bits | b.bits}; }
   unsigned lanes() const {
     unsigned all = 0;
     for (int k = 0; k < width; ++k) all |= (bits[k] ? 1u : 0u) << k;

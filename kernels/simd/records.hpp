@@ -273,10 +273,10 @@ inline int append(LocalPair* to, Mask mask, LocalPair const* pairs) {
 
 #endif
 
-/// value a plus value b of eight pairs.
-inline Pack load_sums(double const* values, LocalPair const* pairs) {
+/// value a plus `weight` times value b of eight pairs.
+inline Pack load_sums(double const* values, LocalPair const* pairs, double weight) {
   asm("" : "+r"(pairs));  // read the indices again: cheaper than to keep sixteen of them
-  auto const sum = [&](int k) { return at(values, pairs[k].a4) + at(values, pairs[k].b4); };
+  auto const sum = [&](int k) { return at(values, pairs[k].a4) + weight * at(values, pairs[k].b4); };
   return Lanes{sum(0), sum(1), sum(2), sum(3), sum(4), sum(5), sum(6), sum(7)};
 }
 

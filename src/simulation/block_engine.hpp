@@ -39,10 +39,8 @@ class BlockEngine final : public Simulation {
     kernels_.table = table;
     kernels_.time_step = time_step;
     auto const position = vectors(snapshot.state.position);
-    auto motion = motions<rotates>(snapshot.state);
+    auto const motion = motions<rotates>(snapshot.state);
     if (snapshot.list_position.empty()) {
-      if constexpr (rotates)
-        for (std::size_t i = 0; i < count(); ++i) motion[i].spin *= diameter_[i];
       build(position, motion);
     } else {
       list_step_ = snapshot.list_step;
@@ -89,7 +87,6 @@ class BlockEngine final : public Simulation {
 
   State state() const override {
     State state = raw_state();
-    for (std::size_t i = 0; i < state.spin.size(); ++i) state.spin[i] /= diameter_[i];
     ShearedBox const box{clock_.box_length, clock_.offset(step_, step_), clock_.strain_rate};
     for (std::size_t i = 0; i < state.count(); ++i) {
       Vec2<Real> position{state.position[i][0], state.position[i][1]};
@@ -113,12 +110,12 @@ class BlockEngine final : public Simulation {
 
   /// body(b, force) for every block; force: scratch of the thread.
   template <class Body>
-  void for_blocks(char const* name, Body const& body) const {
+  void for_blocks(Body const& body) const {
     auto const scratch = force_;
     auto const stride = kernels_.blocks.most_local;
     auto const threads = threads_;
     if (kernels_.blocks.count == 1) return body(0, scratch.data());  // no thread is worth waking
-    Kokkos::parallel_for(name, Policy(space_, 0, kernels_.blocks.count), [=](std::int64_t b) {
+    Kokkos::parallel_for("simulation::for_blocks", Policy(space_, 0, kernels_.blocks.count), [=](std::int64_t b) {
       int const thread = threads.acquire();
       body(static_cast<std::uint32_t>(b), scratch.data() + std::size_t(thread) * stride);
       threads.release(thread);
@@ -129,11 +126,11 @@ class BlockEngine final : public Simulation {
     auto const box = box_at(step_), next_box = box_at(step_ + 1);
     auto const& kernels = kernels_;
     auto const reports = reports_;
-    for_blocks("dynamics::predict", [&kernels, box](std::uint32_t b, Force* force) {
+    for_blocks([&kernels, box](std::uint32_t b, Force* force) {
       kernels.predict(b, box, force);
     });
-    for_blocks("dynamics::correct", [&kernels, next_box, reports](std::uint32_t b, Force* force) {
-      reports(b) = kernels.correct(b, next_box, force);
+    for_blocks([&kernels, next_box, reports](std::uint32_t b, Force* force) {
+      reports(b) = kernels.correct(b, next_box, force, [](auto&&...) {});
     });
     ++step_;
     Real fastest2 = 0, overlap = 0, poison = 0;
@@ -180,8 +177,7 @@ class BlockEngine final : public Simulation {
     build(vectors(state.position), motions<rotates>(state));
   }
 
-  /// Takes the disks into the box and lists their pairs anew. Here and below a motion's spin is
-  /// thetadot d.
+  /// Takes the disks into the box and lists their pairs anew.
   void build(std::vector<Vec2<Real>> position, std::vector<Motion<rotates>> motion) {
     list_step_ = step_;
     auto const box = box_at(step_);
@@ -192,10 +188,10 @@ class BlockEngine final : public Simulation {
     fastest_ = fastest();
     if (!holds_next(list_step_, outer_drift_, skin_))
       throw NumericalError(fmt::format(
-          "step {} (strain {:.6g}): a disk moves {:.3g} d_s against the mean flow in one step, more "
+          "step {} (strain {:.6g}): disk {} moves {:.3g} d_s against the mean flow in one step, more "
           "than the neighbour list's skin of {:.3g} d_s allows; take a smaller "
           "integration.time_step or a larger integration.skin",
-          step_, clock_.strain(step_), fastest_ * clock_.time_step, skin_));
+          step_, clock_.strain(step_), fastest_disk(), fastest_ * clock_.time_step, skin_));
     prune();
   }
 
@@ -253,48 +249,77 @@ class BlockEngine final : public Simulation {
   }
 
   void prune() {
-    // Enough for sixteen steps at least.
-    margin_ = std::min(skin_, std::max(least_margin, 40 * clock_.time_step * fastest_));
+    margin_ = best_margin();
     prune_step_ = step_;
     inner_drift_ = 0;
     if (!holds_next(prune_step_, inner_drift_, margin_)) margin_ = skin_;
     prune_all();
   }
 
+  /// Where a step costs least: a pruning costs c_o for each outer pair and lasts margin/(2 dt u) steps,
+  /// u being the largest peculiar speed; a step costs c_i for each inner pair, of which a share
+  /// proportional to the margin does not touch. So margin^2 = 2 dt u c_o n_outer margin/(c_i n_idle).
+  Real best_margin() const {
+    constexpr Real outer_cost = 2, inner_cost = 25, fewest_steps = 4;
+    Real const per_step = 2 * clock_.time_step * fastest_;
+    std::uint64_t outer = 0, inner = 0, touching = 0;
+    for (std::uint32_t b = 0; b < kernels_.blocks.count; ++b) {
+      Block const& block = kernels_.blocks.block(b);
+      outer += block.pairs[pair_classes] - block.pairs[0];
+      for (auto const n : block.inner) inner += n;
+      touching += reports_(b).touching;
+    }
+    if (inner == 0) return std::min(skin_, margin_ == 0 ? first_margin : margin_);
+    Real const idle = inner > touching ? static_cast<Real>(inner - touching) : 1;
+    Real const best = std::sqrt(per_step * margin_ * outer_cost / inner_cost *
+                                static_cast<Real>(outer) / idle);
+    return std::clamp(best, std::min(skin_, fewest_steps * per_step), skin_);
+  }
+
   void prune_all() {
     auto const& kernels = kernels_;
     auto const box = box_at(step_);
     auto const margin = margin_;
-    for_blocks("neighbors::prune", [&kernels, box, margin](std::uint32_t b, Force*) {
+    for_blocks([&kernels, box, margin](std::uint32_t b, Force*) {
       Block& block = kernels.blocks.block(b);
       refresh_halo(kernels.blocks, block, kernels.now, box);
       prune_block(kernels.blocks, block, kernels.now.record.data() + block.first, margin);
     });
   }
 
+  /// (v - gammadot y x^)^2 of a disk, [d_s^2 / tau_e^2].
+  Real speed2(std::size_t disk) const {
+    auto const& r = kernels_.now.record(kernels_.blocks.slot_of(disk));
+    Real const ux = std::fma(-clock_.strain_rate, r.y, r.vx);
+    return std::fma(ux, ux, r.vy * r.vy);
+  }
+
   /// Largest |v - gammadot y x^|, [d_s / tau_e].
   Real fastest() const {
-    return std::sqrt(over_disks([&](std::uint32_t slot) {
-      auto const& r = kernels_.now.record(slot);
-      Real const ux = std::fma(-clock_.strain_rate, r.y, r.vx);
-      return std::fma(ux, ux, r.vy * r.vy);
-    }));
+    return std::sqrt(largest_of([&](std::size_t i) { return speed2(i); }));
+  }
+
+  std::size_t fastest_disk() const {
+    std::size_t disk = 0;
+    for (std::size_t i = 1; i < count(); ++i)
+      if (speed2(i) > speed2(disk)) disk = i;
+    return disk;
   }
 
   /// Largest |w| since the build, [d_s].
   Real farthest() const {
     Real const strain = clock_.strain_between(list_step_, step_);
-    return std::sqrt(over_disks([&](std::uint32_t slot) {
+    return std::sqrt(largest_of([&](std::size_t i) {
+      auto const slot = kernels_.blocks.slot_of(i);
       auto const& r = kernels_.now.record(slot);
       return excursion2({r.x, r.y}, at_build_(slot), strain);
     }));
   }
 
   template <class Value>
-  Real over_disks(Value const& value) const {
+  Real largest_of(Value const& value) const {
     Real largest = 0;
-    for (std::size_t i = 0; i < count(); ++i)
-      largest = std::max(largest, value(kernels_.blocks.slot_of(i)));
+    for (std::size_t i = 0; i < count(); ++i) largest = std::max(largest, value(i));
     return largest;
   }
 
@@ -302,7 +327,7 @@ class BlockEngine final : public Simulation {
     auto const& kernels = kernels_;
     auto const box = box_at(step_);
     auto const sums = sums_;
-    for_blocks("observables::measure", [&kernels, box, sums](std::uint32_t b, Force* force) {
+    for_blocks([&kernels, box, sums](std::uint32_t b, Force* force) {
       sums(b) = measure_block(kernels, b, box, force);
     });
     window.sums.resize(columns());
@@ -342,7 +367,7 @@ class BlockEngine final : public Simulation {
           auto const pair = blocks.inner(block.pairs[c] + k);
           auto const &p = record[pair.a()], &q = record[pair.b()];
           Real const overlap = 1 - std::hypot(p.x - q.x, p.y - q.y) / class_distance(c);
-          if (overlap > found.first) found = {overlap, block.first + pair.a()};
+          if (overlap > found.first) found = {overlap, block.first + std::min(pair.a(), pair.b())};
         }
     }
     std::size_t disk = 0;
@@ -350,7 +375,6 @@ class BlockEngine final : public Simulation {
     return {found.first, disk};
   }
 
-  /// As it is: positions may be outside the box, and spins are times the diameter.
   State raw_state() const {
     State state;
     state.position.resize(count());
@@ -371,7 +395,7 @@ class BlockEngine final : public Simulation {
     return state;
   }
 
-  static constexpr Real least_margin = 0.015;  ///< of the inner list, [d_s]
+  static constexpr Real first_margin = 0.015;  ///< of the first inner list, [d_s]
 
   Space space_{};
   Kokkos::Experimental::UniqueToken<Space> threads_;
