@@ -34,12 +34,18 @@ class IslandFinder {
   static constexpr std::uint32_t none = ~std::uint32_t{0};
 
   /// slots: of all blocks.
-  void resize(std::uint32_t slots) { node_of_.assign(slots, none); }
+  void resize(std::uint32_t slots) {
+    node_of_.assign(slots, none);
+    slots_.clear();
+  }
 
   /// Where a disk is in the islands found last; none if it meets nobody.
   std::uint32_t place_of(std::uint32_t slot) const {
     return node_of_[slot] == none ? none : place_[node_of_[slot]];
   }
+
+  /// Which of the eight disks from `slot` on meet nobody.
+  simd::Mask free(std::uint32_t slot) const { return simd::equal(node_of_.data() + slot, none); }
 
   void find(std::vector<SlotPair> const& meeting, Islands& islands) {
     forget();

@@ -23,6 +23,13 @@ KOKKOS_INLINE_FUNCTION bool list_holds(Real strain_since_build, Real largest_exc
   return 2 * s * math::sqrt(largest_excursion2) + (s - 1) * big_diameter < skin;
 }
 
+/// The |w| up to which that is so, [d_s]; negative if the shear alone is too much.
+KOKKOS_INLINE_FUNCTION Real list_reach(Real strain_since_build, Real skin) {
+  Real const half = math::sqrt(strain_since_build * strain_since_build) / 2;
+  Real const s = half + math::sqrt(1 + half * half);
+  return (skin - (s - 1) * big_diameter) / (2 * s);
+}
+
 /// |w|^2 of a disk, [d_s^2]: how far it is from where the mean flow alone would have taken it.
 KOKKOS_INLINE_FUNCTION Real excursion2(Vec2<Real> const& position, Vec2<Real> const& at_build,
                                        Real strain_since_build) {

@@ -111,6 +111,13 @@ inline ForceComponents load_forces(Force const* f) {
           (Lanes)_mm512_permutex2var_pd((__m512d)a.v, odd, (__m512d)b.v), 0.0};
 }
 
+/// Which of eight words equal a value.
+inline Mask equal(std::uint32_t const* words, std::uint32_t value) {
+  __m256i const w = _mm256_loadu_si256(reinterpret_cast<__m256i const*>(words));
+  return {static_cast<__mmask8>(
+      _mm512_cmpeq_epi64_mask(_mm512_cvtepu32_epi64(w), _mm512_set1_epi64(value)))};
+}
+
 /// Which of eight bytes are not zero.
 inline Mask nonzero(std::uint8_t const* bytes) {
   __m128i const b = _mm_loadl_epi64(reinterpret_cast<__m128i const*>(bytes));
@@ -225,6 +232,12 @@ inline ForceComponents load_forces(TurningForce const* f) {
   return s;
 }
 
+inline Mask equal(std::uint32_t const* words, std::uint32_t value) {
+  Mask mask{};
+  for (int k = 0; k < width; ++k) mask.bits[k] = words[k] == value ? -1 : 0;
+  return mask;
+}
+
 inline Mask nonzero(std::uint8_t const* bytes) {
   Mask mask{};
   for (int k = 0; k < width; ++k) mask.bits[k] = bytes[k] != 0 ? -1 : 0;
@@ -272,6 +285,16 @@ inline int append(LocalPair* to, Mask mask, LocalPair const* pairs) {
 }
 
 #endif
+
+struct PackPair {
+  Pack x, y;
+};
+
+/// Eight vectors in a row.
+inline PackPair load_pairs(double const* xy) {
+  auto const f = load_forces(reinterpret_cast<Force const*>(xy));
+  return {f.x, f.y};
+}
 
 /// value a plus `weight` times value b of eight pairs.
 inline Pack load_sums(double const* values, LocalPair const* pairs, double weight) {

@@ -126,8 +126,10 @@ class Runner {
     c.columns = simulation_->columns();
     c.window_sums = run_.measurement.windows.sums;
     c.window_weight = run_.measurement.windows.weight;
-    c.open_sums = run_.measurement.open.sums;
-    c.open_weight = run_.measurement.open.weight;
+    if (!run_.measurement.open.sums.empty()) {  // one at most: an engine stops where it has caught up
+      c.open_sums = run_.measurement.open.sums.front().sums;
+      c.open_weight = run_.measurement.open.sums.front().weight;
+    }
     c.start_record = run_.start_record;
     c.wall_seconds = run_.wall_seconds;
     io::write_checkpoint(folder_.path(), c);
@@ -204,7 +206,8 @@ int run_from_checkpoint(RunFolder const& folder, io::Checkpoint checkpoint, Mach
   run.measurement.windows = {static_cast<std::size_t>(checkpoint.columns),
                              std::move(checkpoint.window_sums),
                              std::move(checkpoint.window_weight)};
-  run.measurement.open = {std::move(checkpoint.open_sums), checkpoint.open_weight};
+  run.measurement.open.first = static_cast<std::int64_t>(run.measurement.windows.size());
+  run.measurement.open.sums = {{std::move(checkpoint.open_sums), checkpoint.open_weight}};
   Snapshot snapshot;
   snapshot.state = std::move(checkpoint.state);
   snapshot.list_position = std::move(checkpoint.list_position);

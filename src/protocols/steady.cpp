@@ -27,15 +27,15 @@ class Stretch {
 bool run_steady(Simulation& simulation, Plan const& plan, Measurement& measurement,
                 std::function<bool()> const& go_on) {
   Stretch stretch;
+  Sampling const sampling{plan.window_steps, plan.every, plan.steps};
   while (simulation.step() < plan.steps) {
     auto const start = std::chrono::steady_clock::now();
-    std::int64_t const origin = simulation.step() / plan.window_steps * plan.window_steps;
-    std::int64_t const end = std::min(origin + plan.window_steps, plan.steps);
-    simulation.advance(std::min(end - simulation.step(), stretch.steps()), {origin, plan.every},
-                       measurement.open);
-    if (simulation.step() == end) {
-      measurement.windows.push_back(measurement.open.sums, measurement.open.weight);
-      measurement.open = {};
+    simulation.advance(stretch.steps(), sampling, measurement.open);
+    while (std::min((measurement.open.first + 1) * plan.window_steps, plan.steps) <=
+               simulation.step() &&
+           measurement.open.first < plan.windows) {
+      WindowSums const done = measurement.open.take_first();
+      measurement.windows.push_back(done.sums, done.weight);
     }
     stretch.took(std::chrono::steady_clock::now() - start);
     if (!go_on()) return false;

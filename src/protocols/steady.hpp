@@ -12,7 +12,7 @@ namespace bagnold {
 /// What a run has measured so far.
 struct Measurement {
   statistics::Windows windows;  ///< finished, from the first step on
-  WindowSums open;              ///< the one in progress
+  OpenWindows open;             ///< those in progress
 };
 
 /// Shear at a constant rate until the plan's steps are done, from wherever the simulation is.

@@ -3,7 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <limits>
+#include <algorithm>
+#include <type_traits>
 #include <utility>
 
 #include "kernels/blocks/build_blocks.hpp"
@@ -14,10 +15,15 @@
 #include "src/simulation/clock.hpp"
 #include "src/simulation/device_copy.hpp"
 #include "src/simulation/simulation.hpp"
+#include "src/simulation/windowed_steps.hpp"
 
 namespace bagnold {
 
-/// The papers' step on blocks of neighbouring disks, pairs and disks a pack at a time.
+/// How an engine goes from step to step.
+enum class Stepping { automatic, contact_rich, windowed };
+
+/// The papers' scheme on blocks of neighbouring disks, pairs and disks a pack at a time: step by step
+/// where contacts are many, in windows where most disks fly free.
 ///
 /// Blocks are cut by place and not by thread, and each adds up its own disks' forces, so the bits do
 /// not depend on threads. Space: a host space.
@@ -27,9 +33,9 @@ class BlockEngine final : public Simulation {
   static constexpr bool rotates = Law::rotates;
   static constexpr std::uint32_t block_size = 1024;
 
-  BlockEngine(Law law, SpeciesTable table, double strain_rate, double time_step, double skin,
-              Snapshot const& snapshot)
-      : clock_{strain_rate, time_step, snapshot.state.box_length, snapshot.initial_offset,
+  BlockEngine(Stepping stepping, Law law, SpeciesTable table, double strain_rate, double time_step,
+              double skin, Snapshot const& snapshot)
+      : stepping_(stepping), clock_{strain_rate, time_step, snapshot.state.box_length, snapshot.initial_offset,
                snapshot.initial_time},
         skin_(skin),
         step_(snapshot.step),
@@ -42,14 +48,15 @@ class BlockEngine final : public Simulation {
     auto const motion = motions<rotates>(snapshot.state);
     if (snapshot.list_position.empty()) {
       build(position, motion);
+      in_windows_ = stepping == Stepping::windowed;
     } else {
       list_step_ = snapshot.list_step;
       arrange(vectors(snapshot.list_position), position, motion);
-      outer_drift_ = snapshot.engine.at("outer_drift");
-      prune_step_ = static_cast<std::int64_t>(snapshot.engine.at("prune_step"));
-      inner_drift_ = snapshot.engine.at("inner_drift");
-      margin_ = snapshot.engine.at("inner_margin");
       fastest_ = fastest();
+      auto engine = snapshot.engine;
+      for_each_memory([&](char const* name, auto& value) {
+        value = static_cast<std::decay_t<decltype(value)>>(engine.at(name));
+      });
       prune_all();
     }
   }
@@ -57,11 +64,12 @@ class BlockEngine final : public Simulation {
   int columns() const override { return Sums<rotates>::columns; }
   std::int64_t step() const override { return step_; }
 
-  void advance(std::int64_t steps, Sampling const& sampling, WindowSums& window) override {
-    for (std::int64_t const end = step_ + steps; step_ < end;) {
-      keep_lists();
-      if ((step_ - sampling.origin) % sampling.every == 0) measure(window);
-      do_step();
+  void advance(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) override {
+    for (auto const end = std::min(step_ + steps, sampling.last_step); step_ < end;) {
+      if (in_windows_)
+        advance_window(sampling, windows);
+      else
+        advance_step(sampling, windows);
     }
   }
 
@@ -78,10 +86,9 @@ class BlockEngine final : public Simulation {
     s.initial_offset = clock_.initial_offset;
     s.initial_time = clock_.initial_time;
     s.list_builds = builds_;
-    s.engine = {{"outer_drift", outer_drift_},
-                {"prune_step", static_cast<double>(prune_step_)},
-                {"inner_drift", inner_drift_},
-                {"inner_margin", margin_}};
+    const_cast<BlockEngine*>(this)->for_each_memory([&](char const* name, auto const& value) {
+      s.engine[name] = static_cast<double>(value);
+    });
     return s;
   }
 
@@ -101,36 +108,141 @@ class BlockEngine final : public Simulation {
  private:
   using Step = BlockStep<Law, Repulsion>;
   using Force = typename Step::Force;
-  using Policy = Kokkos::RangePolicy<Space, Kokkos::IndexType<std::int64_t>>;
 
   std::size_t count() const { return diameter_.size(); }
   ShearedBox box_at(std::int64_t step) const {
     return {clock_.box_length, clock_.offset(step, list_step_), clock_.strain_rate};
   }
 
-  /// body(b, force) for every block; force: scratch of the thread.
+  /// What must be known to go on bit for bit, beside the state and the list.
+  template <class Visit>
+  void for_each_memory(Visit const& visit) {
+    visit("outer_drift", outer_drift_);
+    visit("prune_step", prune_step_);
+    visit("inner_drift", inner_drift_);
+    visit("inner_margin", margin_);
+    visit("in_windows", in_windows_);
+    visit("window_steps", window_steps_);
+    visit("window_allowance", windowed_.allowance);
+    visit("window_idle", idle_);
+    visit("enter_windows_below", enter_below_);
+    visit("steps_one_by_one", steps_one_by_one_);
+    visit("windows", windowed_.counters.windows);
+    visit("steps_in_windows", windowed_.counters.steps);
+    visit("windows_repeated", windowed_.counters.repeated);
+    visit("windows_refused", windows_refused_);
+    visit("active_in_windows", windowed_.counters.active);
+    visit("touching_in_windows", windowed_.counters.touching);
+  }
+
+  /// body(b, force) for every block.
   template <class Body>
-  void for_blocks(Body const& body) const {
-    auto const scratch = force_;
-    auto const stride = kernels_.blocks.most_local;
-    auto const threads = threads_;
-    if (kernels_.blocks.count == 1) return body(0, scratch.data());  // no thread is worth waking
-    Kokkos::parallel_for("simulation::for_blocks", Policy(space_, 0, kernels_.blocks.count), [=](std::int64_t b) {
-      int const thread = threads.acquire();
-      body(static_cast<std::uint32_t>(b), scratch.data() + std::size_t(thread) * stride);
-      threads.release(thread);
-    });
+  void for_blocks(Body const& body) {
+    loop_.template with_scratch<Force>(kernels_.blocks.count, kernels_.blocks.most_local, body);
+  }
+
+  void advance_step(Sampling const& sampling, OpenWindows& windows) {
+    keep_lists();
+    if (sampling.sampled(step_)) windows.add(sampling.window(step_), measure().value, 1);
+    do_step();
+    ++steps_one_by_one_;
+    if (stepping_ == Stepping::automatic && step_ % look_every == 0 &&
+        contacts_per_disk() < enter_below_)
+      in_windows_ = true;
+  }
+
+  /// Z, contacts across edges of blocks counted twice.
+  Real contacts_per_disk() const {
+    std::uint64_t touching = 0;
+    for (std::uint32_t b = 0; b < kernels_.blocks.count; ++b) touching += reports_(b).touching;
+    return 2 * static_cast<Real>(touching) / static_cast<Real>(count());
+  }
+
+  /// Windows end at multiples of their length, so that it does not matter where a run is interrupted.
+  void advance_window(Sampling const& sampling, OpenWindows& windows) {
+    auto const end =
+        std::min((step_ / window_steps_ + 1) * window_steps_, sampling.last_step);
+    if (windowed_.allowance == 0)
+      windowed_.allowance =
+          fastest() * clock_.time_step * static_cast<Real>(window_steps_) / 16;
+    typename WindowedSteps<Law, Repulsion, Space>::Window window{step_, end, list_step_, 0};
+    Real farthest = farthest_at(end);
+    window.most_stray = list_reach(clock_.strain_between(list_step_, end), skin_) - farthest;
+    if (window.most_stray < 2 * windowed_.allowance && list_step_ != step_) {
+      rebuild();
+      farthest = farthest_at(end);
+      window.list_step = list_step_;
+      window.most_stray = list_reach(clock_.strain_between(list_step_, end), skin_) - farthest;
+    }
+    if (windowed_.run(loop_, kernels_, clock_, window, sampling, windows,
+                      stepping_ == Stepping::windowed ? 1 : most_active)) {
+      step_ = end;
+      outer_drift_ = farthest + window.strayed;
+      choose_next(window);
+    } else {
+      step_through(end, sampling, windows);
+    }
+  }
+
+  /// A window that cannot be done as one.
+  void step_through(std::int64_t end, Sampling const& sampling, OpenWindows& windows) {
+    ++windows_refused_;
+    fastest_ = fastest();
+    outer_drift_ = farthest();
+    prune();
+    while (step_ < end) {
+      keep_lists();
+      if (sampling.sampled(step_)) windows.add(sampling.window(step_), measure().value, 1);
+      do_step();
+      ++steps_one_by_one_;
+    }
+    windowed_.allowance /= 2;
+    if (window_steps_ > shortest_window)
+      window_steps_ /= 2;
+    else
+      leave_windows(contacts_per_disk());
+  }
+
+  void leave_windows(Real contacts) {
+    if (stepping_ != Stepping::automatic) return;
+    in_windows_ = false;
+    enter_below_ = 0.7 * contacts;
+  }
+
+  /// The length of the next windows, and whether to go on with them, by estimated cost.
+  ///
+  /// A window costs a look at every outer pair and every disk, and a step of every active disk. Active
+  /// are those in contact, and idle ones foreseen in vain, whose number grows as the window's length:
+  /// the best length has equal costs of looking and of idle steps.
+  template <class Window>
+  void choose_next(Window const& window) {
+    constexpr Real pair_cost = 2.5, disk_cost = 12, active_cost = 30;        // cycles
+    constexpr Real step_cost = 15, contact_cost = 11;                        // step by step
+    auto const disks = static_cast<Real>(count());
+    auto const length = static_cast<Real>(window.end - window.begin);
+    Real const idle = std::max<Real>(window.active_share * disks - 2 * window.touching, 0.25);
+    idle_ = idle_ == 0 ? idle : 0.875 * idle_ + 0.125 * idle;
+    auto const& blocks = kernels_.blocks;
+    Real const look = pair_cost * static_cast<Real>(blocks.outer.extent(0)) + disk_cost * disks;
+    if (windowed_.counters.windows % 8 != 0) return;
+    Real const balance = look / length / (active_cost * idle_);
+    if (balance > 2.5 && window_steps_ < longest_window) {
+      window_steps_ *= 2;
+      idle_ *= 2;
+    } else if (balance < 0.5 && window_steps_ > shortest_window) {
+      window_steps_ /= 2;
+      idle_ /= 2;
+    }
+    Real const contacts = 2 * window.touching / disks;
+    Real const here = look / length / disks + active_cost * (contacts + idle_ / disks);
+    if (here > 1.25 * (step_cost + contact_cost * contacts)) leave_windows(contacts);
   }
 
   void do_step() {
     auto const box = box_at(step_), next_box = box_at(step_ + 1);
-    auto const& kernels = kernels_;
-    auto const reports = reports_;
-    for_blocks([&kernels, box](std::uint32_t b, Force* force) {
-      kernels.predict(b, box, force);
-    });
-    for_blocks([&kernels, next_box, reports](std::uint32_t b, Force* force) {
-      reports(b) = kernels.correct(b, next_box, force, [](auto&&...) {});
+    for_blocks([&](std::uint32_t b, Force* force) { kernels_.predict(b, box, force); });
+    for_blocks([&](std::uint32_t b, Force* force) {
+      reports_(b) = kernels_.correct(b, next_box, force, [](auto&&...) {});
     });
     ++step_;
     Real fastest2 = 0, overlap = 0, poison = 0;
@@ -222,8 +334,7 @@ class BlockEngine final : public Simulation {
     }
     reports_ = Blocks::Array<BlockReport>("dynamics::reports", blocks.count);
     sums_ = Blocks::Array<Sums<rotates>>("observables::block_sums", blocks.count);
-    force_ = Blocks::Array<Force>("dynamics::force",
-                                  std::size_t(threads_.size()) * blocks.most_local);
+    windowed_.rearranged(kernels_);
 
     for (std::uint32_t b = 0; b < blocks.count; ++b) make_inert(blocks.block(b));
     for (std::size_t i = 0; i < count(); ++i) {
@@ -277,14 +388,25 @@ class BlockEngine final : public Simulation {
   }
 
   void prune_all() {
-    auto const& kernels = kernels_;
     auto const box = box_at(step_);
-    auto const margin = margin_;
-    for_blocks([&kernels, box, margin](std::uint32_t b, Force*) {
-      Block& block = kernels.blocks.block(b);
-      refresh_halo(kernels.blocks, block, kernels.now, box);
-      prune_block(kernels.blocks, block, kernels.now.record.data() + block.first, margin);
+    loop_(kernels_.blocks.count, [&](std::uint32_t b) {
+      Block& block = kernels_.blocks.block(b);
+      refresh_halo(kernels_.blocks, block, kernels_.now, box);
+      prune_block(kernels_.blocks, block, kernels_.now.record.data() + block.first, margin_);
     });
+  }
+
+  /// Largest |w| at a later step if all disks fly straight until then, [d_s].
+  Real farthest_at(std::int64_t step) {
+    Real const duration = static_cast<Real>(step - step_) * clock_.time_step;
+    Real const strain = clock_.strain_between(list_step_, step);
+    far2_.assign(kernels_.blocks.count, 0);
+    loop_(kernels_.blocks.count, [&](std::uint32_t b) {
+      Block const& block = kernels_.blocks.block(b);
+      far2_[b] = farthest2_after(block, kernels_.now.record.data() + block.first,
+                                 at_build_.data() + block.first, duration, strain);
+    });
+    return std::sqrt(*std::max_element(far2_.begin(), far2_.end()));
   }
 
   /// (v - gammadot y x^)^2 of a disk, [d_s^2 / tau_e^2].
@@ -323,19 +445,15 @@ class BlockEngine final : public Simulation {
     return largest;
   }
 
-  void measure(WindowSums& window) {
-    auto const& kernels = kernels_;
+  Sums<rotates> measure() {
     auto const box = box_at(step_);
-    auto const sums = sums_;
-    for_blocks([&kernels, box, sums](std::uint32_t b, Force* force) {
-      sums(b) = measure_block(kernels, b, box, force);
+    for_blocks([&](std::uint32_t b, Force* force) {
+      sums_(b) = measure_block(kernels_, b, box, force);
     });
-    window.sums.resize(columns());
     Sums<rotates> total;
     for (std::uint32_t b = 0; b < kernels_.blocks.count; ++b)
       for (int c = 0; c < columns(); ++c) total.value[c] += sums_(b).value[c];
-    for (int c = 0; c < columns(); ++c) window.sums[c] += total.value[c];
-    window.weight += 1;
+    return total;
   }
 
   [[noreturn]] void fail() const {
@@ -398,7 +516,8 @@ class BlockEngine final : public Simulation {
   static constexpr Real first_margin = 0.015;  ///< of the first inner list, [d_s]
 
   Space space_{};
-  Kokkos::Experimental::UniqueToken<Space> threads_;
+  BlockLoop<Space> loop_;
+  Stepping stepping_;
   Clock clock_;
   Real skin_;
   std::int64_t step_ = 0;
@@ -415,7 +534,18 @@ class BlockEngine final : public Simulation {
   Blocks::Array<Vec2<Real>> at_build_;
   Blocks::Array<BlockReport> reports_;
   Blocks::Array<Sums<rotates>> sums_;
-  Blocks::Array<Force> force_;
+  std::vector<Real> far2_;  ///< by block
+
+  static constexpr std::int64_t look_every = 256;  ///< steps between choices
+  static constexpr std::int64_t shortest_window = 16, longest_window = 1 << 14;
+  static constexpr Real most_active = 0.6;  ///< share of the disks in a window
+  WindowedSteps<Law, Repulsion, Space> windowed_;
+  bool in_windows_ = false;
+  std::int64_t window_steps_ = 64;
+  Real idle_ = 0;            ///< disks foreseen in vain, running mean
+  Real enter_below_ = 0.3;   ///< contacts per disk
+  std::int64_t steps_one_by_one_ = 0;
+  std::int64_t windows_refused_ = 0;
 };
 
 }  // namespace bagnold

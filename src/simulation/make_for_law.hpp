@@ -26,14 +26,18 @@ std::unique_ptr<Simulation> make_on_backend(Scene const& scene, Snapshot const& 
   auto const law = make_law<Law>(scene.disks);
   auto const table = make_species_table(scene.mass_by_area());
   auto const make = [&]<class Repulsion>(Repulsion) -> std::unique_ptr<Simulation> {
-    auto const make_engine = [&]<class Engine>(std::type_identity<Engine>) {
-      return std::make_unique<Engine>(law, table, scene.shear.strain_rate, time_step(scene),
-                                      scene.integration.skin, snapshot);
+    auto const make_engine = [&]<class Engine>(std::type_identity<Engine>, auto... stepping) {
+      return std::make_unique<Engine>(stepping..., law, table, scene.shear.strain_rate,
+                                      time_step(scene), scene.integration.skin, snapshot);
     };
+    auto const& engine = scene.integration.engine;
     if constexpr (Kokkos::SpaceAccessibility<Kokkos::HostSpace,
                                              typename Space::memory_space>::accessible)
-      if (scene.integration.engine != "reference")
-        return make_engine(std::type_identity<BlockEngine<Law, Repulsion, Space>>{});
+      if (engine != "reference")
+        return make_engine(std::type_identity<BlockEngine<Law, Repulsion, Space>>{},
+                           engine == "contact-rich" ? Stepping::contact_rich
+                           : engine == "windowed"   ? Stepping::windowed
+                                                    : Stepping::automatic);
     return make_engine(std::type_identity<ReferenceEngine<Law, Repulsion, Space>>{});
   };
   if (scene.disks.force_exponent == HertzianRepulsion::force_exponent)

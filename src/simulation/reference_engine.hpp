@@ -55,9 +55,9 @@ class ReferenceEngine final : public Simulation {
   int columns() const override { return Sums<rotates>::columns; }
   std::int64_t step() const override { return step_; }
 
-  void advance(std::int64_t steps, Sampling const& sampling, WindowSums& window) override {
-    for (std::int64_t const end = step_ + steps; step_ < end;) {
-      if ((step_ - sampling.origin) % sampling.every == 0) measure(window);
+  void advance(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) override {
+    for (auto const end = std::min(step_ + steps, sampling.last_step); step_ < end;) {
+      if (sampling.sampled(step_)) windows.add(sampling.window(step_), measure().value, 1);
       do_step();
     }
   }
@@ -150,16 +150,14 @@ class ReferenceEngine final : public Simulation {
           step_, clock_.strain(step_), farthest.loc, std::sqrt(farthest.val), list_.skin));
   }
 
-  void measure(WindowSums& window) {
+  Sums<rotates> measure() {
     Kokkos::parallel_for(
         "observables::MeasureBlock", Policy(space_, 0, blocks()),
         MeasureBlock<Law, Repulsion, Space>{forces_at(step_, position_, motion_), block_sums_});
-    window.sums.resize(columns());
     Sums<rotates> total;
     for (auto const& block : to_host(block_sums_))
       for (int c = 0; c < columns(); ++c) total.value[c] += block.value[c];
-    for (int c = 0; c < columns(); ++c) window.sums[c] += total.value[c];
-    window.weight += 1;
+    return total;
   }
 
   [[noreturn]] void fail() const {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "src/simulation/sampling.hpp"
 #include "src/state/state.hpp"
 
 namespace bagnold {
@@ -23,18 +24,6 @@ struct Snapshot {
   std::map<std::string, double> engine;              ///< what else the engine needs
 };
 
-/// At which steps a configuration is evaluated: origin, origin + every, ...
-struct Sampling {
-  std::int64_t origin = 0;
-  std::int64_t every = 1;  ///< [steps]
-};
-
-/// Sums over evaluated configurations, in the columns of SumColumns.
-struct WindowSums {
-  std::vector<double> sums;  ///< [columns]
-  double weight = 0.0;       ///< number of evaluations
-};
-
 /// One sheared system under one law, on some backend.
 class Simulation {
  public:
@@ -45,9 +34,10 @@ class Simulation {
 
   virtual std::int64_t step() const = 0;
 
-  /// Steps on. Evaluates configurations at the start of sampled steps and adds them to `window`.
-  /// How a stretch is cut into calls changes no bit. Throws NumericalError.
-  virtual void advance(std::int64_t steps, Sampling const& sampling, WindowSums& window) = 0;
+  /// Steps on by at least `steps`, to where the engine can stop, but not beyond sampling.last_step.
+  /// Evaluates configurations at the start of sampled steps and adds them to `windows`. How a run is
+  /// cut into calls changes no bit. Throws NumericalError.
+  virtual void advance(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) = 0;
 
   virtual Snapshot snapshot() const = 0;
 

@@ -55,6 +55,42 @@ TEST_P(Trajectory, InTheSmallestBoxes) {
   }
 }
 
+/// A dilute gas, where most disks fly free most of the time, evaluated at every step: so a contact
+/// missed or too many at any step would be seen in their number.
+TEST_P(Trajectory, OfADiluteGas) {
+  for (std::int64_t count : {100, 2400}) {
+    Scene scene = small_scene(0.6, count);
+    scene.disks.elasticity = 10;
+    scene.shear.strain_rate = 2e-4;
+    scene.integration.skin = 0.35;
+    State state = shaken_start(scene);
+    for (std::size_t i = 0; i < state.count(); ++i) state.velocity[i][1] -= 0.1;  // no common drift
+    auto const simulation = simulate(scene, state, backend());
+    scene.integration.engine = "reference";
+    auto const oracle = simulate(scene, state, backend_names().front());
+    constexpr int steps = 900;
+    auto const sums = advance(*simulation, steps, 1);
+    auto const expected = advance(*oracle, steps, 1);
+    EXPECT_LT(largest_difference(simulation->state(), oracle->state(), scene.shear.strain_rate), 1e-10);
+    ASSERT_EQ(sums.weight, expected.weight);
+    using C = SumColumns;
+    EXPECT_GE(expected.sums[C::contacts], 2.0 * static_cast<double>(count));
+    EXPECT_EQ(sums.sums[C::contacts], expected.sums[C::contacts]);
+    double const kinetic = expected.sums[C::kinetic_xx] + expected.sums[C::kinetic_yy];
+    double const elastic = expected.sums[C::elastic_xx] + expected.sums[C::elastic_yy];
+    for (int c = 0; c < simulation->columns(); ++c) {
+      double const scale = c <= C::dissipative_yy ? elastic : kinetic;
+      EXPECT_NEAR(sums.sums[c], expected.sums[c], 1e-9 * (std::abs(expected.sums[c]) + scale)) << c;
+    }
+    if (engine() == "windowed") {
+      auto const counters = simulation->snapshot().engine;
+      EXPECT_GE(counters.at("steps_in_windows"), steps / 2);
+      EXPECT_LT(counters.at("active_in_windows"),
+                0.6 * static_cast<double>(count) * counters.at("windows"));
+    }
+  }
+}
+
 /// Thousands of disks, so that a fast engine cuts them into several patches, in contact across every
 /// edge: against the reference engine, which knows no patches.
 TEST_P(Trajectory, InManyPatches) {
@@ -64,9 +100,8 @@ TEST_P(Trajectory, InManyPatches) {
   auto const simulation = simulate(scene, state, backend());
   scene.integration.engine = "reference";
   auto const oracle = simulate(scene, state, backend_names().front());
-  WindowSums sums, expected;
-  simulation->advance(200, {0, 50}, sums);
-  oracle->advance(200, {0, 50}, expected);
+  auto const sums = advance(*simulation, 200, 50);
+  auto const expected = advance(*oracle, 200, 50);
   EXPECT_LT(largest_difference(simulation->state(), oracle->state(), scene.shear.strain_rate), 1e-12);
   EXPECT_GE(simulation->snapshot().list_builds, 3);
   for (int c = 0; c < simulation->columns(); ++c)
@@ -81,8 +116,7 @@ TEST_P(Trajectory, HasTheReferencesStresses) {
   reference::System oracle(reference_parameters(scene), state);
   for (int k = 0; k < 100; ++k) reference::step(oracle);
   advance(*simulation, 100);
-  WindowSums window;
-  simulation->advance(1, {100, 1}, window);
+  auto const window = advance(*simulation, 1, 1);
   ASSERT_EQ(window.weight, 1.0);
 
   auto const expected = reference::measure(oracle);

@@ -64,7 +64,7 @@ class EverySimulation
 
   static auto all() {
     return testing::Combine(testing::ValuesIn(law_names()), testing::ValuesIn(backend_names()),
-                            testing::Values("reference", "contact-rich"));
+                            testing::Values("reference", "contact-rich", "windowed"));
   }
   static std::string name(testing::TestParamInfo<ParamType> const& info) {
     auto const& [law, backend, engine] = info.param;
@@ -106,10 +106,15 @@ inline std::unique_ptr<Simulation> simulate(Scene const& scene, State const& sta
   return make_simulation(scene, start(state), backend);
 }
 
-/// Steps on without measuring.
-inline void advance(Simulation& simulation, std::int64_t steps) {
-  WindowSums unused;
-  simulation.advance(steps, {0, std::int64_t{1} << 40}, unused);
+/// Steps on, evaluating every so many, to the end of a run of that length.
+inline WindowSums advance(Simulation& simulation, std::int64_t steps,
+                          std::int64_t every = std::int64_t{1} << 40) {
+  Sampling sampling;
+  sampling.every = every;
+  sampling.last_step = simulation.step() + steps;
+  OpenWindows windows;
+  simulation.advance(steps, sampling, windows);
+  return windows.take_first();
 }
 
 inline reference::Parameters reference_parameters(Scene const& scene) {

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace bagnold {
+
+/// Sums over evaluated configurations, in the columns of SumColumns.
+struct WindowSums {
+  std::vector<double> sums;  ///< [columns]
+  double weight = 0.0;       ///< number of evaluations
+};
+
+/// Which configurations of a run are evaluated, and for which measurement window: the first of each
+/// window, and from there every so many.
+struct Sampling {
+  std::int64_t window_steps = std::int64_t{1} << 60;
+  std::int64_t every = std::int64_t{1} << 60;                    ///< [steps]
+  std::int64_t last_step = std::numeric_limits<std::int64_t>::max();  ///< the end of the run
+
+  std::int64_t window(std::int64_t step) const { return step / window_steps; }
+  bool sampled(std::int64_t step) const { return step % window_steps % every == 0; }
+
+  /// The first sampled step from `step` on.
+  std::int64_t next(std::int64_t step) const {
+    std::int64_t const begin = step / window_steps * window_steps;
+    std::int64_t const after = (step - begin + every - 1) / every * every;
+    return begin + std::min(after, window_steps);
+  }
+};
+
+/// The measurement windows that are not finished: an engine may be ahead by several.
+struct OpenWindows {
+  std::int64_t first = 0;  ///< number of the first one
+  std::vector<WindowSums> sums;
+
+  WindowSums& of(std::int64_t window) {
+    auto const index = static_cast<std::size_t>(window - first);
+    if (index >= sums.size()) sums.resize(index + 1);
+    return sums[index];
+  }
+
+  /// Adds one configuration, or `weight` of them.
+  template <class Columns>
+  void add(std::int64_t window, Columns const& columns, double weight) {
+    WindowSums& to = of(window);
+    to.sums.resize(std::size(columns));
+    for (std::size_t c = 0; c < to.sums.size(); ++c) to.sums[c] += columns[c];
+    to.weight += weight;
+  }
+
+  /// Takes the first one out.
+  WindowSums take_first() {
+    WindowSums front = std::move(of(first));
+    sums.erase(sums.begin());
+    ++first;
+    return front;
+  }
+};
+
+}  // namespace bagnold
