@@ -38,21 +38,42 @@ inline simd::Mask may_meet(simd::Records const& d, simd::Pack reach, simd::Pack 
   return (c < zero) | (end < zero) | ((b < zero) & (-b < v2 * duration) & (v2 * c < b * b));
 }
 
-/// Appends the pairs of a block that come closer than d_ij + allowance on straight flights of
-/// `duration`, [tau_e]; each pair once over all blocks. records: the block's, halo included.
+/// Pairs that may meet within a window, each once over all blocks.
+struct Forecast {
+  struct Near {
+    SlotPair pair;
+    bool with_one;  ///< also if only one of the two strays by the allowance
+  };
+  std::vector<SlotPair> meeting;  ///< on straight flights
+  std::vector<Near> near;         ///< only if disks stray from these by up to the allowance
+
+  void clear() {
+    meeting.clear();
+    near.clear();
+  }
+};
+
+/// Appends the pairs of a block that touch on straight flights of `duration`, [tau_e], or would if each
+/// disk strayed by up to `allowance`, [d_s]. records: the block's, halo included.
 inline void predict_contacts(Blocks const& blocks, Block const& block, simd::Record const* records,
-                             Real duration, Real allowance, std::vector<SlotPair>& meeting) {
-  simd::LocalPair found[simd::width];
+                             Real duration, Real allowance, Forecast& forecast) {
   for (int c = 0; c < pair_classes; ++c) {
-    Real const reach = class_distance(c) + allowance;
+    Real const touch = class_distance(c);
     for (auto k = block.pairs[c]; k < block.pairs[c + 1]; k += simd::width) {
       auto const* pairs = blocks.outer.data() + k;
-      auto const mask = may_meet(simd::load_differences(records, pairs), reach, duration);
+      auto const d = simd::load_differences(records, pairs);
+      auto const mask = may_meet(d, touch + 2 * allowance, duration);
       if (!mask.any()) continue;
-      int const count = simd::append(found, mask, pairs);
-      for (int n = 0; n < count; ++n) {
-        auto const pair = slot_pair(blocks, block, found[n]);
-        if (is_first_listing(pair)) meeting.push_back(pair);
+      auto const meet = may_meet(d, touch, duration).lanes();
+      auto const with_one = may_meet(d, touch + allowance, duration).lanes();
+      for (auto lanes = mask.lanes(); lanes != 0; lanes &= lanes - 1) {
+        int const n = __builtin_ctz(lanes);
+        auto const pair = slot_pair(blocks, block, pairs[n]);
+        if (!is_first_listing(pair)) continue;
+        if (meet >> n & 1)
+          forecast.meeting.push_back(pair);
+        else
+          forecast.near.push_back({pair, (with_one >> n & 1) != 0});
       }
     }
   }

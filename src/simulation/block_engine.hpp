@@ -220,7 +220,7 @@ class BlockEngine final : public Simulation {
     constexpr Real step_cost = 15, contact_cost = 11;                        // step by step
     auto const disks = static_cast<Real>(count());
     auto const length = static_cast<Real>(window.end - window.begin);
-    Real const idle = std::max<Real>(window.active_share * disks - 2 * window.touching, 0.25);
+    Real const idle = std::max<Real>(window.active - 2 * window.touching, 0.25);
     idle_ = idle_ == 0 ? idle : 0.875 * idle_ + 0.125 * idle;
     auto const& blocks = kernels_.blocks;
     Real const look = pair_cost * static_cast<Real>(blocks.outer.extent(0)) + disk_cost * disks;

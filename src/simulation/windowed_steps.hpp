@@ -16,9 +16,10 @@ namespace bagnold {
 ///
 /// From straight flights it predicts which disks may meet within the window, steps only these, island
 /// by island, and moves all others at once: for a disk that touches nothing the scheme is x += v dt.
-/// Straight flights are foretold with an allowance; how far a disk has strayed from its own is watched
-/// at every step. Where it strayed further, the outer pairs of that disk are looked at again, and if
-/// one could have touched unforeseen, the window is done again with it.
+/// A disk that meets another strays from its straight flight; it is taken to stray by an allowance, and
+/// may then meet more. How far every disk strays is watched at each step: where further than it was
+/// taken to, its outer pairs are looked at again, and if one could have touched unforeseen, the window
+/// is done again with it.
 template <ContactLaw Law, class Repulsion, class Space>
 class WindowedSteps {
  public:
@@ -29,7 +30,7 @@ class WindowedSteps {
   struct Counters {
     std::int64_t windows = 0, steps = 0;
     std::int64_t repeated = 0;  ///< windows done again
-    std::int64_t active = 0;    ///< disks in islands, summed over windows
+    std::int64_t active = 0;    ///< disks in islands, summed over windows, repeated ones too
     std::int64_t touching = 0;  ///< pairs, summed over windows and steps
   };
 
@@ -38,14 +39,18 @@ class WindowedSteps {
     std::int64_t list_step;   ///< of the outer list
     Real most_stray;          ///< that the outer list allows, [d_s]
     Real strayed = 0;         ///< out: the farthest stray, [d_s]
-    Real active_share = 0;    ///< out: of the disks
+    Real active = 0;          ///< out: disks stepped, summed over repetitions
     Real touching = 0;        ///< out: pairs, mean over steps
   };
 
   Counters counters;
-  Real allowance = 0;  ///< on either disk of a pair, [d_s]; 0: not known yet
+  Real allowance = 0;  ///< how far a disk may stray, [d_s]; 0: not known yet
 
-  void rearranged(Step const& all) { finder_.resize(all.blocks.slots); }
+  void rearranged(Step const& all) {
+    finder_.resize(all.blocks.slots);
+    strays_.assign(all.blocks.slots, 0);
+    straying_.clear();
+  }
 
   /// Does the window, adding its sampled configurations to `windows`. False, and nothing is changed,
   /// if most disks take part, one strays too far for the list, or a number is none or an overlap too
@@ -62,18 +67,19 @@ class WindowedSteps {
       if (!islands_.unfolds || static_cast<Real>(islands_.disks.size()) > most_active * disks)
         return false;
       if (!batches_.fill(islands_, all, start)) return false;
+      window.active += static_cast<Real>(islands_.disks.size());
       if (!step_batches(loop, clock, window, sampling)) return false;
       window.strayed = farthest_stray();
       if (window.strayed > window.most_stray) return false;
-      if (window.strayed <= allowance || !add_missed(all, duration)) break;
+      if (!add_missed(all, duration)) break;
     }
-    window.active_share = static_cast<Real>(islands_.disks.size()) / disks;
     measure(loop, all, clock, window, sampling, windows);
     commit(loop, all, box_at(clock, window, window.end), duration);
     adapt_allowance();
     ++counters.windows;
     counters.steps += window.end - window.begin;
-    counters.active += static_cast<std::int64_t>(islands_.disks.size());
+    counters.active += static_cast<std::int64_t>(window.active);
+    counters.touching += std::llround(window.touching * static_cast<Real>(window.end - window.begin));
     return true;
   }
 
@@ -88,11 +94,28 @@ class WindowedSteps {
       Block const& block = all.blocks.block(b);
       found_[b].clear();
       refresh_halo(all.blocks, block, all.now, box);
-      predict_contacts(all.blocks, block, all.now.record.data() + block.first, duration,
-                       2 * allowance, found_[b]);
+      predict_contacts(all.blocks, block, all.now.record.data() + block.first, duration, allowance,
+                       found_[b]);
     });
+    for (auto const slot : straying_) strays_[slot] = 0;
+    straying_.clear();
     meeting_.clear();
-    for (auto const& found : found_) meeting_.insert(meeting_.end(), found.begin(), found.end());
+    auto const will_stray = [&](std::uint32_t slot) {
+      if (strays_[slot]) return;
+      strays_[slot] = 1;
+      straying_.push_back(slot);
+    };
+    for (auto const& found : found_)
+      for (auto const& pair : found.meeting) {
+        meeting_.push_back(pair);
+        will_stray(pair.a);
+        will_stray(pair.b.index());
+      }
+    for (auto const& found : found_)
+      for (auto const& [pair, with_one] : found.near) {
+        int const straying = strays_[pair.a] + strays_[pair.b.index()];
+        if (straying == 2 || (straying == 1 && with_one)) meeting_.push_back(pair);
+      }
   }
 
   /// Steps every batch through the window. False if a motion is no number or an overlap too large.
@@ -131,7 +154,6 @@ class WindowedSteps {
       if (outcome.bad) return false;
       touching += outcome.touching;
     }
-    counters.touching += touching;
     window.touching = static_cast<Real>(touching) / static_cast<Real>(window.end - window.begin);
     return true;
   }
@@ -148,13 +170,17 @@ class WindowedSteps {
     return std::sqrt(largest);
   }
 
-  /// Looks again at the pairs of disks that strayed beyond the allowance; adds those that could have
+  bool strayed_unforeseen(std::uint32_t slot) const {
+    return stray_of(slot) > (strays_[slot] ? allowance : 0);
+  }
+
+  /// Looks again at the pairs of disks that strayed further than foreseen; adds those that could have
   /// touched. Whether there were any.
   bool add_missed(Step const& all, Real duration) {
     auto const before = meeting_.size();
     std::vector<std::uint32_t> strayed;
     for (auto const& disk : islands_.disks)
-      if (stray_of(disk.slot) > allowance) strayed.push_back(block_of(all.blocks, disk.slot));
+      if (strayed_unforeseen(disk.slot)) strayed.push_back(block_of(all.blocks, disk.slot));
     std::sort(strayed.begin(), strayed.end());
     strayed.erase(std::unique(strayed.begin(), strayed.end()), strayed.end());
     for (auto const b : strayed) add_missed_in(all, all.blocks.block(b), duration);
@@ -177,14 +203,12 @@ class WindowedSteps {
         auto const local = all.blocks.outer(k);
         if (std::min(local.a(), local.b()) >= block.own) continue;  // filling
         auto const pair = slot_pair(all.blocks, block, local);
+        if (!strayed_unforeseen(pair.a) && !strayed_unforeseen(pair.b.index())) continue;
         Real const stray = stray_of(pair.a) + stray_of(pair.b.index());
-        if (stray <= 2 * allowance) continue;
         simd::LocalPair const eight[simd::width] = {local, local, local, local,
                                                     local, local, local, local};
         auto const d = simd::load_differences(record, eight);
-        Real const reach = class_distance(c);
-        if (!may_meet(d, reach + stray, duration).any()) continue;
-        if (may_meet(d, reach + 2 * allowance, duration).any()) continue;  // foreseen
+        if (!may_meet(d, class_distance(c) + stray, duration).any()) continue;
         auto const known = [&](SlotPair const& p) {
           return (p.a == pair.a && p.b.index() == pair.b.index()) ||
                  (p.a == pair.b.index() && p.b.index() == pair.a);
@@ -263,9 +287,8 @@ class WindowedSteps {
   /// again.
   void adapt_allowance() {
     std::size_t beyond = 0;
-    for (auto const slot : batches_.slot_of)
-      beyond += batches_.deviation2(slot) > allowance * allowance;
-    auto const active = batches_.slot_of.size();
+    for (auto const slot : straying_) beyond += stray_of(slot) > allowance;
+    auto const active = straying_.size();
     if (50 * beyond > active) allowance *= 1.125;
     if (200 * beyond < active) allowance *= 0.9375;
   }
@@ -278,7 +301,9 @@ class WindowedSteps {
   IslandFinder finder_;
   Islands islands_;
   Batches<Law, Repulsion> batches_;
-  std::vector<std::vector<SlotPair>> found_;  ///< by block
+  std::vector<Forecast> found_;         ///< by block
+  std::vector<std::uint8_t> strays_;    ///< by slot: taken to stray
+  std::vector<std::uint32_t> straying_;  ///< those slots
   std::vector<SlotPair> meeting_;
   std::vector<Sums<rotates>> sums_;  ///< [batches][measurement windows]
   std::vector<Outcome> outcome_;     ///< by batch
