@@ -29,10 +29,13 @@ struct Batches {
     return true;
   }
 
- private:
   struct Stretch {
     std::uint32_t first_island, end_island;
   };
+  /// The islands of a batch.
+  Stretch stretch(std::uint32_t b) const { return stretches_[b]; }
+
+ private:
   std::vector<Stretch> stretches_;
 
   static std::uint32_t round_up(std::uint32_t n) {
@@ -146,6 +149,13 @@ struct DeviationWatch {
   Real* deviation2;
   Real time;       ///< since the start of the window, at the end of the step
   Real time_step;
+
+  /// A block after `steps` steps.
+  void all_of(Block const& block, simd::Record const* records, std::int64_t steps) {
+    time = static_cast<Real>(steps) * time_step;
+    for (std::uint32_t i = 0; i < block.padded; i += simd::width)
+      (*this)(block.first + i, simd::load_records(records + block.first + i));
+  }
 
   void operator()(std::uint32_t slot, simd::Records const& r) const {
     using simd::Pack;

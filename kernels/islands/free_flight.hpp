@@ -32,6 +32,30 @@ inline void fly(Block const& block, simd::Record* records, Real duration) {
   }
 }
 
+/// The steps that a block's disks can fly straight before a pair of its inner list touches, less one
+/// for rounding; at most `most`.
+inline std::int64_t free_steps(Blocks const& blocks, Block const& block,
+                               simd::Record const* records, Real time_step, std::int64_t most) {
+  using simd::Pack;
+  Pack first = time_step * static_cast<Real>(most + 1);
+  for (int c = 0; c < pair_classes; ++c) {
+    Real const touch = class_distance(c);
+    auto const* pairs = blocks.inner.data() + block.pairs[c];
+    for (std::uint32_t k = 0; k < block.inner[c]; k += simd::width) {
+      auto const d = simd::load_differences(records, pairs + k);
+      Pack const b = fma(d.x, d.vx, d.y * d.vy), v2 = fma(d.vx, d.vx, d.vy * d.vy);
+      Pack const r2 = fma(d.x, d.x, fma(d.y, d.y, -(touch * touch)));
+      Pack const root2 = fma(b, b, -(v2 * r2));
+      auto const inside = r2 < Pack(0.0);
+      auto const meets = (b < Pack(0.0)) & (Pack(0.0) < root2);
+      Pack const time = (-b - sqrt(positive_part(root2))) / v2;
+      first = select(inside, 0.0, select(meets & (time < first), time, first));
+    }
+  }
+  Real const steps = std::floor(-simd::largest(-first) / time_step) - 1;
+  return std::clamp(static_cast<std::int64_t>(steps), std::int64_t{0}, most);
+}
+
 /// Kinetic sums of disks in free flight, as polynomials in time. About the mean flow such a disk has
 /// dv_x(t) = a + b t with a = v_x - gammadot y, b = -gammadot v_y, and constant v_y.
 struct FreeFlightSums {

@@ -40,11 +40,11 @@ inline simd::Mask may_meet(simd::Records const& d, simd::Pack reach, simd::Pack 
 
 /// Pairs that may meet within a window, each once over all blocks.
 struct Forecast {
+  std::vector<SlotPair> meeting;  ///< on straight flights
   struct Near {
     SlotPair pair;
-    bool with_one;  ///< also if only one of the two strays by the allowance
+    bool with_one;  ///< also if only one of the two strays
   };
-  std::vector<SlotPair> meeting;  ///< on straight flights
   std::vector<Near> near;         ///< only if disks stray from these by up to the allowance
 
   void clear() {

@@ -27,6 +27,7 @@ struct Mask {
   friend Mask operator&(Mask a, Mask b) { return {static_cast<__mmask8>(a.bits & b.bits)}; }
   friend Mask operator|(Mask a, Mask b) { return {static_cast<__mmask8>(a.bits | b.bits)}; }
   unsigned lanes() const { return bits; }  ///< lane k is bit k
+  static Mask of(unsigned lanes) { return {static_cast<__mmask8>(lanes)}; }
 #else
   Bits bits;
   friend Mask operator&(Mask a, Mask b) { return {a.bits & b.bits}; }
@@ -35,6 +36,11 @@ struct Mask {
     unsigned all = 0;
     for (int k = 0; k < width; ++k) all |= (bits[k] ? 1u : 0u) << k;
     return all;
+  }
+  static Mask of(unsigned lanes) {
+    Mask mask{};
+    for (int k = 0; k < width; ++k) mask.bits[k] = lanes >> k & 1 ? -1 : 0;
+    return mask;
   }
 #endif
   bool any() const { return lanes() != 0; }
@@ -132,6 +138,12 @@ inline Pack sqrt(Pack a) {
   for (int k = 0; k < width; ++k) r.v[k] = std::sqrt(a.v[k]);
   return r;
 #endif
+}
+
+inline Pack floor(Pack a) {
+  Pack r;
+  for (int k = 0; k < width; ++k) r.v[k] = std::floor(a.v[k]);
+  return r;
 }
 
 /// 1/sqrt(a), to about 1 ulp: an estimate y of 14 bits and one step of fourth order in

@@ -286,6 +286,9 @@ inline int append(LocalPair* to, Mask mask, LocalPair const* pairs) {
 
 #endif
 
+/// Which of eight bytes are zero.
+inline Mask zero(std::uint8_t const* bytes) { return Mask::of(~nonzero(bytes).lanes() & 0xffu); }
+
 struct PackPair {
   Pack x, y;
 };

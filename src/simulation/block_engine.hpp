@@ -15,6 +15,7 @@
 #include "src/simulation/clock.hpp"
 #include "src/simulation/device_copy.hpp"
 #include "src/simulation/simulation.hpp"
+#include "src/simulation/window_choice.hpp"
 #include "src/simulation/windowed_steps.hpp"
 
 namespace bagnold {
@@ -122,16 +123,19 @@ class BlockEngine final : public Simulation {
     visit("inner_drift", inner_drift_);
     visit("inner_margin", margin_);
     visit("in_windows", in_windows_);
-    visit("window_steps", window_steps_);
     visit("window_allowance", windowed_.allowance);
-    visit("window_idle", idle_);
+    visit("window_allowance_steps", allowance_steps_);
+    choice_.for_each_memory(visit);
     visit("enter_windows_below", enter_below_);
     visit("steps_one_by_one", steps_one_by_one_);
+    visit("dear_windows", dear_windows_);
     visit("windows", windowed_.counters.windows);
     visit("steps_in_windows", windowed_.counters.steps);
-    visit("windows_repeated", windowed_.counters.repeated);
     visit("windows_refused", windows_refused_);
-    visit("active_in_windows", windowed_.counters.active);
+    visit("pairs_missed_and_added", windowed_.counters.again);
+    visit("binary_islands", windowed_.counters.binary);
+    visit("binary_steps", windowed_.counters.binary_steps);
+    visit("disks_in_larger_islands", windowed_.counters.others);
     visit("touching_in_windows", windowed_.counters.touching);
   }
 
@@ -147,8 +151,10 @@ class BlockEngine final : public Simulation {
     do_step();
     ++steps_one_by_one_;
     if (stepping_ == Stepping::automatic && step_ % look_every == 0 &&
-        contacts_per_disk() < enter_below_)
+        contacts_per_disk() < enter_below_) {
       in_windows_ = true;
+      dear_windows_ = 0;
+    }
   }
 
   /// Z, contacts across edges of blocks counted twice.
@@ -160,11 +166,10 @@ class BlockEngine final : public Simulation {
 
   /// Windows end at multiples of their length, so that it does not matter where a run is interrupted.
   void advance_window(Sampling const& sampling, OpenWindows& windows) {
-    auto const end =
-        std::min((step_ / window_steps_ + 1) * window_steps_, sampling.last_step);
-    if (windowed_.allowance == 0)
-      windowed_.allowance =
-          fastest() * clock_.time_step * static_cast<Real>(window_steps_) / 16;
+    auto const length = choice_.steps();
+    auto const end = std::min((step_ / length + 1) * length, sampling.last_step);
+    windowed_.cautious = choice_.cautious();
+    set_allowance(length);
     typename WindowedSteps<Law, Repulsion, Space>::Window window{step_, end, list_step_, 0};
     Real farthest = farthest_at(end);
     window.most_stray = list_reach(clock_.strain_between(list_step_, end), skin_) - farthest;
@@ -174,19 +179,28 @@ class BlockEngine final : public Simulation {
       window.list_step = list_step_;
       window.most_stray = list_reach(clock_.strain_between(list_step_, end), skin_) - farthest;
     }
-    if (windowed_.run(loop_, kernels_, clock_, window, sampling, windows,
-                      stepping_ == Stepping::windowed ? 1 : most_active)) {
-      step_ = end;
-      outer_drift_ = farthest + window.strayed;
-      choose_next(window);
-    } else {
-      step_through(end, sampling, windows);
-    }
+    if (!windowed_.run(loop_, kernels_, clock_, window, sampling, windows,
+                       stepping_ == Stepping::windowed ? 1 : most_active))
+      return step_through(end, sampling, windows);
+    bool const whole = end - step_ == length;
+    step_ = end;
+    outer_drift_ = farthest + window.strayed;
+    if (whole) count_cost(window);
+  }
+
+  /// How far a disk may stray grows with the length of the window.
+  void set_allowance(std::int64_t length) {
+    if (windowed_.allowance == 0)
+      windowed_.allowance = fastest() * clock_.time_step * static_cast<Real>(length) / 16;
+    else
+      windowed_.allowance *= static_cast<Real>(length) / static_cast<Real>(allowance_steps_);
+    allowance_steps_ = length;
   }
 
   /// A window that cannot be done as one.
   void step_through(std::int64_t end, Sampling const& sampling, OpenWindows& windows) {
     ++windows_refused_;
+    windowed_.allowance /= 2;
     fastest_ = fastest();
     outer_drift_ = farthest();
     prune();
@@ -196,46 +210,34 @@ class BlockEngine final : public Simulation {
       do_step();
       ++steps_one_by_one_;
     }
-    windowed_.allowance /= 2;
-    if (window_steps_ > shortest_window)
-      window_steps_ /= 2;
-    else
-      leave_windows(contacts_per_disk());
+    if (!choice_.refused()) leave_windows(contacts_per_disk());
   }
 
   void leave_windows(Real contacts) {
     if (stepping_ != Stepping::automatic) return;
     in_windows_ = false;
+    fastest_ = fastest();
+    prune();
     enter_below_ = 0.7 * contacts;
   }
 
-  /// The length of the next windows, and whether to go on with them, by estimated cost.
-  ///
-  /// A window costs a look at every outer pair and every disk, and a step of every active disk. Active
-  /// are those in contact, and idle ones foreseen in vain, whose number grows as the window's length:
-  /// the best length has equal costs of looking and of idle steps.
+  /// A window costs a look at every outer pair and every disk, a fixed price for each binary island, and
+  /// steps of the disks in larger islands, done again or not.
   template <class Window>
-  void choose_next(Window const& window) {
-    constexpr Real pair_cost = 2.5, disk_cost = 12, active_cost = 30;        // cycles
-    constexpr Real step_cost = 15, contact_cost = 11;                        // step by step
+  void count_cost(Window const& window) {
+    constexpr Real pair_cost = 2.5, disk_cost = 12, binary_cost = 1500, disk_step_cost = 30;  // cycles
+    constexpr Real batch_step_cost = 700;                  // however few disks are in it
+    constexpr Real step_cost = 15, contact_cost = 11;      // of a disk, all disks step by step
     auto const disks = static_cast<Real>(count());
     auto const length = static_cast<Real>(window.end - window.begin);
-    Real const idle = std::max<Real>(window.active - 2 * window.touching, 0.25);
-    idle_ = idle_ == 0 ? idle : 0.875 * idle_ + 0.125 * idle;
-    auto const& blocks = kernels_.blocks;
-    Real const look = pair_cost * static_cast<Real>(blocks.outer.extent(0)) + disk_cost * disks;
-    if (windowed_.counters.windows % 8 != 0) return;
-    Real const balance = look / length / (active_cost * idle_);
-    if (balance > 2.5 && window_steps_ < longest_window) {
-      window_steps_ *= 2;
-      idle_ *= 2;
-    } else if (balance < 0.5 && window_steps_ > shortest_window) {
-      window_steps_ /= 2;
-      idle_ /= 2;
-    }
+    auto const pairs = static_cast<Real>(kernels_.blocks.outer.extent(0));
+    Real const cost = (pair_cost * pairs + disk_cost * disks + binary_cost * window.binary) / length +
+                      disk_step_cost * window.others +
+                      batch_step_cost * std::min<Real>(1, window.others);
+    choice_.done(cost);
     Real const contacts = 2 * window.touching / disks;
-    Real const here = look / length / disks + active_cost * (contacts + idle_ / disks);
-    if (here > 1.25 * (step_cost + contact_cost * contacts)) leave_windows(contacts);
+    if (cost > 1.25 * disks * (step_cost + contact_cost * contacts) && ++dear_windows_ >= 64)
+      leave_windows(contacts);
   }
 
   void do_step() {
@@ -537,12 +539,12 @@ class BlockEngine final : public Simulation {
   std::vector<Real> far2_;  ///< by block
 
   static constexpr std::int64_t look_every = 256;  ///< steps between choices
-  static constexpr std::int64_t shortest_window = 16, longest_window = 1 << 14;
   static constexpr Real most_active = 0.6;  ///< share of the disks in a window
   WindowedSteps<Law, Repulsion, Space> windowed_;
   bool in_windows_ = false;
-  std::int64_t window_steps_ = 64;
-  Real idle_ = 0;            ///< disks foreseen in vain, running mean
+  WindowChoice choice_;
+  std::int64_t allowance_steps_ = 0;  ///< length of the windows that the allowance is for
+  std::int64_t dear_windows_ = 0;     ///< that cost more than to step all disks
   Real enter_below_ = 0.3;   ///< contacts per disk
   std::int64_t steps_one_by_one_ = 0;
   std::int64_t windows_refused_ = 0;

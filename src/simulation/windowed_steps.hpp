@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "kernels/islands/batches.hpp"
+#include "kernels/islands/binary_collisions.hpp"
 #include "kernels/islands/free_flight.hpp"
 #include "kernels/observables/block_sums.hpp"
 #include "src/simulation/block_loop.hpp"
@@ -14,24 +15,25 @@ namespace bagnold {
 
 /// The papers' scheme where most disks fly straight: a window of many steps at a time.
 ///
-/// From straight flights it predicts which disks may meet within the window, steps only these, island
-/// by island, and moves all others at once: for a disk that touches nothing the scheme is x += v dt.
-/// A disk that meets another strays from its straight flight; it is taken to stray by an allowance, and
-/// may then meet more. How far every disk strays is watched at each step: where further than it was
-/// taken to, its outer pairs are looked at again, and if one could have touched unforeseen, the window
-/// is done again with it.
+/// From straight flights it foretells which disks meet within the window, steps only these, island by
+/// island, and moves all others at once: for a disk that touches nothing the scheme is x += v dt. A
+/// disk that meets another strays from its straight flight; how far is watched at every step. Pairs
+/// that could have touched for that, unforeseen, are added, and their islands are done again, until
+/// there are none.
 template <ContactLaw Law, class Repulsion, class Space>
 class WindowedSteps {
  public:
   using Step = BlockStep<Law, Repulsion>;
   static constexpr bool rotates = Law::rotates;
 
-  /// What a window costs and finds; none of it is time, so it is the same on every machine.
+  /// What windows cost and find; none of it is time, so it is the same on every machine.
   struct Counters {
     std::int64_t windows = 0, steps = 0;
-    std::int64_t repeated = 0;  ///< windows done again
-    std::int64_t active = 0;    ///< disks in islands, summed over windows, repeated ones too
-    std::int64_t touching = 0;  ///< pairs, summed over windows and steps
+    std::int64_t again = 0;          ///< pairs found to have been missed, and added
+    std::int64_t binary = 0;         ///< islands of two disks
+    std::int64_t binary_steps = 0;   ///< of a pair
+    std::int64_t others = 0;         ///< disks in larger islands, repetitions included
+    std::int64_t touching = 0;       ///< pairs, summed over steps
   };
 
   struct Window {
@@ -39,53 +41,95 @@ class WindowedSteps {
     std::int64_t list_step;   ///< of the outer list
     Real most_stray;          ///< that the outer list allows, [d_s]
     Real strayed = 0;         ///< out: the farthest stray, [d_s]
-    Real active = 0;          ///< out: disks stepped, summed over repetitions
+    Real binary = 0;          ///< out: islands of two disks
+    Real others = 0;          ///< out: disks in larger islands, repetitions included
     Real touching = 0;        ///< out: pairs, mean over steps
+    Real touching_others = 0; ///< out: of these, those in larger islands
   };
 
   Counters counters;
-  Real allowance = 0;  ///< how far a disk may stray, [d_s]; 0: not known yet
+  Real allowance = 0;    ///< strays up to this are looked up quickly, [d_s]; 0: not known yet
+  bool cautious = false;  ///< near pairs of disks that meet others are stepped from the first
 
   void rearranged(Step const& all) {
     finder_.resize(all.blocks.slots);
-    strays_.assign(all.blocks.slots, 0);
-    straying_.clear();
+    result_of_.assign(all.blocks.slots, none);
+    in_batch_.assign(all.blocks.slots, 0);
+    results_.clear();
   }
 
   /// Does the window, adding its sampled configurations to `windows`. False, and nothing is changed,
-  /// if most disks take part, one strays too far for the list, or a number is none or an overlap too
-  /// large: then step by step.
+  /// if too many disks take part, one strays too far for the list, or a number is none or an overlap
+  /// too large: then step by step.
   bool run(BlockLoop<Space>& loop, Step& all, Clock const& clock, Window& window,
            Sampling const& sampling, OpenWindows& windows, Real most_active) {
-    ShearedBox const start = box_at(clock, window, window.begin);
+    forget();
+    list_samples(window, clock, sampling);
     Real const duration = static_cast<Real>(window.end - window.begin) * clock.time_step;
-    auto const disks = all.blocks.slot_of.extent(0);
+    ShearedBox const start = box_at(clock, window, window.begin);
     predict(loop, all, start, duration);
-    for (bool again = false;; again = true) {
-      if (again) ++counters.repeated;
-      finder_.find(meeting_, islands_);
-      if (!islands_.unfolds || static_cast<Real>(islands_.disks.size()) > most_active * disks)
-        return false;
-      if (!batches_.fill(islands_, all, start)) return false;
-      window.active += static_cast<Real>(islands_.disks.size());
-      if (!step_batches(loop, clock, window, sampling)) return false;
+    Real const most = most_active * static_cast<Real>(all.blocks.slot_of.extent(0));
+    while (!todo_.empty()) {
+      finder_.find(todo_, islands_);
+      if (!islands_.unfolds) return false;
+      sort_islands();
+      window.others += static_cast<Real>(larger_.disks.size());
+      if (window.others > most) return false;
+      if (!do_binary(loop, all, clock, start, window)) return false;
+      if (!do_larger(loop, all, clock, start, window)) return false;
       window.strayed = farthest_stray();
       if (window.strayed > window.most_stray) return false;
-      if (!add_missed(all, duration)) break;
+      find_missed(all, start, duration);
     }
-    measure(loop, all, clock, window, sampling, windows);
+    measure(loop, all, clock, sampling, window, windows);
     commit(loop, all, box_at(clock, window, window.end), duration);
     adapt_allowance();
-    ++counters.windows;
-    counters.steps += window.end - window.begin;
-    counters.active += static_cast<std::int64_t>(window.active);
-    counters.touching += std::llround(window.touching * static_cast<Real>(window.end - window.begin));
+    count(window);
     return true;
   }
 
  private:
+  static constexpr std::uint32_t none = ~std::uint32_t{0};
+  static constexpr std::uint32_t lanes = simd::width;
+  using Binary = BinaryCollisions<Law, Repulsion>;
+
+  /// What is done at one go: a pair of disks, or a batch of larger islands.
+  struct Unit {
+    std::size_t first_pair, end_pair;  ///< in pairs_
+    std::size_t sums;                  ///< its first in sums_
+    bool batch;
+    bool alive = true;  ///< false: done again with more pairs
+    Real touching = 0;
+  };
+  struct Result {
+    std::uint32_t slot, unit;
+    Image image;
+    simd::Record record;  ///< at the end of the window
+    Real spin;
+    Real stray;  ///< [d_s]
+  };
+
   static ShearedBox box_at(Clock const& clock, Window const& window, std::int64_t step) {
     return {clock.box_length, clock.offset(step, window.list_step), clock.strain_rate};
+  }
+
+  void forget() {
+    for (auto const& result : results_) {
+      result_of_[result.slot] = none;
+      in_batch_[result.slot] = 0;
+    }
+    results_.clear();
+    units_.clear();
+    pairs_.clear();
+    sums_.clear();
+  }
+
+  void list_samples(Window const& window, Clock const& clock, Sampling const& sampling) {
+    times_.clear();
+    auto const first = sampling.window(window.begin);
+    for (auto s = sampling.next(window.begin); s < window.end; s = sampling.next(s + 1))
+      times_.add(s - window.begin, static_cast<std::size_t>(sampling.window(s) - first),
+                 clock.time_step);
   }
 
   void predict(BlockLoop<Space>& loop, Step const& all, ShearedBox const& box, Real duration) {
@@ -97,94 +141,297 @@ class WindowedSteps {
       predict_contacts(all.blocks, block, all.now.record.data() + block.first, duration, allowance,
                        found_[b]);
     });
-    for (auto const slot : straying_) strays_[slot] = 0;
-    straying_.clear();
-    meeting_.clear();
-    auto const will_stray = [&](std::uint32_t slot) {
-      if (strays_[slot]) return;
-      strays_[slot] = 1;
-      straying_.push_back(slot);
-    };
+    todo_.clear();
     for (auto const& found : found_)
-      for (auto const& pair : found.meeting) {
-        meeting_.push_back(pair);
-        will_stray(pair.a);
-        will_stray(pair.b.index());
-      }
-    for (auto const& found : found_)
-      for (auto const& [pair, with_one] : found.near) {
-        int const straying = strays_[pair.a] + strays_[pair.b.index()];
-        if (straying == 2 || (straying == 1 && with_one)) meeting_.push_back(pair);
-      }
+      todo_.insert(todo_.end(), found.meeting.begin(), found.meeting.end());
+    if (cautious) add_near();
   }
 
-  /// Steps every batch through the window. False if a motion is no number or an overlap too large.
-  bool step_batches(BlockLoop<Space>& loop, Clock const& clock, Window& window,
-                    Sampling const& sampling) {
+  /// Adds the near pairs of disks that meet another.
+  void add_near() {
+    std::vector<std::uint32_t> straying;
+    auto const stray = [&](std::uint32_t slot) {
+      in_batch_[slot] = 1;
+      straying.push_back(slot);
+    };
+    for (auto const& pair : todo_) {
+      stray(pair.a);
+      stray(pair.b.index());
+    }
+    for (auto const& found : found_)
+      for (auto const& [pair, with_one] : found.near) {
+        int const straying_ones = in_batch_[pair.a] + in_batch_[pair.b.index()];
+        if (straying_ones == 2 || (straying_ones == 1 && with_one)) todo_.push_back(pair);
+      }
+    for (auto const slot : straying) in_batch_[slot] = 0;
+  }
+
+  /// Islands of two disks by themselves, the others together.
+  void sort_islands() {
+    binary_.clear();
+    larger_.disks.clear();
+    larger_.pairs.clear();
+    larger_.first_disk.assign(1, 0);
+    larger_.first_pair.assign(1, 0);
+    for (std::size_t i = 0; i < islands_.count(); ++i) {
+      auto const disk = islands_.first_disk[i], end_disk = islands_.first_disk[i + 1];
+      auto const pair = islands_.first_pair[i], end_pair = islands_.first_pair[i + 1];
+      if (end_disk - disk == 2 && end_pair - pair == 1) {
+        binary_.push_back(islands_.pairs[pair]);
+        continue;
+      }
+      auto const shift = static_cast<std::uint32_t>(larger_.disks.size()) - disk;  // modulo 2^32
+      larger_.disks.insert(larger_.disks.end(), islands_.disks.begin() + disk,
+                           islands_.disks.begin() + end_disk);
+      for (auto p = pair; p < end_pair; ++p)
+        larger_.pairs.push_back({islands_.pairs[p].a + shift, islands_.pairs[p].b + shift});
+      larger_.first_disk.push_back(static_cast<std::uint32_t>(larger_.disks.size()));
+      larger_.first_pair.push_back(static_cast<std::uint32_t>(larger_.pairs.size()));
+    }
+  }
+
+  SlotPair slot_pair_of(Islands const& islands, Islands::Pair const& pair) const {
+    auto const &a = islands.disks[pair.a], &b = islands.disks[pair.b];
+    return {a.slot, Neighbor::make(b.slot, {b.image.m - a.image.m, b.image.n - a.image.n})};
+  }
+
+  void add_result(Islands::Disk const& disk, std::size_t unit) {
+    if (result_of_[disk.slot] == none) {
+      result_of_[disk.slot] = static_cast<std::uint32_t>(results_.size());
+      results_.push_back({});
+    }
+    auto& result = results_[result_of_[disk.slot]];
+    result.slot = disk.slot;
+    result.image = disk.image;
+    result.unit = static_cast<std::uint32_t>(unit);
+  }
+
+  Unit& add_unit(bool batch) {
+    units_.push_back({pairs_.size(), pairs_.size(), sums_.size(), batch});
+    sums_.resize(sums_.size() + times_.bins());
+    return units_.back();
+  }
+
+  static simd::Record placed(Step const& all, ShearedBox const& box, Islands::Disk const& disk) {
+    simd::Record r = all.now.record(disk.slot);
+    Vec2<Real> const shift = box.shift(disk.image);
+    r.x += shift.x;
+    r.y += shift.y;
+    r.vx += box.velocity_shift(disk.image);
+    return r;
+  }
+
+  bool do_binary(BlockLoop<Space>& loop, Step const& all, Clock const& clock,
+                 ShearedBox const& start, Window& window) {
+    auto const pairs = static_cast<std::uint32_t>(binary_.size());
+    if (pairs == 0) return true;
+    auto const first_unit = units_.size();
+    for (auto const& pair : binary_) {
+      auto& unit = add_unit(false);
+      pairs_.push_back(slot_pair_of(islands_, pair));
+      unit.end_pair = pairs_.size();
+      add_result(islands_.disks[pair.a], units_.size() - 1);
+      add_result(islands_.disks[pair.b], units_.size() - 1);
+    }
+    Binary const collisions{all.forces.law, all.forces.repulsion, all.table, clock.time_step,
+                            clock.strain_rate};
+    auto const groups = (pairs + lanes - 1) / lanes;
+    lane_outcome_.assign(groups, {});
+    loop(groups, [&](std::uint32_t g) {
+      typename Binary::Disk a[lanes], b[lanes];
+      auto const begin = g * lanes, end = std::min(begin + lanes, pairs);
+      for (auto i = begin; i < end; ++i) {
+        a[i - begin] = disk_of(all, start, islands_.disks[binary_[i].a]);
+        b[i - begin] = disk_of(all, start, islands_.disks[binary_[i].b]);
+      }
+      lane_outcome_[g] = collisions.run(a, b, static_cast<int>(end - begin),
+                                        window.end - window.begin, times_,
+                                        sums_.data() + units_[first_unit + begin].sums);
+      for (auto i = begin; i < end; ++i) {
+        keep(islands_.disks[binary_[i].a].slot, a[i - begin]);
+        keep(islands_.disks[binary_[i].b].slot, b[i - begin]);
+      }
+    });
+    for (auto const& outcome : lane_outcome_) {
+      if (outcome.bad) return false;
+      window.touching += static_cast<Real>(outcome.touching) /
+                         static_cast<Real>(window.end - window.begin);
+      counters.binary_steps += outcome.steps;
+    }
+    window.binary += pairs;
+    return true;
+  }
+
+  typename Binary::Disk disk_of(Step const& all, ShearedBox const& box,
+                                Islands::Disk const& disk) const {
+    Real spin = 0;
+    if constexpr (rotates) spin = all.now.spin(disk.slot);
+    return {placed(all, box, disk), spin, all.species(disk.slot), 0};
+  }
+
+  void keep(std::uint32_t slot, typename Binary::Disk const& disk) {
+    auto& result = results_[result_of_[slot]];
+    result.record = disk.record;
+    result.spin = disk.spin;
+    result.stray = std::sqrt(disk.stray2);
+  }
+
+  /// Steps every batch of larger islands through the window.
+  bool do_larger(BlockLoop<Space>& loop, Step const& all, Clock const& clock,
+                 ShearedBox const& start, Window& window) {
+    if (larger_.disks.empty()) return true;
+    if (!batches_.fill(larger_, all, start)) return false;
     auto& step = batches_.step;
     auto const count = step.blocks.count;
-    auto const bins = static_cast<std::size_t>(sampling.window(window.end - 1) -
-                                               sampling.window(window.begin) + 1);
-    sums_.assign(count * bins, {});
+    auto const first_unit = units_.size();
+    for (std::uint32_t b = 0; b < count; ++b) {
+      auto& unit = add_unit(true);
+      auto const [begin, end] = batches_.stretch(b);
+      for (auto p = larger_.first_pair[begin]; p < larger_.first_pair[end]; ++p)
+        pairs_.push_back(slot_pair_of(larger_, larger_.pairs[p]));
+      unit.end_pair = pairs_.size();
+      for (auto d = larger_.first_disk[begin]; d < larger_.first_disk[end]; ++d)
+        add_result(larger_.disks[d], units_.size() - 1);
+    }
     outcome_.assign(count, {});
     ShearedBox const box{clock.box_length, 0, clock.strain_rate};
     loop.template with_scratch<typename Step::Force>(
         count, step.blocks.most_local, [&](std::uint32_t b, typename Step::Force* force) {
           DeviationWatch watch{batches_.origin.data(), batches_.deviation2.data(), 0,
                                clock.time_step};
-          auto sample = sampling.next(window.begin);
-          for (auto s = window.begin; s < window.end; ++s) {
-            if (s == sample) {
-              auto& sums = sums_[b * bins + static_cast<std::size_t>(sampling.window(s) -
-                                                                     sampling.window(window.begin))];
+          std::size_t sample = 0;
+          std::int64_t const steps = window.end - window.begin;
+          bool idle = true;
+          for (std::int64_t s = 0; s < steps; ++s) {
+            if (idle) {
+              auto const last = s + leap(b, s, steps - s, sample, first_unit, clock);
+              if (last > s) watch.all_of(step.blocks.block(b), step.now.record.data(), last);
+              s = last;
+              if (s == steps) break;
+            }
+            if (sample < times_.size() && s == times_.step(sample)) {
+              auto& sums = sums_[units_[first_unit + b].sums + times_.bin(sample)];
               auto const here = measure_block(step, b, box, force);
               for (int c = 0; c < Sums<rotates>::columns; ++c) sums.value[c] += here.value[c];
-              sample = sampling.next(s + 1);
+              ++sample;
             }
             step.predict(b, box, force);
-            watch.time = static_cast<Real>(s + 1 - window.begin) * clock.time_step;
+            watch.time = static_cast<Real>(s + 1) * clock.time_step;
             auto const report = step.correct(b, box, force, watch);
+            idle = report.touching == 0;
             outcome_[b].touching += report.touching;
             outcome_[b].bad = outcome_[b].bad || report.poison != 0 ||
                               report.largest_overlap > largest_relative_overlap;
           }
         });
-    std::int64_t touching = 0;
     for (auto const& outcome : outcome_) {
       if (outcome.bad) return false;
-      touching += outcome.touching;
+      Real const touching = static_cast<Real>(outcome.touching) /
+                            static_cast<Real>(window.end - window.begin);
+      window.touching += touching;
+      window.touching_others += touching;
     }
-    window.touching = static_cast<Real>(touching) / static_cast<Real>(window.end - window.begin);
+    for (std::size_t d = 0; d < larger_.disks.size(); ++d) {
+      auto const from = batches_.slot_of[d];
+      auto& result = results_[result_of_[larger_.disks[d].slot]];
+      result.record = step.now.record(from);
+      if constexpr (rotates) result.spin = step.now.spin(from);
+      result.stray = std::sqrt(batches_.deviation2(from));
+    }
     return true;
   }
 
+  /// Flies batch b straight for as many steps as none of its pairs touches, which it returns; adds the
+  /// configurations sampled on the way.
+  std::int64_t leap(std::uint32_t b, std::int64_t from, std::int64_t most, std::size_t& sample,
+                    std::size_t first_unit, Clock const& clock) {
+    auto& step = batches_.step;
+    Block const& block = step.blocks.block(b);
+    auto* const records = step.now.record.data() + block.first;
+    auto const steps = free_steps(step.blocks, block, records, clock.time_step, most);
+    if (steps == 0) return 0;
+    auto const end = times_.from(from + steps);
+    if (end > sample) {
+      auto const free = free_flight_sums(step, block, clock.strain_rate,
+                                         [](std::uint32_t) { return simd::Mask::of(0xff); });
+      times_.some(sample, end, from, clock.time_step,
+                  [&](std::size_t bin, SampleTimes::Powers const& t) {
+                    add_free_flight(sums_[units_[first_unit + b].sums + bin].value, free, t.n, t.t1,
+                                    t.t2);
+                  });
+      sample = end;
+    }
+    fly(block, records, static_cast<Real>(steps) * clock.time_step);
+    return steps;
+  }
+
   Real stray_of(std::uint32_t slot) const {
-    auto const place = finder_.place_of(slot);
-    return place == IslandFinder::none ? 0
-                                       : std::sqrt(batches_.deviation2(batches_.slot_of[place]));
+    return result_of_[slot] == none ? 0 : results_[result_of_[slot]].stray;
   }
 
   Real farthest_stray() const {
     Real largest = 0;
-    for (auto const slot : batches_.slot_of) largest = std::max(largest, batches_.deviation2(slot));
-    return std::sqrt(largest);
+    for (auto const& result : results_) largest = std::max(largest, result.stray);
+    return largest;
   }
 
-  bool strayed_unforeseen(std::uint32_t slot) const {
-    return stray_of(slot) > (strays_[slot] ? allowance : 0);
+  /// Fills todo_ with the pairs that could have touched, unforeseen, for the strays that were found,
+  /// and with all pairs of the units that these disks are in.
+  void find_missed(Step const& all, ShearedBox const& start, Real duration) {
+    todo_.clear();
+    for (auto const& found : found_)
+      for (auto const& near : found.near) add_if_missed(all, start, duration, near.pair);
+    std::vector<std::uint32_t> far;  // blocks of disks that strayed beyond what `near` holds
+    for (auto const& result : results_)
+      if (result.stray > allowance) far.push_back(block_of(all.blocks, result.slot));
+    std::sort(far.begin(), far.end());
+    far.erase(std::unique(far.begin(), far.end()), far.end());
+    for (auto const b : far) {
+      Block const& block = all.blocks.block(b);
+      for (auto k = block.pairs[0]; k < block.pairs[pair_classes]; ++k) {
+        auto const local = all.blocks.outer(k);
+        if (std::min(local.a(), local.b()) >= block.own) continue;  // filling
+        add_if_missed(all, start, duration, slot_pair(all.blocks, block, local));
+      }
+    }
+    auto const missed = todo_.size();
+    counters.again += static_cast<std::int64_t>(missed);
+    for (std::size_t k = 0; k < missed; ++k) {
+      take_unit_of(todo_[k].a);
+      take_unit_of(todo_[k].b.index());
+    }
   }
 
-  /// Looks again at the pairs of disks that strayed further than foreseen; adds those that could have
-  /// touched. Whether there were any.
-  bool add_missed(Step const& all, Real duration) {
-    auto const before = meeting_.size();
-    std::vector<std::uint32_t> strayed;
-    for (auto const& disk : islands_.disks)
-      if (strayed_unforeseen(disk.slot)) strayed.push_back(block_of(all.blocks, disk.slot));
-    std::sort(strayed.begin(), strayed.end());
-    strayed.erase(std::unique(strayed.begin(), strayed.end()), strayed.end());
-    for (auto const b : strayed) add_missed_in(all, all.blocks.block(b), duration);
-    return meeting_.size() > before;
+  void add_if_missed(Step const& all, ShearedBox const& start, Real duration,
+                     SlotPair const& pair) {
+    auto const b = pair.b.index();
+    Real const stray = stray_of(pair.a) + stray_of(b);
+    if (stray == 0) return;
+    auto const& p = all.now.record(pair.a);
+    auto const q = placed(all, start, {b, pair.b.image()});
+    simd::Records const d{p.x - q.x, p.y - q.y, p.vx - q.vx, p.vy - q.vy};
+    Real const distance = class_distance(pair_class(all.species(pair.a), all.species(b)));
+    if (!may_meet(d, distance + stray, duration).any()) return;
+    auto const same = [&](SlotPair const& o) {
+      return (o.a == pair.a && o.b.index() == b) || (o.a == b && o.b.index() == pair.a);
+    };
+    if (std::any_of(todo_.begin(), todo_.end(), same)) return;
+    auto const unit_a = result_of_[pair.a], unit_b = result_of_[b];
+    if (unit_a != none && unit_b != none && results_[unit_a].unit == results_[unit_b].unit) {
+      Unit const& unit = units_[results_[unit_a].unit];
+      if (std::any_of(pairs_.begin() + unit.first_pair, pairs_.begin() + unit.end_pair, same))
+        return;
+    }
+    todo_.push_back(pair);
+  }
+
+  /// Its disks will be done again.
+  void take_unit_of(std::uint32_t slot) {
+    if (result_of_[slot] == none) return;
+    Unit& unit = units_[results_[result_of_[slot]].unit];
+    if (!unit.alive) return;
+    unit.alive = false;
+    for (auto p = unit.first_pair; p < unit.end_pair; ++p) todo_.push_back(pairs_[p]);
   }
 
   static std::uint32_t block_of(Blocks const& blocks, std::uint32_t slot) {
@@ -196,57 +443,31 @@ class WindowedSteps {
     return low;
   }
 
-  void add_missed_in(Step const& all, Block const& block, Real duration) {
-    auto const* record = all.now.record.data() + block.first;
-    for (int c = 0; c < pair_classes; ++c)
-      for (auto k = block.pairs[c]; k < block.pairs[c + 1]; ++k) {
-        auto const local = all.blocks.outer(k);
-        if (std::min(local.a(), local.b()) >= block.own) continue;  // filling
-        auto const pair = slot_pair(all.blocks, block, local);
-        if (!strayed_unforeseen(pair.a) && !strayed_unforeseen(pair.b.index())) continue;
-        Real const stray = stray_of(pair.a) + stray_of(pair.b.index());
-        simd::LocalPair const eight[simd::width] = {local, local, local, local,
-                                                    local, local, local, local};
-        auto const d = simd::load_differences(record, eight);
-        if (!may_meet(d, class_distance(c) + stray, duration).any()) continue;
-        auto const known = [&](SlotPair const& p) {
-          return (p.a == pair.a && p.b.index() == pair.b.index()) ||
-                 (p.a == pair.b.index() && p.b.index() == pair.a);
-        };
-        if (std::none_of(meeting_.begin(), meeting_.end(), known)) meeting_.push_back(pair);
-      }
-  }
-
-  /// Adds the sampled configurations: islands as they were seen, free disks by closed forms.
-  void measure(BlockLoop<Space>& loop, Step const& all, Clock const& clock, Window const& window,
-               Sampling const& sampling, OpenWindows& windows) {
-    auto sample = sampling.next(window.begin);
-    if (sample >= window.end) return;
+  /// Adds the sampled configurations: batches as they were seen; all other disks as if in free flight,
+  /// by closed forms, and what collisions changed.
+  void measure(BlockLoop<Space>& loop, Step const& all, Clock const& clock,
+               Sampling const& sampling, Window const& window, OpenWindows& windows) {
+    if (times_.size() == 0) return;
+    for (auto const& result : results_) in_batch_[result.slot] = units_[result.unit].batch;
     free_.assign(all.blocks.count, {});
     loop(all.blocks.count, [&](std::uint32_t b) {
       free_[b] = free_flight_sums(all, all.blocks.block(b), clock.strain_rate,
-                                  [&](std::uint32_t slot) { return finder_.free(slot); });
+                                  [&](std::uint32_t slot) {
+                                    return simd::zero(in_batch_.data() + slot);
+                                  });
     });
     FreeFlightSums free;
     for (auto const& of_block : free_) free += of_block;
-
-    auto const first = sampling.window(window.begin);
-    while (sample < window.end) {
-      auto const bin = sampling.window(sample);
-      Real n = 0, t1 = 0, t2 = 0;  // samples, and sums of t and t^2 over them
-      for (; sample < window.end && sampling.window(sample) == bin; sample = sampling.next(sample + 1)) {
-        Real const t = static_cast<Real>(sample - window.begin) * clock.time_step;
-        n += 1;
-        t1 += t;
-        t2 += t * t;
-      }
+    for (std::size_t bin = 0; bin < times_.bins(); ++bin) {
       Sums<rotates> total;
+      auto const& [n, t1, t2] = times_.total(bin);
+      if (n == 0) continue;
       add_free_flight(total.value, free, n, t1, t2);
-      auto const bins = sums_.size() / std::max<std::size_t>(1, outcome_.size());
-      for (std::size_t b = 0; b < outcome_.size(); ++b)
-        for (int c = 0; c < Sums<rotates>::columns; ++c)
-          total.value[c] += sums_[b * bins + static_cast<std::size_t>(bin - first)].value[c];
-      windows.add(bin, total.value, n);
+      for (auto const& unit : units_)
+        if (unit.alive)
+          for (int c = 0; c < Sums<rotates>::columns; ++c)
+            total.value[c] += sums_[unit.sums + bin].value[c];
+      windows.add(sampling.window(window.begin) + static_cast<std::int64_t>(bin), total.value, n);
     }
   }
 
@@ -270,27 +491,33 @@ class WindowedSteps {
       Block const& block = all.blocks.block(b);
       fly(block, all.now.record.data() + block.first, duration);
     });
-    for (std::size_t place = 0; place < islands_.disks.size(); ++place) {
-      auto const& disk = islands_.disks[place];
-      auto const slot = batches_.slot_of[place];
-      simd::Record r = batches_.step.now.record(slot);
-      Vec2<Real> const shift = end.shift(disk.image);
+    for (auto const& result : results_) {
+      simd::Record r = result.record;
+      Vec2<Real> const shift = end.shift(result.image);
       r.x -= shift.x;
       r.y -= shift.y;
-      r.vx -= end.velocity_shift(disk.image);
-      all.now.record(disk.slot) = r;
-      if constexpr (rotates) all.now.spin(disk.slot) = batches_.step.now.spin(slot);
+      r.vx -= end.velocity_shift(result.image);
+      all.now.record(result.slot) = r;
+      if constexpr (rotates) all.now.spin(result.slot) = result.spin;
     }
   }
 
-  /// So large that one disk in a hundred strays further: fewer pairs foreseen, or fewer looked at
-  /// again.
+  /// So large that a few disks in a hundred stray further: fewer pairs near, or fewer blocks looked
+  /// through again.
   void adapt_allowance() {
     std::size_t beyond = 0;
-    for (auto const slot : straying_) beyond += stray_of(slot) > allowance;
-    auto const active = straying_.size();
-    if (50 * beyond > active) allowance *= 1.125;
-    if (200 * beyond < active) allowance *= 0.9375;
+    for (auto const& result : results_) beyond += result.stray > allowance;
+    if (50 * beyond > results_.size()) allowance *= 1.125;
+    if (200 * beyond < results_.size()) allowance *= 0.9375;
+  }
+
+  void count(Window const& window) {
+    auto const steps = window.end - window.begin;
+    ++counters.windows;
+    counters.steps += steps;
+    counters.binary += static_cast<std::int64_t>(window.binary);
+    counters.others += static_cast<std::int64_t>(window.others);
+    counters.touching += std::llround(window.touching * static_cast<Real>(steps));
   }
 
   struct Outcome {
@@ -299,14 +526,20 @@ class WindowedSteps {
   };
 
   IslandFinder finder_;
-  Islands islands_;
+  Islands islands_, larger_;
+  std::vector<Islands::Pair> binary_;
   Batches<Law, Repulsion> batches_;
-  std::vector<Forecast> found_;         ///< by block
-  std::vector<std::uint8_t> strays_;    ///< by slot: taken to stray
-  std::vector<std::uint32_t> straying_;  ///< those slots
-  std::vector<SlotPair> meeting_;
-  std::vector<Sums<rotates>> sums_;  ///< [batches][measurement windows]
-  std::vector<Outcome> outcome_;     ///< by batch
+  SampleTimes times_;
+  std::vector<Forecast> found_;  ///< by block
+  std::vector<SlotPair> todo_;
+  std::vector<std::uint32_t> result_of_;  ///< by slot: its place in results_, or none
+  std::vector<std::uint8_t> in_batch_;    ///< by slot
+  std::vector<Result> results_;           ///< a disk each
+  std::vector<Unit> units_;
+  std::vector<SlotPair> pairs_;        ///< of all units
+  std::vector<Sums<rotates>> sums_;    ///< a measurement window each, for every unit
+  std::vector<typename Binary::Outcome> lane_outcome_;
+  std::vector<Outcome> outcome_;  ///< by batch
   std::vector<FreeFlightSums> free_;
 };
 

@@ -17,7 +17,7 @@ kernels/simd
 kernels/blocks       kernels/core kernels/geometry kernels/neighbors kernels/simd
 kernels/dynamics     kernels/core kernels/geometry kernels/contact kernels/neighbors kernels/blocks kernels/simd
 kernels/observables  kernels/core kernels/geometry kernels/contact kernels/neighbors kernels/dynamics kernels/blocks kernels/simd
-kernels/islands      kernels/core kernels/geometry kernels/blocks kernels/dynamics kernels/simd
+kernels/islands      kernels/core kernels/geometry kernels/contact kernels/blocks kernels/dynamics kernels/observables kernels/simd
 src/config
 src/statistics
 src/state            src/config kernels/core

@@ -1,0 +1,272 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Bagnold beside LAMMPS: the same packing, law, box and time step, one core, runs interleaved.
+
+    lammps.py BAGNOLD                      every case: a table of speeds
+    lammps.py BAGNOLD CASE... --physics    no timing: forces, stress and contacts of both
+    lammps.py BAGNOLD CASE... --tune       LAMMPS alone, its settings against each other
+    lammps.py --list
+
+Speeds are steps of a disk per second of CPU time inside the time loop, so that a machine shared with
+others does not decide: what each program reports per second of wall time, divided by its share of a
+core. LAMMPS evaluates forces
+once a step, Bagnold twice (PRE 95, 052903 (2017), Eqs. 21-24): both ratios are printed. Bagnold
+samples its observables all along, LAMMPS prints nothing. What was tried to make LAMMPS fast, and
+what it was worth: README.md.
+"""
+import argparse
+import json
+import os
+import shutil
+import statistics
+import subprocess
+import sys
+import time
+from dataclasses import dataclass, replace
+
+import h5py
+import numpy as np
+
+import lammps_scene as peer
+
+WINDOW = 1e-2  # strain over which stress and contacts are averaged for --physics
+
+
+@dataclass(frozen=True)
+class Case:
+    """A steady state. `prepare`: (rate, strain) that lead to it from a random start."""
+
+    name: str
+    count: int
+    packing_fraction: float
+    scene: peer.Scene
+    prepare: tuple
+    tuning: peer.Tuning
+
+
+def case(name, count, phi, model, elasticity, mass, rate, prepare, **tuning):
+    return Case(name, count, phi, peer.Scene(model, elasticity, rate, mass), prepare,
+                peer.Tuning(**tuning))
+
+
+FEW = {"newton": "off"}  # few contacts: computing a pair twice at a face costs less than sending forces
+
+CASES = [
+    case("cd_rot-1e-4-1024", 1024, 0.82, "CD_rot", 1, "equal", 1e-4, ((1e-3, 2), (1e-4, 3)), skin=0.2),
+    case("cd_rot-1e-4-65536", 65536, 0.82, "CD_rot", 1, "equal", 1e-4, ((1e-3, 1), (1e-4, 0.05)),
+         skin=0.25),
+    case("cd_n-q1-1e-4-1024", 1024, 0.78, "CD_n", 1, "area", 1e-4, ((1e-3, 3), (1e-4, 2)),
+         skin=0.1, **FEW),
+    case("cd_n-q50-1e-4-1024", 1024, 0.78, "CD_n", 50, "area", 1e-4, ((1e-3, 3), (1e-4, 3)),
+         skin=0.1, **FEW),
+    case("cd_n-q50-1e-5-1024", 1024, 0.78, "CD_n", 50, "area", 1e-5,
+         ((1e-3, 3), (1e-4, 3), (1e-5, 1)), skin=0.06, **FEW),
+    case("cd_n-q50-1e-4-65536", 65536, 0.78, "CD_n", 50, "area", 1e-4, ((1e-3, 1), (1e-4, 1.5)),
+         skin=0.25, **FEW),
+    case("cd_n-q50-1e-5-65536", 65536, 0.78, "CD_n", 50, "area", 1e-5,
+         ((1e-3, 1), (1e-4, 1.5), (1e-5, 0.5)), skin=0.25, **FEW),
+]
+
+
+def run_bagnold(options, case, start, rate, strain, folder, window=WINDOW):
+    """Runs Bagnold; its summary. `start` is a state file, or None for a random start."""
+    os.makedirs(folder, exist_ok=True)
+    scene = case.scene
+    first = f'kind = "state"\nfile = {json.dumps(start)}' if start else 'kind = "random"'
+    path = os.path.join(folder, "bagnold.toml")
+    with open(path, "w") as out:
+        out.write(f"""[disks]
+model = "{scene.model}"
+count = {case.count}
+packing_fraction = {case.packing_fraction}
+elasticity = {scene.elasticity}
+mass = "{scene.mass}"
+[start]
+{first}
+[shear]
+strain_rate = {rate}
+strain = {strain:.12g}
+discard = 0.0
+[integration]
+time_step = {scene.time_step}
+[output]
+sample_strain = {min(window, strain / 4):.12g}
+plot = false
+""")
+    results = os.path.join(folder, "bagnold")
+    cpu, wall = os.times(), time.monotonic()
+    subprocess.run([options.bagnold, "run", path, "--threads", "1", "--out", results, "--force",
+                    "--quiet"], check=True, stdout=subprocess.DEVNULL)
+    wall, now = time.monotonic() - wall, os.times()
+    with open(os.path.join(results, "summary.json")) as file:
+        summary = json.load(file)
+    used = now.children_user + now.children_system - cpu.children_user - cpu.children_system
+    summary["speed"] = summary["disk_steps_per_second"] / min(1.0, used / wall)
+    return summary
+
+
+def run_lammps(options, case, state, folder, tail):
+    """Runs LAMMPS; steps of a disk per CPU second in its last loop."""
+    peer.write_scene(folder, peer.read_state(state, case.scene.rate), case.scene, case.tuning, tail)
+    subprocess.run([options.lammps, "-in", "in.scene", "-screen", "none", *options.lammps_argument],
+                   cwd=folder, check=True, env={**os.environ, "OMP_NUM_THREADS": "1"})
+    with open(os.path.join(folder, "log.lammps")) as log:
+        lines = log.read().splitlines()
+    loop = [line.split() for line in lines if line.startswith("Loop time")][-1]
+    dangerous = [int(line.split()[-1]) for line in lines if line.startswith("Dangerous builds")]
+    if sum(dangerous) > 0:
+        sys.exit(f"{case.name}: LAMMPS reports dangerous builds: its list came too late; lower --every")
+    share = [float(line.split("%")[0]) / 100 for line in lines if "CPU use" in line][-1]
+    return case.count * int(loop[8]) / float(loop[3]) / min(1.0, share)
+
+
+def state_of(options, case):
+    """The state of a case, made by Bagnold where the folder of states lacks it."""
+    path = os.path.join(options.states, case.name + ".h5")
+    if not os.path.exists(path):
+        start = None
+        for n, (rate, strain) in enumerate(case.prepare):
+            print(f"{case.name}: preparing, strain {strain} at {rate}", file=sys.stderr)
+            folder = os.path.join(options.work, case.name, f"prepare{n}")
+            run_bagnold(options, case, start, rate, strain, folder)
+            start = os.path.join(folder, "bagnold", "state.h5")
+        os.makedirs(options.states, exist_ok=True)
+        shutil.copy(start, path)
+    return path
+
+
+def spread(values, form):
+    return f"{statistics.median(values):{form}} ({min(values):{form}}-{max(values):{form}})"
+
+
+def compare_speed(options, case):
+    """One row of the table."""
+    state = state_of(options, case)
+    folder = os.path.join(options.work, case.name)
+    step_strain = case.scene.rate * case.scene.time_step
+
+    def lammps(steps):
+        return run_lammps(options, case, state, folder, peer.timed_tail(steps, steps // 10))
+
+    def bagnold(steps):
+        return run_bagnold(options, case, state, case.scene.rate, steps * step_strain, folder)["speed"]
+
+    def steps_for(speed):
+        return max(1000, round(options.seconds * speed / case.count, -2))
+
+    guess = int(2e7 / case.count) + 1000  # about a second: how many steps last long enough
+    steps = {run: int(steps_for(run(guess))) for run in (lammps, bagnold)}
+    steps[bagnold] = int(steps_for(bagnold(steps[bagnold])))  # the first was short beside its start
+    pairs = []
+    for n in range(options.rounds):
+        order = (lammps, bagnold) if n % 2 == 0 else (bagnold, lammps)
+        speed = {run: run(steps[run]) for run in order}
+        pairs.append((speed[lammps] / 1e6, speed[bagnold] / 1e6))
+    ratios = [mine / theirs for theirs, mine in pairs]
+    print(f"| {case.name} | {spread([a for a, b in pairs], '.1f')} | "
+          f"{spread([b for a, b in pairs], '.1f')} | {spread(ratios, '.2f')} | "
+          f"{2 * statistics.median(ratios):.1f} | {steps[lammps]} | {steps[bagnold]} |", flush=True)
+
+
+def compare_tunings(options, case):
+    """LAMMPS alone: the case's settings, and each of them changed, in turn."""
+    state = state_of(options, case)
+    folder = os.path.join(options.work, case.name)
+    other = [{}, *({"skin": round(case.tuning.skin * factor, 3)} for factor in (0.5, 0.7, 1.4, 2)),
+             {"every": 1}, {"every": 10}, {"newton": "on"}, {"newton": "off"}, {"centred": False},
+             {"order": "blocks"}, {"order": "given"}, {"style": "granular"}, {"style": "single"}]
+    other = [change for change in other
+             if not change or replace(case.tuning, **change) != case.tuning]
+    speeds = [[] for _ in other]
+    for _ in range(options.rounds):
+        for change, mine in zip(other, speeds):
+            one = replace(case, tuning=replace(case.tuning, **change))
+            steps = int(options.seconds * 2e7 / case.count)
+            mine.append(run_lammps(options, one, state, folder, peer.timed_tail(steps, steps // 10)) / 1e6)
+    print(f"{case.name}: {case.tuning}")
+    for change, mine in zip(other, speeds):
+        print(f"    {spread(mine, '.1f')} {change or 'as it is'}", flush=True)
+
+
+def blocks(series):
+    """Mean and standard error from blocks, the largest error over block lengths that leave 8."""
+    values, error = np.asarray(series), 0.0
+    while len(values) >= 8:
+        error = max(error, values.std(ddof=1) / np.sqrt(len(values)))
+        values = 0.5 * (values[: len(values) // 2 * 2 : 2] + values[1 : len(values) // 2 * 2 : 2])
+    return np.mean(series), error
+
+
+def compare_physics(options, case):
+    """Forces of the first step, then pressure, shear stress and contacts over a strain."""
+    state = state_of(options, case)
+    folder = os.path.join(options.work, case.name)
+    print(f"{case.name}, strain {options.strain}")
+    if case.count <= 10000:  # all pairs
+        run_lammps(options, case, state, folder, peer.FORCE_TAIL)
+        peer.check_forces(folder, peer.read_state(state, case.scene.rate), case.scene)
+    run_bagnold(options, case, state, case.scene.rate, options.strain, folder)
+    window = min(WINDOW, options.strain / 4)
+    steps = round(options.strain / (case.scene.rate * case.scene.time_step))
+    every = max(10, round(window * steps / options.strain) // 100)
+    run_lammps(options, case, state, folder, peer.sample_tail(steps, every))
+    rows = np.loadtxt(os.path.join(folder, "stress.txt"))[1:]
+    per_window = round(window * steps / options.strain / every)
+    rows = rows[: len(rows) // per_window * per_window].reshape(-1, per_window, rows.shape[1]).mean(1)
+    theirs = {"p": 0.5 * (rows[:, 1] + rows[:, 2]), "sigma": -rows[:, 3], "Z": rows[:, 4]}
+    with h5py.File(os.path.join(folder, "bagnold", "result.h5")) as file:
+        series = {name: file["series/" + name][:] for name in ("p_el", "p_dis", "sigma_el", "sigma_dis", "Z")}
+    ours = {"p": series["p_el"] + series["p_dis"], "sigma": series["sigma_el"] + series["sigma_dis"],
+            "Z": series["Z"]}  # LAMMPS' stress of the forces, without the kinetic part
+    for name in theirs:
+        (a, da), (b, db) = blocks(theirs[name]), blocks(ours[name])
+        first = theirs[name][0] / ours[name][0] - 1
+        print(f"    {name:5} LAMMPS {a:.5g} +- {da:.1g}   Bagnold {b:.5g} +- {db:.1g}   "
+              f"difference {(a - b) / np.hypot(da, db):+.1f} standard errors; "
+              f"first window {100 * first:+.2f}%")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("bagnold", nargs="?", help="the program")
+    parser.add_argument("cases", nargs="*", help="by default all")
+    parser.add_argument("--list", action="store_true", help="the names of the cases")
+    parser.add_argument("--physics", action="store_true", help="compare results, not speed")
+    parser.add_argument("--tune", action="store_true", help="compare settings of LAMMPS")
+    parser.add_argument("--strain", type=float, default=1.0, help="for --physics")
+    parser.add_argument("--rounds", type=int, default=5)
+    parser.add_argument("--seconds", type=float, default=3.0, help="of each timed run")
+    parser.add_argument("--states", default="peer-states", help="folder of CASE.h5; made where absent")
+    parser.add_argument("--work", default="peer-work", help="folder for the runs")
+    parser.add_argument("--lammps", default="lmp", help="the program")
+    parser.add_argument("--lammps-argument", action="append", default=[],
+                        help="passed on, as --lammps-argument=-sf --lammps-argument=omp")
+    parser.add_argument("--style", choices=["hybrid", "granular", "single"])
+    options = parser.parse_args()
+    if options.list:
+        print("\n".join(case.name for case in CASES))
+        return
+    if not options.bagnold:
+        parser.error("which program? lammps.py build/openmp/bagnold")
+    unknown = set(options.cases) - {case.name for case in CASES}
+    if unknown:
+        parser.error(f"no such case: {', '.join(sorted(unknown))}; see --list")
+    for name in ("work", "states", "bagnold"):
+        setattr(options, name, os.path.abspath(getattr(options, name)))
+    chosen = [case for case in CASES if not options.cases or case.name in options.cases]
+    if options.style:
+        chosen = [replace(case, tuning=replace(case.tuning, style=options.style)) for case in chosen]
+    if options.physics or options.tune:
+        for one in chosen:
+            (compare_physics if options.physics else compare_tunings)(options, one)
+        return
+    print("Million steps of a disk per second, median (least-most) of "
+          f"{options.rounds} interleaved rounds, one core\n")
+    print("| case | LAMMPS | Bagnold | ratio per step | per force evaluation | steps timed, LAMMPS "
+          "| Bagnold |\n| --- | --- | --- | --- | --- | --- | --- |", flush=True)
+    for one in chosen:
+        compare_speed(options, one)
+
+
+if __name__ == "__main__":
+    main()
