@@ -43,7 +43,8 @@ struct Forecast {
   std::vector<SlotPair> meeting;  ///< on straight flights
   struct Near {
     SlotPair pair;
-    bool with_one;  ///< also if only one of the two strays
+    int straying;  ///< how many of the two must stray by the usual for it: 1, 2, or 3 if that is not
+                   ///< enough
   };
   std::vector<Near> near;         ///< only if disks stray from these by up to the allowance
 
@@ -54,9 +55,9 @@ struct Forecast {
 };
 
 /// Appends the pairs of a block that touch on straight flights of `duration`, [tau_e], or would if each
-/// disk strayed by up to `allowance`, [d_s]. records: the block's, halo included.
+/// disk strayed by up to `allowance`, or by the `usual`, [d_s]. records: the block's, halo included.
 inline void predict_contacts(Blocks const& blocks, Block const& block, simd::Record const* records,
-                             Real duration, Real allowance, Forecast& forecast) {
+                             Real duration, Real allowance, Real usual, Forecast& forecast) {
   for (int c = 0; c < pair_classes; ++c) {
     Real const touch = class_distance(c);
     for (auto k = block.pairs[c]; k < block.pairs[c + 1]; k += simd::width) {
@@ -65,7 +66,8 @@ inline void predict_contacts(Blocks const& blocks, Block const& block, simd::Rec
       auto const mask = may_meet(d, touch + 2 * allowance, duration);
       if (!mask.any()) continue;
       auto const meet = may_meet(d, touch, duration).lanes();
-      auto const with_one = may_meet(d, touch + allowance, duration).lanes();
+      auto const with_one = may_meet(d, touch + usual, duration).lanes();
+      auto const with_two = may_meet(d, touch + 2 * usual, duration).lanes();
       for (auto lanes = mask.lanes(); lanes != 0; lanes &= lanes - 1) {
         int const n = __builtin_ctz(lanes);
         auto const pair = slot_pair(blocks, block, pairs[n]);
@@ -73,7 +75,7 @@ inline void predict_contacts(Blocks const& blocks, Block const& block, simd::Rec
         if (meet >> n & 1)
           forecast.meeting.push_back(pair);
         else
-          forecast.near.push_back({pair, (with_one >> n & 1) != 0});
+          forecast.near.push_back({pair, with_one >> n & 1 ? 1 : with_two >> n & 1 ? 2 : 3});
       }
     }
   }

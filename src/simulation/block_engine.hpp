@@ -124,6 +124,7 @@ class BlockEngine final : public Simulation {
     visit("inner_margin", margin_);
     visit("in_windows", in_windows_);
     visit("window_allowance", windowed_.allowance);
+    visit("window_usual_stray", windowed_.usual);
     visit("window_allowance_steps", allowance_steps_);
     choice_.for_each_memory(visit);
     visit("enter_windows_below", enter_below_);
@@ -191,9 +192,13 @@ class BlockEngine final : public Simulation {
   /// How far a disk may stray grows with the length of the window.
   void set_allowance(std::int64_t length) {
     if (windowed_.allowance == 0)
-      windowed_.allowance = fastest() * clock_.time_step * static_cast<Real>(length) / 16;
-    else
+      windowed_.allowance = fastest() * clock_.time_step * static_cast<Real>(length) / 4;
+    else if (length != allowance_steps_)
       windowed_.allowance *= static_cast<Real>(length) / static_cast<Real>(allowance_steps_);
+    if (windowed_.usual == 0)
+      windowed_.usual = windowed_.allowance / 4;
+    else if (length != allowance_steps_)
+      windowed_.usual *= static_cast<Real>(length) / static_cast<Real>(allowance_steps_);
     allowance_steps_ = length;
   }
 

@@ -48,7 +48,8 @@ class WindowedSteps {
   };
 
   Counters counters;
-  Real allowance = 0;    ///< strays up to this are looked up quickly, [d_s]; 0: not known yet
+  Real allowance = 0;  ///< strays up to this are looked up quickly, [d_s]; 0: not known yet
+  Real usual = 0;      ///< stray that one disk in a hundred exceeds, [d_s]
   bool cautious = false;  ///< near pairs of disks that meet others are stepped from the first
 
   void rearranged(Step const& all) {
@@ -139,7 +140,7 @@ class WindowedSteps {
       found_[b].clear();
       refresh_halo(all.blocks, block, all.now, box);
       predict_contacts(all.blocks, block, all.now.record.data() + block.first, duration, allowance,
-                       found_[b]);
+                       usual, found_[b]);
     });
     todo_.clear();
     for (auto const& found : found_)
@@ -159,10 +160,8 @@ class WindowedSteps {
       stray(pair.b.index());
     }
     for (auto const& found : found_)
-      for (auto const& [pair, with_one] : found.near) {
-        int const straying_ones = in_batch_[pair.a] + in_batch_[pair.b.index()];
-        if (straying_ones == 2 || (straying_ones == 1 && with_one)) todo_.push_back(pair);
-      }
+      for (auto const& [pair, straying_ones] : found.near)
+        if (in_batch_[pair.a] + in_batch_[pair.b.index()] >= straying_ones) todo_.push_back(pair);
     for (auto const slot : straying) in_batch_[slot] = 0;
   }
 
@@ -502,13 +501,19 @@ class WindowedSteps {
     }
   }
 
-  /// So large that a few disks in a hundred stray further: fewer pairs near, or fewer blocks looked
-  /// through again.
+  /// The allowance so large that a disk strays further in one window out of twenty: more pairs near,
+  /// or more blocks looked through again.
   void adapt_allowance() {
     std::size_t beyond = 0;
-    for (auto const& result : results_) beyond += result.stray > allowance;
-    if (50 * beyond > results_.size()) allowance *= 1.125;
-    if (200 * beyond < results_.size()) allowance *= 0.9375;
+    Real largest = 0;
+    for (auto const& result : results_) {
+      beyond += result.stray > usual;
+      largest = std::max(largest, result.stray);
+    }
+    allowance *= largest > allowance ? 1.25 : 0.9884;  // 1.25 * 0.9884^19 = 1
+    if (50 * beyond > results_.size()) usual *= 1.125;
+    if (200 * beyond < results_.size()) usual *= 0.9375;
+    usual = std::min(usual, allowance);
   }
 
   void count(Window const& window) {
