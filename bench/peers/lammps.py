@@ -221,9 +221,10 @@ def compare_physics(options, case):
     for name in theirs:
         (a, da), (b, db) = blocks(theirs[name]), blocks(ours[name])
         first = theirs[name][0] / ours[name][0] - 1
+        error = np.hypot(da, db)  # 0: too few windows to tell
+        apart = f"{(a - b) / error:+.1f} standard errors" if error else f"{100 * (a / b - 1):+.2f}%"
         print(f"    {name:5} LAMMPS {a:.5g} +- {da:.1g}   Bagnold {b:.5g} +- {db:.1g}   "
-              f"difference {(a - b) / np.hypot(da, db):+.1f} standard errors; "
-              f"first window {100 * first:+.2f}%")
+              f"difference {apart}; first window {100 * first:+.2f}%")
 
 
 def main():
