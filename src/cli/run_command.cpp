@@ -122,7 +122,7 @@ class Runner {
     c.initial_offset = snapshot.initial_offset;
     c.initial_time = snapshot.initial_time;
     c.builds = snapshot.list_builds;
-    c.engine = std::move(snapshot.engine);
+    c.engine = run_.engine = std::move(snapshot.engine);
     c.columns = simulation_->columns();
     c.window_sums = run_.measurement.windows.sums;
     c.window_weight = run_.measurement.windows.weight;

@@ -85,6 +85,7 @@ void write_result_file(RunFolder const& folder, Run const& run) {
                        {"steps", run.plan.steps},
                        {"window_steps", run.plan.window_steps}};
   for (auto const& [name, value] : run.start_record) result.attributes.push_back({name, value});
+  for (auto const& [name, value] : run.engine) result.attributes.push_back({"engine_" + name, value});
   result.discarded_windows = static_cast<std::int64_t>(discarded(run));
 
   io::Series strain{"strain", "1", "at the end of the window, from 0 at the start", {}};

@@ -21,6 +21,7 @@ struct Run {
   double box_length = 0.0;    ///< [d_s]
   double initial_time = 0.0;  ///< at step 0, [tau_e]
   std::map<std::string, double> start_record;
+  std::map<std::string, double> engine;  ///< its counters and choices at the last checkpoint
   Measurement measurement;
   std::string backend;
   double wall_seconds = 0.0;  ///< of stepping, resumes included

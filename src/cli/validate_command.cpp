@@ -12,9 +12,10 @@ namespace bagnold {
 
 namespace {
 
-/// Steps of a disk per second on one core, for an estimate of the time only: what a 2.4 GHz core
-/// did, from a dilute to a dense state (docs/performance.md).
-constexpr double fast_disk_steps = 22e6, slow_disk_steps = 11e6;
+/// Steps of a disk per second on one core, for an estimate of the time only: what the default engine did
+/// in a dense state, and in a dilute one at a rate of 1e-4; at smaller rates it is faster
+/// (docs/performance.md).
+constexpr double fast_disk_steps = 300e6, slow_disk_steps = 45e6;
 
 std::string duration(double seconds) {
   if (seconds < 120) return fmt::format("{:.2g} s", seconds);
