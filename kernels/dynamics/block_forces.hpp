@@ -48,7 +48,7 @@ struct BlockForces {
     simd::Pack distance2, spins;
   };
 
-  static Loaded load(simd::LocalPair const* pairs, simd::Record const* records,
+  BAGNOLD_INLINE static Loaded load(simd::LocalPair const* pairs, simd::Record const* records,
                      double const* spins, double weight) {
     Loaded l;
     l.difference = simd::load_differences(records, pairs);

@@ -70,7 +70,7 @@ struct BlockStep {
     refresh_halo(blocks, block, now, box);
     auto const* record = now.record.data() + block.first;
     evaluate(block, now, force, NoPackObserver{});
-    Kick const kick{*this, time_step};
+    Kick const kick(*this, time_step);
     for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
       auto r = simd::load_records(record + i);
       auto const f = simd::load_forces(force + i);
@@ -95,7 +95,7 @@ struct BlockStep {
     refresh_halo(blocks, block, trial, box);
     OverlapWatch watch;
     evaluate(block, trial, force, watch);
-    Kick const kick{*this, time_step / 2};
+    Kick const kick(*this, time_step / 2);
     Pack fastest2 = 0.0, poison = 0.0;
     for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
       auto const slot = block.first + i;
@@ -133,21 +133,20 @@ struct BlockStep {
  private:
   /// What turns forces on eight slots into changes of motion, by species.
   struct Kick {
-    BlockStep const& step;
-    Real time;
+    Species const* species;
+    simd::Pack mass[2], inertia[2];
+
+    Kick(BlockStep const& step, Real time) : species(step.species.data()) {
+      for (int s = 0; s < 2; ++s) {
+        mass[s] = time * step.table.inverse_mass[s];
+        inertia[s] = time * step.table.diameter[s] * step.table.inverse_inertia[s];
+      }
+    }
     simd::Pack per_mass(std::uint32_t slot) const {  ///< dt / m
-      return pick(slot, [&](int s) { return time * step.table.inverse_mass[s]; });
+      return select(simd::nonzero(species + slot), mass[1], mass[0]);
     }
     simd::Pack per_inertia(std::uint32_t slot) const {  ///< dt d / I
-      return pick(slot, [&](int s) {
-        return time * step.table.diameter[s] * step.table.inverse_inertia[s];
-      });
-    }
-
-   private:
-    template <class Of>
-    simd::Pack pick(std::uint32_t slot, Of const& of) const {
-      return select(simd::nonzero(step.species.data() + slot), of(1), of(0));
+      return select(simd::nonzero(species + slot), inertia[1], inertia[0]);
     }
   };
 };

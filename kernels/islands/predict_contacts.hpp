@@ -28,7 +28,7 @@ inline bool is_first_listing(SlotPair const& pair) { return pair.a < pair.b.inde
 ///
 /// With r the separation, v the relative velocity, b = r.v and c = r^2 - reach^2: close at the start if
 /// c < 0, at the end if c + 2 b T + v^2 T^2 < 0, in between if b < 0, -b < v^2 T and v^2 c < b^2.
-inline simd::Mask may_meet(simd::Records const& d, simd::Pack reach, simd::Pack duration) {
+BAGNOLD_INLINE simd::Mask may_meet(simd::Records const& d, simd::Pack reach, simd::Pack duration) {
   using simd::Pack;
   Pack const b = fma(d.x, d.vx, d.y * d.vy);
   Pack const c = fma(d.x, d.x, fma(d.y, d.y, -(reach * reach)));

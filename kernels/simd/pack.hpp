@@ -13,6 +13,9 @@
 
 /// Eight doubles side by side: the one place that knows the instruction set. Arithmetic is the
 /// compiler's vector extension, which runs on any processor; a few operations have AVX-512 forms.
+/// A call in a pack loop costs more than the pack: registers go to memory and back.
+#define BAGNOLD_INLINE [[gnu::always_inline]] inline
+
 namespace bagnold::simd {
 
 inline constexpr int width = 8;
@@ -79,7 +82,7 @@ struct Pack {
 };
 
 /// a b + c, rounded once where the machine can.
-inline Pack fma(Pack a, Pack b, Pack c) {
+BAGNOLD_INLINE Pack fma(Pack a, Pack b, Pack c) {
 #if BAGNOLD_AVX512
   return (Lanes)_mm512_fmadd_pd((__m512d)a.v, (__m512d)b.v, (__m512d)c.v);
 #else
@@ -88,7 +91,7 @@ inline Pack fma(Pack a, Pack b, Pack c) {
 }
 
 /// c - a b
-inline Pack fnma(Pack a, Pack b, Pack c) {
+BAGNOLD_INLINE Pack fnma(Pack a, Pack b, Pack c) {
 #if BAGNOLD_AVX512
   return (Lanes)_mm512_fnmadd_pd((__m512d)a.v, (__m512d)b.v, (__m512d)c.v);
 #else
@@ -96,7 +99,7 @@ inline Pack fnma(Pack a, Pack b, Pack c) {
 #endif
 }
 
-inline Pack select(Mask mask, Pack yes, Pack no) {
+BAGNOLD_INLINE Pack select(Mask mask, Pack yes, Pack no) {
 #if BAGNOLD_AVX512
   return (Lanes)_mm512_mask_blend_pd(mask.bits, (__m512d)no.v, (__m512d)yes.v);
 #else
@@ -105,7 +108,7 @@ inline Pack select(Mask mask, Pack yes, Pack no) {
 }
 
 /// a where the mask is set, else 0, whatever a is there.
-inline Pack zero_unless(Mask mask, Pack a) {
+BAGNOLD_INLINE Pack zero_unless(Mask mask, Pack a) {
 #if BAGNOLD_AVX512
   return (Lanes)_mm512_maskz_mov_pd(mask.bits, (__m512d)a.v);
 #else
@@ -113,24 +116,24 @@ inline Pack zero_unless(Mask mask, Pack a) {
 #endif
 }
 
-inline Pack max(Pack a, Pack b) { return select(a < b, b, a); }
+BAGNOLD_INLINE Pack max(Pack a, Pack b) { return select(a < b, b, a); }
 
-inline Pack positive_part(Pack a) { return select(Pack(0.0) < a, a, 0.0); }
+BAGNOLD_INLINE Pack positive_part(Pack a) { return select(Pack(0.0) < a, a, 0.0); }
 
-inline double largest(Pack a) {
+BAGNOLD_INLINE double largest(Pack a) {
   double largest = a.v[0];
   for (int k = 1; k < width; ++k) largest = largest < a.v[k] ? a.v[k] : largest;
   return largest;
 }
 
 /// The sum of the lanes, first to last.
-inline double sum(Pack a) {
+BAGNOLD_INLINE double sum(Pack a) {
   double sum = 0;
   for (int k = 0; k < width; ++k) sum += a.v[k];
   return sum;
 }
 
-inline Pack sqrt(Pack a) {
+BAGNOLD_INLINE Pack sqrt(Pack a) {
 #if BAGNOLD_AVX512
   return (Lanes)_mm512_sqrt_pd((__m512d)a.v);
 #else
@@ -140,7 +143,7 @@ inline Pack sqrt(Pack a) {
 #endif
 }
 
-inline Pack floor(Pack a) {
+BAGNOLD_INLINE Pack floor(Pack a) {
   Pack r;
   for (int k = 0; k < width; ++k) r.v[k] = std::floor(a.v[k]);
   return r;
@@ -148,7 +151,7 @@ inline Pack floor(Pack a) {
 
 /// 1/sqrt(a), to about 1 ulp: an estimate y of 14 bits and one step of fourth order in
 /// e = 1 - a y^2,  y (1 + e/2 + 3 e^2/8 + 5 e^3/16), which leaves 35 e^4/128 < 7e-17.
-inline Pack inverse_sqrt(Pack a) {
+BAGNOLD_INLINE Pack inverse_sqrt(Pack a) {
 #if BAGNOLD_AVX512
   Pack const y = (Lanes)_mm512_rsqrt14_pd((__m512d)a.v);
   Pack const e = fnma(a * y, y, 1.0);

@@ -61,22 +61,22 @@ struct ForceComponents {
 
 namespace detail {
 
-inline __m512d join(__m256d low, __m256d high) {
+BAGNOLD_INLINE __m512d join(__m256d low, __m256d high) {
   return _mm512_insertf64x4(_mm512_castpd256_pd512(low), high, 1);
 }
 
 /// Rows 0 2 | 1 3 | 4 6 | 5 7 of an 8 x 4 matrix to its columns.
-inline Records transpose(__m512d z02, __m512d z13, __m512d z46, __m512d z57) {
+BAGNOLD_INLINE Records transpose(__m512d z02, __m512d z13, __m512d z46, __m512d z57) {
   __m512d const low0 = _mm512_unpacklo_pd(z02, z13), high0 = _mm512_unpackhi_pd(z02, z13);
   __m512d const low4 = _mm512_unpacklo_pd(z46, z57), high4 = _mm512_unpackhi_pd(z46, z57);
   return {(Lanes)_mm512_shuffle_f64x2(low0, low4, 0x88), (Lanes)_mm512_shuffle_f64x2(high0, high4, 0x88),
           (Lanes)_mm512_shuffle_f64x2(low0, low4, 0xdd), (Lanes)_mm512_shuffle_f64x2(high0, high4, 0xdd)};
 }
 
-inline __m256d load(Record const& r) { return _mm256_load_pd(&r.x); }
+BAGNOLD_INLINE __m256d load(Record const& r) { return _mm256_load_pd(&r.x); }
 
 /// Eight rows of four numbers.
-inline Records load_rows(double const* r) {
+BAGNOLD_INLINE Records load_rows(double const* r) {
   auto const row = [&](int k) { return _mm256_load_pd(r + 4 * k); };
   return transpose(join(row(0), row(2)), join(row(1), row(3)), join(row(4), row(6)),
                    join(row(5), row(7)));
@@ -85,7 +85,7 @@ inline Records load_rows(double const* r) {
 }  // namespace detail
 
 /// record a minus record b of eight pairs.
-inline Records load_differences(Record const* records, LocalPair const* pairs) {
+BAGNOLD_INLINE Records load_differences(Record const* records, LocalPair const* pairs) {
   auto const difference = [&](int k) {
     return _mm256_sub_pd(detail::load(at(records, pairs[k].a4)), detail::load(at(records, pairs[k].b4)));
   };
@@ -96,14 +96,14 @@ inline Records load_differences(Record const* records, LocalPair const* pairs) {
 }
 
 /// Eight records in a row.
-inline Records load_records(Record const* r) { return detail::load_rows(&r->x); }
+BAGNOLD_INLINE Records load_records(Record const* r) { return detail::load_rows(&r->x); }
 
-inline ForceComponents load_forces(TurningForce const* f) {
+BAGNOLD_INLINE ForceComponents load_forces(TurningForce const* f) {
   auto const rows = detail::load_rows(&f->x);
   return {rows.x, rows.vx, rows.vy};
 }
 
-inline ForceComponents load_forces(Force const* f) {
+BAGNOLD_INLINE ForceComponents load_forces(Force const* f) {
   Pack const a = Pack::load(&f->x), b = Pack::load(&f->x + width);
   __m512i const even = _mm512_setr_epi64(0, 2, 4, 6, 8, 10, 12, 14);
   __m512i const odd = _mm512_setr_epi64(1, 3, 5, 7, 9, 11, 13, 15);
@@ -112,19 +112,19 @@ inline ForceComponents load_forces(Force const* f) {
 }
 
 /// Which of eight words equal a value.
-inline Mask equal(std::uint32_t const* words, std::uint32_t value) {
+BAGNOLD_INLINE Mask equal(std::uint32_t const* words, std::uint32_t value) {
   __m256i const w = _mm256_loadu_si256(reinterpret_cast<__m256i const*>(words));
   return {static_cast<__mmask8>(
       _mm512_cmpeq_epi64_mask(_mm512_cvtepu32_epi64(w), _mm512_set1_epi64(value)))};
 }
 
 /// Which of eight bytes are not zero.
-inline Mask nonzero(std::uint8_t const* bytes) {
+BAGNOLD_INLINE Mask nonzero(std::uint8_t const* bytes) {
   __m128i const b = _mm_loadl_epi64(reinterpret_cast<__m128i const*>(bytes));
   return {static_cast<__mmask8>(_mm512_test_epi64_mask(_mm512_cvtepu8_epi64(b), _mm512_set1_epi64(-1)))};
 }
 
-inline void store_records(Record* r, Records const& s) {
+BAGNOLD_INLINE void store_records(Record* r, Records const& s) {
   __m512d const xy0 = _mm512_unpacklo_pd((__m512d)s.x.v, (__m512d)s.y.v);   // x0 y0 x2 y2 ..
   __m512d const xy1 = _mm512_unpackhi_pd((__m512d)s.x.v, (__m512d)s.y.v);   // x1 y1 x3 y3 ..
   __m512d const v0 = _mm512_unpacklo_pd((__m512d)s.vx.v, (__m512d)s.vy.v);
@@ -145,7 +145,7 @@ inline void store_records(Record* r, Records const& s) {
 }
 
 /// The force on a of eight pairs, and its opposite on b; one pair after the other.
-inline void scatter(Force* force, LocalPair const* pairs, Pack x, Pack y) {
+BAGNOLD_INLINE void scatter(Force* force, LocalPair const* pairs, Pack x, Pack y) {
   __m512d const even = _mm512_unpacklo_pd((__m512d)x.v, (__m512d)y.v);
   __m512d const odd = _mm512_unpackhi_pd((__m512d)x.v, (__m512d)y.v);
   auto const add = [&](int k, __m128d f) {
@@ -164,7 +164,7 @@ inline void scatter(Force* force, LocalPair const* pairs, Pack x, Pack y) {
   add(7, _mm512_extractf64x2_pd(odd, 3));
 }
 
-inline void scatter(TurningForce* force, LocalPair const* pairs, Pack x, Pack y, Pack turn) {
+BAGNOLD_INLINE void scatter(TurningForce* force, LocalPair const* pairs, Pack x, Pack y, Pack turn) {
   __m512d const x0 = _mm512_unpacklo_pd((__m512d)x.v, _mm512_setzero_pd());
   __m512d const x1 = _mm512_unpackhi_pd((__m512d)x.v, _mm512_setzero_pd());
   __m512d const y0 = _mm512_unpacklo_pd((__m512d)y.v, (__m512d)turn.v);
@@ -190,7 +190,7 @@ inline void scatter(TurningForce* force, LocalPair const* pairs, Pack x, Pack y,
 }
 
 /// Appends the pairs whose lane is set; writes up to eight words behind `to`.
-inline int append(LocalPair* to, Mask mask, LocalPair const* pairs) {
+BAGNOLD_INLINE int append(LocalPair* to, Mask mask, LocalPair const* pairs) {
   __m256i const words = _mm256_loadu_si256(reinterpret_cast<__m256i const*>(pairs));
   auto const packed = _mm512_maskz_compress_epi32(mask.bits, _mm512_castsi256_si512(words));
   _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm512_castsi512_si256(packed));
@@ -199,7 +199,7 @@ inline int append(LocalPair* to, Mask mask, LocalPair const* pairs) {
 
 #else
 
-inline Records load_differences(Record const* records, LocalPair const* pairs) {
+BAGNOLD_INLINE Records load_differences(Record const* records, LocalPair const* pairs) {
   Records r;
   for (int k = 0; k < width; ++k) {
     Record const& a = records[pairs[k].a()];
@@ -212,7 +212,7 @@ inline Records load_differences(Record const* records, LocalPair const* pairs) {
   return r;
 }
 
-inline ForceComponents load_forces(Force const* f) {
+BAGNOLD_INLINE ForceComponents load_forces(Force const* f) {
   ForceComponents s;
   for (int k = 0; k < width; ++k) {
     s.x.v[k] = f[k].x;
@@ -222,7 +222,7 @@ inline ForceComponents load_forces(Force const* f) {
   return s;
 }
 
-inline ForceComponents load_forces(TurningForce const* f) {
+BAGNOLD_INLINE ForceComponents load_forces(TurningForce const* f) {
   ForceComponents s;
   for (int k = 0; k < width; ++k) {
     s.x.v[k] = f[k].x;
@@ -232,19 +232,19 @@ inline ForceComponents load_forces(TurningForce const* f) {
   return s;
 }
 
-inline Mask equal(std::uint32_t const* words, std::uint32_t value) {
+BAGNOLD_INLINE Mask equal(std::uint32_t const* words, std::uint32_t value) {
   Mask mask{};
   for (int k = 0; k < width; ++k) mask.bits[k] = words[k] == value ? -1 : 0;
   return mask;
 }
 
-inline Mask nonzero(std::uint8_t const* bytes) {
+BAGNOLD_INLINE Mask nonzero(std::uint8_t const* bytes) {
   Mask mask{};
   for (int k = 0; k < width; ++k) mask.bits[k] = bytes[k] != 0 ? -1 : 0;
   return mask;
 }
 
-inline Records load_records(Record const* r) {
+BAGNOLD_INLINE Records load_records(Record const* r) {
   Records s;
   for (int k = 0; k < width; ++k) {
     s.x.v[k] = r[k].x;
@@ -255,11 +255,11 @@ inline Records load_records(Record const* r) {
   return s;
 }
 
-inline void store_records(Record* r, Records const& s) {
+BAGNOLD_INLINE void store_records(Record* r, Records const& s) {
   for (int k = 0; k < width; ++k) r[k] = {s.x.v[k], s.y.v[k], s.vx.v[k], s.vy.v[k]};
 }
 
-inline void scatter(Force* force, LocalPair const* pairs, Pack x, Pack y) {
+BAGNOLD_INLINE void scatter(Force* force, LocalPair const* pairs, Pack x, Pack y) {
   for (int k = 0; k < width; ++k) {
     Force& a = force[pairs[k].a()];
     a = {a.x + x.v[k], a.y + y.v[k]};
@@ -268,7 +268,7 @@ inline void scatter(Force* force, LocalPair const* pairs, Pack x, Pack y) {
   }
 }
 
-inline void scatter(TurningForce* force, LocalPair const* pairs, Pack x, Pack y, Pack turn) {
+BAGNOLD_INLINE void scatter(TurningForce* force, LocalPair const* pairs, Pack x, Pack y, Pack turn) {
   for (int k = 0; k < width; ++k) {
     TurningForce& a = force[pairs[k].a()];
     a = {a.x + x.v[k], 0, a.y + y.v[k], a.turn + turn.v[k]};
@@ -277,7 +277,7 @@ inline void scatter(TurningForce* force, LocalPair const* pairs, Pack x, Pack y,
   }
 }
 
-inline int append(LocalPair* to, Mask mask, LocalPair const* pairs) {
+BAGNOLD_INLINE int append(LocalPair* to, Mask mask, LocalPair const* pairs) {
   int count = 0;
   for (unsigned lanes = mask.lanes(), k = 0; k < width; ++k)
     if (lanes >> k & 1) to[count++] = pairs[k];
@@ -287,20 +287,20 @@ inline int append(LocalPair* to, Mask mask, LocalPair const* pairs) {
 #endif
 
 /// Which of eight bytes are zero.
-inline Mask zero(std::uint8_t const* bytes) { return Mask::of(~nonzero(bytes).lanes() & 0xffu); }
+BAGNOLD_INLINE Mask zero(std::uint8_t const* bytes) { return Mask::of(~nonzero(bytes).lanes() & 0xffu); }
 
 struct PackPair {
   Pack x, y;
 };
 
 /// Eight vectors in a row.
-inline PackPair load_pairs(double const* xy) {
+BAGNOLD_INLINE PackPair load_pairs(double const* xy) {
   auto const f = load_forces(reinterpret_cast<Force const*>(xy));
   return {f.x, f.y};
 }
 
 /// value a plus `weight` times value b of eight pairs.
-inline Pack load_sums(double const* values, LocalPair const* pairs, double weight) {
+BAGNOLD_INLINE Pack load_sums(double const* values, LocalPair const* pairs, double weight) {
   asm("" : "+r"(pairs));  // read the indices again: cheaper than to keep sixteen of them
   auto const sum = [&](int k) { return at(values, pairs[k].a4) + weight * at(values, pairs[k].b4); };
   return Lanes{sum(0), sum(1), sum(2), sum(3), sum(4), sum(5), sum(6), sum(7)};
