@@ -34,10 +34,6 @@ inline void interleave(simd::LocalPair* pairs, std::uint32_t count) {
   }
 }
 
-constexpr std::uint32_t round_up(std::uint32_t n) {
-  return (n + simd::width - 1) / simd::width * simd::width;
-}
-
 }  // namespace detail
 
 /// Cuts disks into blocks of `size` along a Hilbert curve and lists their pairs within d_ij + skin.
@@ -77,7 +73,7 @@ Blocks build_blocks(Space const& space, Kokkos::View<Vec2<Real>*, Space> const& 
     Block mine;
     auto const begin = static_cast<std::uint32_t>(b) * size;
     mine.own = std::min(count - begin, size);
-    mine.padded = detail::round_up(mine.own + 2);
+    mine.padded = simd::round_up(mine.own + 2);
     auto& halo = keys[b];
     for (auto i = begin; i < begin + mine.own; ++i)
       search(i, [&](Neighbor const& n) {
@@ -99,14 +95,14 @@ Blocks build_blocks(Space const& space, Kokkos::View<Vec2<Real>*, Space> const& 
       throw std::length_error("a block has more disks and images than its pairs can name");
     mine.first = static_cast<std::uint32_t>(slots);
     mine.halo_first = static_cast<std::uint32_t>(halos);
-    slots += detail::round_up(mine.local());
+    slots += simd::round_up(mine.local());
     halos += mine.halo;
     for (int c = 0; c <= pair_classes; ++c) {
-      auto const held = detail::round_up(mine.pairs[c]);
+      auto const held = simd::round_up(mine.pairs[c]);
       mine.pairs[c] = static_cast<std::uint32_t>(pairs);
       if (c < pair_classes) pairs += held;
     }
-    blocks.most_local = std::max(blocks.most_local, detail::round_up(mine.local()));
+    blocks.most_local = std::max(blocks.most_local, simd::round_up(mine.local()));
   }
   if (slots >= Neighbor::max_count || pairs >> 32 != 0)
     throw std::length_error("too many disks for one process");

@@ -12,6 +12,15 @@ struct BlockState {
   Blocks::Array<double> spin;  ///< thetadot, [1 / tau_e]; empty if the law does not rotate
 };
 
+/// A disk where its image is.
+inline simd::Record at_image(simd::Record record, Image const& image, ShearedBox const& box) {
+  Vec2<Real> const shift = box.shift(image);
+  record.x += shift.x;
+  record.y += shift.y;
+  record.vx += box.velocity_shift(image);
+  return record;
+}
+
 /// Copies the disks of other blocks, and images, into a block's halo.
 inline void refresh_halo(Blocks const& blocks, Block const& block, BlockState const& state,
                          ShearedBox const& box) {
@@ -19,13 +28,7 @@ inline void refresh_halo(Blocks const& blocks, Block const& block, BlockState co
   auto* const record = state.record.data();
   auto const to = block.first + block.padded;
   for (std::uint32_t h = 0; h < block.halo; ++h) {
-    Image const image = halo[h].image();
-    Vec2<Real> const shift = box.shift(image);
-    simd::Record r = record[halo[h].index()];
-    r.x += shift.x;
-    r.y += shift.y;
-    r.vx += box.velocity_shift(image);
-    record[to + h] = r;
+    record[to + h] = at_image(record[halo[h].index()], halo[h].image(), box);
     if (state.spin.extent(0) != 0) state.spin(to + h) = state.spin(halo[h].index());
   }
 }

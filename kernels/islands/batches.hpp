@@ -38,10 +38,6 @@ struct Batches {
  private:
   std::vector<Stretch> stretches_;
 
-  static std::uint32_t round_up(std::uint32_t n) {
-    return (n + simd::width - 1) / simd::width * simd::width;
-  }
-
   template <class T>
   static void need(Blocks::Array<T>& array, std::size_t size, char const* label) {
     if (array.extent(0) >= size) return;
@@ -61,7 +57,7 @@ struct Batches {
       auto const first = islands.first_disk[i];
       while (i < count && islands.first_disk[i] - first < size) ++i;
       stretches_.push_back({begin, i});
-      auto const local = round_up(islands.first_disk[i] - first + 2);
+      auto const local = simd::round_up(islands.first_disk[i] - first + 2);
       if (local > simd::LocalPair::max_count) return false;
       slots += local;
       pairs += islands.first_pair[i] - islands.first_pair[begin] + pair_classes * simd::width;
@@ -92,17 +88,12 @@ struct Batches {
       block.pairs[0] = before.pairs[pair_classes];
     }
     block.own = islands.first_disk[end] - first_place;
-    block.padded = round_up(block.own + 2);
+    block.padded = simd::round_up(block.own + 2);
     for (std::uint32_t k = 0; k < block.own; ++k) {
       auto const& disk = islands.disks[first_place + k];
       auto const slot = block.first + k;
       slot_of[first_place + k] = slot;
-      simd::Record r = all.now.record(disk.slot);
-      Vec2<Real> const shift = box.shift(disk.image);
-      r.x += shift.x;
-      r.y += shift.y;
-      r.vx += box.velocity_shift(disk.image);
-      place(slot, r, all.species(disk.slot));
+      place(slot, at_image(all.now.record(disk.slot), disk.image, box), all.species(disk.slot));
       if constexpr (Law::rotates) step.now.spin(slot) = all.now.spin(disk.slot);
     }
     for (auto k = block.own; k < block.padded; ++k) {
@@ -133,7 +124,7 @@ struct Batches {
     std::uint32_t to[pair_classes];
     for (int c = 0; c < pair_classes; ++c) {
       to[c] = block.pairs[c];
-      block.pairs[c + 1] = block.pairs[c] + round_up(block.inner[c]);
+      block.pairs[c + 1] = block.pairs[c] + simd::round_up(block.inner[c]);
     }
     each([&](int c, auto a, auto b) { step.blocks.inner(to[c]++) = simd::LocalPair::make(a, b); });
     for (int c = 0; c < pair_classes; ++c)

@@ -39,14 +39,6 @@ class IslandFinder {
     slots_.clear();
   }
 
-  /// Where a disk is in the islands found last; none if it meets nobody.
-  std::uint32_t place_of(std::uint32_t slot) const {
-    return node_of_[slot] == none ? none : place_[node_of_[slot]];
-  }
-
-  /// Which of the eight disks from `slot` on meet nobody.
-  simd::Mask free(std::uint32_t slot) const { return simd::equal(node_of_.data() + slot, none); }
-
   void find(std::vector<SlotPair> const& meeting, Islands& islands) {
     forget();
     for (auto const& pair : meeting) {

@@ -20,6 +20,9 @@ namespace bagnold::simd {
 
 inline constexpr int width = 8;
 
+/// The next multiple of the width.
+constexpr std::uint32_t round_up(std::uint32_t n) { return (n + width - 1) / width * width; }
+
 using Lanes = double __attribute__((vector_size(64)));
 using Bits = long long __attribute__((vector_size(64)));
 

@@ -111,13 +111,6 @@ BAGNOLD_INLINE ForceComponents load_forces(Force const* f) {
           (Lanes)_mm512_permutex2var_pd((__m512d)a.v, odd, (__m512d)b.v), 0.0};
 }
 
-/// Which of eight words equal a value.
-BAGNOLD_INLINE Mask equal(std::uint32_t const* words, std::uint32_t value) {
-  __m256i const w = _mm256_loadu_si256(reinterpret_cast<__m256i const*>(words));
-  return {static_cast<__mmask8>(
-      _mm512_cmpeq_epi64_mask(_mm512_cvtepu32_epi64(w), _mm512_set1_epi64(value)))};
-}
-
 /// Which of eight bytes are not zero.
 BAGNOLD_INLINE Mask nonzero(std::uint8_t const* bytes) {
   __m128i const b = _mm_loadl_epi64(reinterpret_cast<__m128i const*>(bytes));
@@ -230,12 +223,6 @@ BAGNOLD_INLINE ForceComponents load_forces(TurningForce const* f) {
     s.turn.v[k] = f[k].turn;
   }
   return s;
-}
-
-BAGNOLD_INLINE Mask equal(std::uint32_t const* words, std::uint32_t value) {
-  Mask mask{};
-  for (int k = 0; k < width; ++k) mask.bits[k] = words[k] == value ? -1 : 0;
-  return mask;
 }
 
 BAGNOLD_INLINE Mask nonzero(std::uint8_t const* bytes) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <type_traits>
 #include <utility>
@@ -11,9 +9,10 @@
 #include "kernels/blocks/prune.hpp"
 #include "kernels/neighbors/verlet_list.hpp"
 #include "kernels/observables/block_sums.hpp"
-#include "src/config/errors.hpp"
 #include "src/simulation/clock.hpp"
 #include "src/simulation/device_copy.hpp"
+#include "src/simulation/failure.hpp"
+#include "src/simulation/in_box.hpp"
 #include "src/simulation/simulation.hpp"
 #include "src/simulation/window_choice.hpp"
 #include "src/simulation/windowed_steps.hpp"
@@ -93,18 +92,7 @@ class BlockEngine final : public Simulation {
     return s;
   }
 
-  State state() const override {
-    State state = raw_state();
-    ShearedBox const box{clock_.box_length, clock_.offset(step_, step_), clock_.strain_rate};
-    for (std::size_t i = 0; i < state.count(); ++i) {
-      Vec2<Real> position{state.position[i][0], state.position[i][1]};
-      // Between builds the offset may have passed L: its images are the same.
-      wrap(box, position, state.velocity[i][0]);
-      state.position[i] = {position.x, position.y};
-    }
-    state.offset = box.offset;
-    return state;
-  }
+  State state() const override { return in_box(raw_state()); }
 
  private:
   using Step = BlockStep<Law, Repulsion>;
@@ -146,11 +134,15 @@ class BlockEngine final : public Simulation {
     loop_.template with_scratch<Force>(kernels_.blocks.count, kernels_.blocks.most_local, body);
   }
 
-  void advance_step(Sampling const& sampling, OpenWindows& windows) {
+  void step_once(Sampling const& sampling, OpenWindows& windows) {
     keep_lists();
     if (sampling.sampled(step_)) windows.add(sampling.window(step_), measure().value, 1);
     do_step();
     ++steps_one_by_one_;
+  }
+
+  void advance_step(Sampling const& sampling, OpenWindows& windows) {
+    step_once(sampling, windows);
     if (stepping_ == Stepping::automatic && step_ % look_every == 0 &&
         contacts_per_disk() < enter_below_) {
       in_windows_ = true;
@@ -209,12 +201,7 @@ class BlockEngine final : public Simulation {
     fastest_ = fastest();
     outer_drift_ = farthest();
     prune();
-    while (step_ < end) {
-      keep_lists();
-      if (sampling.sampled(step_)) windows.add(sampling.window(step_), measure().value, 1);
-      do_step();
-      ++steps_one_by_one_;
-    }
+    while (step_ < end) step_once(sampling, windows);
     if (!choice_.refused()) leave_windows(contacts_per_disk());
   }
 
@@ -306,11 +293,7 @@ class BlockEngine final : public Simulation {
     outer_drift_ = 0;
     fastest_ = fastest();
     if (!holds_next(list_step_, outer_drift_, skin_))
-      throw NumericalError(fmt::format(
-          "step {} (strain {:.6g}): disk {} moves {:.3g} d_s against the mean flow in one step, more "
-          "than the neighbour list's skin of {:.3g} d_s allows; take a smaller "
-          "integration.time_step or a larger integration.skin",
-          step_, clock_.strain(step_), fastest_disk(), fastest_ * clock_.time_step, skin_));
+      failure::too_fast(clock_, step_, fastest_disk(), fastest_ * clock_.time_step, skin_);
     prune();
   }
 
@@ -464,20 +447,9 @@ class BlockEngine final : public Simulation {
   }
 
   [[noreturn]] void fail() const {
-    auto const where = fmt::format("step {} (strain {:.6g})", step_, clock_.strain(step_));
-    State const state = raw_state();
-    for (std::size_t i = 0; i < state.count(); ++i)
-      if (!std::isfinite(state.position[i][0] + state.position[i][1] + state.velocity[i][0] +
-                         state.velocity[i][1]))
-        throw NumericalError(fmt::format(
-            "{}: the motion of disk {} is not a finite number; take a smaller "
-            "integration.time_step",
-            where, i));
+    failure::check_finite(clock_, step_, raw_state());
     auto const [overlap, disk] = deepest();
-    throw NumericalError(fmt::format(
-        "{}: disk {} overlaps a neighbour by {:.1f}% (limit {:.0f}%): no grain any more; take a "
-        "smaller shear.strain_rate, integration.time_step or disks.packing_fraction",
-        where, disk, 100 * overlap, 100 * largest_relative_overlap));
+    failure::too_deep(clock_, step_, disk, overlap);
   }
 
   /// The largest relative overlap at the trial positions, and a disk that has it.

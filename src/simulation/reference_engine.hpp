@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <fmt/format.h>
-
 #include <limits>
 #include <utility>
 
 #include "kernels/dynamics/modified_velocity_verlet.hpp"
 #include "kernels/dynamics/relaxation.hpp"
 #include "kernels/observables/sums.hpp"
-#include "src/config/errors.hpp"
 #include "src/simulation/clock.hpp"
 #include "src/simulation/device_copy.hpp"
+#include "src/simulation/failure.hpp"
+#include "src/simulation/in_box.hpp"
 #include "src/simulation/simulation.hpp"
 
 namespace bagnold {
@@ -74,18 +73,7 @@ class ReferenceEngine final : public Simulation {
     return s;
   }
 
-  State state() const override {
-    State state = raw_state();
-    ShearedBox const box{clock_.box_length, clock_.offset(step_, step_), clock_.strain_rate};
-    for (std::size_t i = 0; i < state.count(); ++i) {
-      Vec2<Real> position{state.position[i][0], state.position[i][1]};
-      // Between builds the offset may have passed L: its images are the same.
-      wrap(box, position, state.velocity[i][0]);
-      state.position[i] = {position.x, position.y};
-    }
-    state.offset = box.offset;
-    return state;
-  }
+  State state() const override { return in_box(raw_state()); }
 
  private:
   using Positions = Kokkos::View<Vec2<Real>*, Space>;
@@ -143,11 +131,8 @@ class ReferenceEngine final : public Simulation {
                             NextStep{position_, motion_, clock_.time_step, strain},
                             Kokkos::MaxLoc<Real, std::int64_t>(farthest));
     if (!list_holds(std::abs(strain), farthest.val, list_.skin))
-      throw NumericalError(fmt::format(
-          "step {} (strain {:.6g}): disk {} moves {:.3g} d_s against the mean flow in one step, "
-          "more than the neighbour list's skin of {:.3g} d_s allows; take a smaller "
-          "integration.time_step or a larger integration.skin",
-          step_, clock_.strain(step_), farthest.loc, std::sqrt(farthest.val), list_.skin));
+      failure::too_fast(clock_, step_, static_cast<std::size_t>(farthest.loc),
+                        std::sqrt(farthest.val), list_.skin);
   }
 
   Sums<rotates> measure() {
@@ -161,24 +146,13 @@ class ReferenceEngine final : public Simulation {
   }
 
   [[noreturn]] void fail() const {
-    auto const where = fmt::format("step {} (strain {:.6g})", step_, clock_.strain(step_));
-    State const state = raw_state();
-    for (std::size_t i = 0; i < state.count(); ++i)
-      if (!std::isfinite(state.position[i][0] + state.position[i][1] + state.velocity[i][0] +
-                         state.velocity[i][1]))
-        throw NumericalError(fmt::format(
-            "{}: the motion of disk {} is not a finite number; take a smaller "
-            "integration.time_step",
-            where, i));
+    failure::check_finite(clock_, step_, raw_state());
     Kokkos::MaxLoc<Real, std::int64_t>::value_type deepest{};
     Kokkos::parallel_reduce(
         "dynamics::LargestOverlap", Policy(space_, 0, count()),
         LargestOverlap<Law, Repulsion, Space>{forces_at(step_, position_, motion_)},
         Kokkos::MaxLoc<Real, std::int64_t>(deepest));
-    throw NumericalError(fmt::format(
-        "{}: disk {} overlaps a neighbour by {:.1f}% (limit {:.0f}%): no grain any more; take a "
-        "smaller shear.strain_rate, integration.time_step or disks.packing_fraction",
-        where, deepest.loc, 100 * deepest.val, 100 * largest_relative_overlap));
+    failure::too_deep(clock_, step_, static_cast<std::size_t>(deepest.loc), deepest.val);
   }
 
   State raw_state() const {

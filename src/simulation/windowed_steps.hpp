@@ -211,15 +211,6 @@ class WindowedSteps {
     return units_.back();
   }
 
-  static simd::Record placed(Step const& all, ShearedBox const& box, Islands::Disk const& disk) {
-    simd::Record r = all.now.record(disk.slot);
-    Vec2<Real> const shift = box.shift(disk.image);
-    r.x += shift.x;
-    r.y += shift.y;
-    r.vx += box.velocity_shift(disk.image);
-    return r;
-  }
-
   bool do_binary(BlockLoop<Space>& loop, Step const& all, Clock const& clock,
                  ShearedBox const& start, Window& window) {
     auto const pairs = static_cast<std::uint32_t>(binary_.size());
@@ -265,7 +256,7 @@ class WindowedSteps {
                                 Islands::Disk const& disk) const {
     Real spin = 0;
     if constexpr (rotates) spin = all.now.spin(disk.slot);
-    return {placed(all, box, disk), spin, all.species(disk.slot), 0};
+    return {at_image(all.now.record(disk.slot), disk.image, box), spin, all.species(disk.slot), 0};
   }
 
   void keep(std::uint32_t slot, typename Binary::Disk const& disk) {
@@ -407,7 +398,7 @@ class WindowedSteps {
     Real const stray = stray_of(pair.a) + stray_of(b);
     if (stray == 0) return;
     auto const& p = all.now.record(pair.a);
-    auto const q = placed(all, start, {b, pair.b.image()});
+    auto const q = at_image(all.now.record(b), pair.b.image(), start);
     simd::Records const d{p.x - q.x, p.y - q.y, p.vx - q.vx, p.vy - q.vy};
     Real const distance = class_distance(pair_class(all.species(pair.a), all.species(b)));
     if (!may_meet(d, distance + stray, duration).any()) return;
