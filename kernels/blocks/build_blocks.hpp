@@ -113,7 +113,7 @@ Blocks build_blocks(Space const& space, Kokkos::View<Vec2<Real>*, Space> const& 
   };
   blocks.halo = Blocks::Array<Neighbor>(uninitialized("blocks::halo"), halos);
   blocks.outer = Blocks::Array<simd::LocalPair>(uninitialized("blocks::outer"), pairs);
-  blocks.inner = Blocks::Array<simd::LocalPair>(uninitialized("blocks::inner"), pairs);
+  blocks.near[inner_list] = Blocks::Array<simd::LocalPair>(uninitialized("blocks::inner"), pairs);
   blocks.slot_of = Blocks::Array<std::uint32_t>(uninitialized("blocks::slot_of"), count);
   auto const slot = [=](std::uint32_t rank) { return block(rank / size).first + rank % size; };
   for (std::uint32_t rank = 0; rank < count; ++rank) blocks.slot_of(order[rank]) = slot(rank);

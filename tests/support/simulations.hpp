@@ -64,7 +64,7 @@ class EverySimulation
 
   static auto all() {
     return testing::Combine(testing::ValuesIn(law_names()), testing::ValuesIn(backend_names()),
-                            testing::Values("reference", "contact-rich", "windowed"));
+                            testing::Values("reference", "dense", "contact-rich", "windowed"));
   }
   static std::string name(testing::TestParamInfo<ParamType> const& info) {
     auto const& [law, backend, engine] = info.param;
