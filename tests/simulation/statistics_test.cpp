@@ -17,7 +17,7 @@ struct Point {
 /// common but the statistics, which must agree.
 class Statistics : public testing::TestWithParam<Point> {
  public:
-  static constexpr double rate = 1e-3, warm_up = 2, strain = 6, window_strain = 0.02;
+  static constexpr double rate = 1e-2, warm_up = 4, strain = 24, window_strain = 0.05;
 
   static Scene scene() {
     Point const& p = GetParam();
