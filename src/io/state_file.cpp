@@ -92,7 +92,7 @@ bool same_clock(State const& a, State const& b) {
 }  // namespace
 
 void put_states(Hdf5Writer& file, std::span<State const> states, std::string const& at) {
-  for (State const& state : states)
+  for (State const& state : states.subspan(1))
     if (!same_clock(state, states.front()))
       throw std::logic_error("states of one file must have box, offset, time and rate in common");
   Shape shape{states.front().count()};  // [N], or [R][N]
@@ -119,20 +119,22 @@ std::vector<State> get_states(Hdf5Reader const& file, std::string const& at,
                               std::optional<std::size_t> expected_count) {
   auto const group = at + "/state";
   auto shape = file.shape(group + "/position");
-  if (!shape.empty()) shape.pop_back();
-  if (shape.size() != 2) shape = {shape.empty() ? 0 : shape.front()};
+  if (shape.size() == 3)
+    shape.pop_back();
+  else
+    shape = {shape.empty() ? 0 : shape.front()};
   if (expected_count) shape.back() = *expected_count;
+  auto position = file.pairs(group + "/position", shape);
   if (shape.back() < 2)  // before anything is done R times
-    throw InputError(
-        fmt::format("{}: number of disks = {} (must be at least 2); correct the file or make it again",
-                    file.name(), shape.back()));
+    throw InputError(fmt::format(
+        "{}: number of disks = {} (must be at least 2); correct the file or make it again",
+        file.name(), shape.back()));
   State common;
   common.box_length = file.number(group, "box_length");
   common.offset = file.number(group, "offset");
   common.time = file.number(group, "time");
   if (file.has_attribute(group, "strain_rate"))
     common.strain_rate = file.number(group, "strain_rate");
-  auto position = file.pairs(group + "/position", shape);
   std::vector<State> states(position.size() / shape.back(), common);
   deal_out(std::move(position), states, &State::position);
   deal_out(file.pairs(group + "/velocity", shape), states, &State::velocity);

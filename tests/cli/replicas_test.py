@@ -183,7 +183,7 @@ class Summary(Replicas):
             elif max(own) > 0:
                 known += 1
                 self.assertAlmostEqual(found["error"] / (np.hypot(*own) / 2), 1.0, delta=1e-9)
-        self.assertGreater(known, 10)
+        self.assertGreater(known, 3, "too short for any error")
 
     def test_speed_counts_all_disks(self):
         summary = read_summary(self.run_new("out", **THREE))

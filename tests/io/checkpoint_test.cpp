@@ -9,6 +9,7 @@
 
 #include "src/config/errors.hpp"
 #include "src/io/atomic_file.hpp"
+#include "src/io/hdf5_writer.hpp"
 #include "src/io/seal.hpp"
 #include "tests/io/equal.hpp"
 #include "tests/io/folder.hpp"

@@ -53,11 +53,12 @@ TEST(StateFile, SeveralStatesHaveALeadingAxis) {
   EXPECT_TRUE(same(read_states(folder / "state.h5"), states));
   EXPECT_TRUE(same(read_states(folder / "state.h5", 10), states));
   EXPECT_THROW(read_states(folder / "state.h5", 12), InputError);
-  Hdf5Reader const file("state.h5", read_file(folder / "state.h5"));
-  EXPECT_EQ(file.shape("/state/position"), (Shape{3, 10, 2}));
-  EXPECT_EQ(file.shape("/state/spin"), (Shape{3, 10}));
-  EXPECT_EQ(file.shape("/state/diameter"), (Shape{3, 10}));
-
+  {
+    Hdf5Reader const file("state.h5", read_file(folder / "state.h5"));
+    EXPECT_EQ(file.shape("/state/position"), (Shape{3, 10, 2}));
+    EXPECT_EQ(file.shape("/state/spin"), (Shape{3, 10}));
+    EXPECT_EQ(file.shape("/state/diameter"), (Shape{3, 10}));
+  }
   for (auto& state : states) state.spin.clear();
   for (auto& state : states) state.strain_rate.reset();
   write_states(folder / "state.h5", states);

@@ -121,8 +121,9 @@ TEST_P(SideBySideOn, WhatOneThrowsEndsAll) {
   Counters counters(4, GetParam(), 100000);
   auto const further = counters.work.further;
   counters.work.further = [&](std::size_t s, std::function<bool()> const& go_on) {
-    if (s == 2 && counters.count[2] > 0) throw std::runtime_error("two");
-    return further(s, go_on);
+    if (s != 2) return further(s, go_on);
+    std::this_thread::sleep_for(5ms);
+    throw std::runtime_error("two");
   };
   try {
     run(counters.work);
