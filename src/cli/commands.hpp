@@ -5,13 +5,9 @@
 #include <string>
 #include <vector>
 
-namespace bagnold {
+#include "src/cli/machine.hpp"
 
-/// On what a run runs; none of it changes its bits.
-struct Machine {
-  std::string backend;  ///< "" chooses
-  int threads = 0;      ///< 0 chooses
-};
+namespace bagnold {
 
 struct RunOptions {
   std::filesystem::path scene_file;

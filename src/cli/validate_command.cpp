@@ -31,15 +31,19 @@ int validate_command(RunOptions const& options) {
   Plan const plan = make_plan(scene);
   check_feasible(scene, plan, options.allow_unstable);
   warn(plan_warning(plan));
-  if (scene.start.kind == "state") fit_to_scene(io::read_state(scene.start.file), scene);
+  if (scene.start.kind == "state") fit_to_scene(io::read_states(scene.start.file), scene);
   scene.integration.time_step = plan.time_step;
 
   double const disk_steps =
-      static_cast<double>(plan.steps) * static_cast<double>(scene.disks.count);
+      static_cast<double>(plan.steps) * static_cast<double>(scene.disks.count * scene.disks.replicas);
   fmt::print("{}\n", write_scene(scene));
   fmt::print("# box            {:.6g} d_s wide\n", scene.box_length());
   fmt::print("# time step      {:.6g} tau_e, spectral radius of a single contact {:.6f}\n",
              plan.time_step, contact_spectral_radius(scene, plan.time_step));
+  if (scene.disks.replicas > 1)
+    fmt::print("# replicas       {}, seeds {} to {}; the steps and windows below are of each\n",
+               scene.disks.replicas, scene.disks.seed,
+               scene.disks.seed + scene.disks.replicas - 1);
   fmt::print("# steps          {}, {:.4g} million disk-steps\n", plan.steps, disk_steps / 1e6);
   fmt::print("# windows        {} of {} steps, {} discarded, evaluated every {} steps\n",
              plan.windows, plan.window_steps, plan.discarded_windows, plan.every);

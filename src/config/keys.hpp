@@ -45,6 +45,8 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
   visit(Key{"disks.mass", "", "equal: m = 1 for all (P2); area: m = (pi/2) d^2 (P1)", required, 0,
             0, false, {"equal", "area"}}, disks.mass);
   visit(Key{"disks.seed", "", "of the random start", optional, 0, 9.2e18}, disks.seed);
+  visit(Key{"disks.replicas", "", "systems side by side, of the seeds seed .. seed + R - 1", optional,
+            1, 4096}, disks.replicas);
   visit(Key{"disks.damping_normal", "1/Q", "k_d^(n), model general only", optional, 0, 1e6},
         disks.damping_normal);
   visit(Key{"disks.damping_tangential", "1/Q", "k_d^(t), model general only", optional, 0, 1e6},

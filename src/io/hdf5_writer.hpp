@@ -14,8 +14,9 @@
 
 namespace bagnold::io {
 
-/// What an attribute holds.
-using Value = std::variant<std::string, double, std::int64_t>;
+/// What an attribute holds: one value, or several of one kind, at most 64 KiB of them.
+using Value =
+    std::variant<std::string, double, std::int64_t, std::vector<double>, std::vector<std::int64_t>>;
 using Attributes = std::vector<std::pair<std::string, Value>>;
 
 /// Rows of two as HDF5 wants them.

@@ -334,22 +334,26 @@ class BlockEngine final : public Simulation {
                      to_device<Space>("blocks::species", species), kernels_.table,
                      box_at(list_step_), skin_, block_size);
     auto const& blocks = kernels_.blocks;
+    // Named with the space: without it OpenMP would fill them, which threads of replicas cannot ask of it.
+    auto const named = [&](char const* label) {
+      return Kokkos::view_alloc(space_, std::string(label));
+    };
     auto const slots = blocks.slots;
     if (kernels_.species.extent(0) < slots) {
       auto const room = slots + slots / 16;
       kernels_.now = kernels_.trial = {};
       at_build_ = {};
-      kernels_.species = Blocks::Array<Species>("state::species", room);
-      kernels_.now.record = Blocks::Array<simd::Record>("state::record", room);
-      kernels_.trial.record = Blocks::Array<simd::Record>("dynamics::trial_record", room);
+      kernels_.species = Blocks::Array<Species>(named("state::species"), room);
+      kernels_.now.record = Blocks::Array<simd::Record>(named("state::record"), room);
+      kernels_.trial.record = Blocks::Array<simd::Record>(named("dynamics::trial_record"), room);
       if constexpr (rotates) {
-        kernels_.now.spin = Blocks::Array<double>("state::spin", room);
-        kernels_.trial.spin = Blocks::Array<double>("dynamics::trial_spin", room);
+        kernels_.now.spin = Blocks::Array<double>(named("state::spin"), room);
+        kernels_.trial.spin = Blocks::Array<double>(named("dynamics::trial_spin"), room);
       }
-      at_build_ = Blocks::Array<Vec2<Real>>("neighbors::at_build", room);
+      at_build_ = Blocks::Array<Vec2<Real>>(named("neighbors::at_build"), room);
     }
-    reports_ = Blocks::Array<BlockReport>("dynamics::reports", blocks.count);
-    sums_ = Blocks::Array<Sums<rotates>>("observables::block_sums", blocks.count);
+    reports_ = Blocks::Array<BlockReport>(named("dynamics::reports"), blocks.count);
+    sums_ = Blocks::Array<Sums<rotates>>(named("observables::block_sums"), blocks.count);
     windowed_.rearranged(kernels_);
 
     for (std::uint32_t b = 0; b < blocks.count; ++b) make_inert(blocks.block(b));
