@@ -20,8 +20,12 @@ struct DenseStep {
   Blocks::Array<std::uint8_t> is_active;    ///< [slots]
   Blocks::Array<std::uint32_t> count;       ///< [blocks], in `active`
 
-  /// Room for new blocks.
-  void resize(Blocks& blocks) {
+  /// Room for new blocks. space: where new room is cleared.
+  template <class Space>
+  void resize(Space const& space, Blocks& blocks) {
+    auto const cleared = [&](char const* label) {
+      return Kokkos::view_alloc(space, std::string(label));
+    };
     auto& contacts = blocks.near[contact_list];
     if (contacts.extent(0) < blocks.outer.extent(0))
       contacts = Blocks::Array<simd::LocalPair>(
@@ -30,11 +34,11 @@ struct DenseStep {
     if (active.extent(0) < blocks.slots) {
       active = {};
       is_active = {};
-      active = Blocks::Array<std::uint16_t>("dynamics::active", blocks.slots);
-      is_active = Blocks::Array<std::uint8_t>("dynamics::is_active", blocks.slots);
+      active = Blocks::Array<std::uint16_t>(cleared("dynamics::active"), blocks.slots);
+      is_active = Blocks::Array<std::uint8_t>(cleared("dynamics::is_active"), blocks.slots);
     }
     if (count.extent(0) < blocks.count)
-      count = Blocks::Array<std::uint32_t>("dynamics::active_count", blocks.count);
+      count = Blocks::Array<std::uint32_t>(cleared("dynamics::active_count"), blocks.count);
   }
 
   /// First half: trial state at t + dt from forces at t. force: scratch, [most_local].

@@ -392,7 +392,7 @@ class BlockEngine final : public Simulation {
     for (std::uint32_t b = 0; b < kernels_.blocks.count; ++b)
       for (auto const n : kernels_.blocks.block(b).near[inner_list]) near_pairs_ += n;
     choose_dense();
-    if (dense_) dense_step_.resize(kernels_.blocks);
+    if (dense_) dense_step_.resize(space_, kernels_.blocks);
   }
 
   void choose_dense() {
@@ -428,7 +428,7 @@ class BlockEngine final : public Simulation {
       prune_block(blocks, block, inner_list, kernels_.now.record.data() + block.first,
                   inner_.margin);
     });
-    if (dense_) dense_step_.resize(blocks);
+    if (dense_) dense_step_.resize(space_, blocks);
   }
 
   /// Largest |w| at a later step if all disks fly straight until then, [d_s].
