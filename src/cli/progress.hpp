@@ -10,7 +10,7 @@
 namespace bagnold {
 
 /// Where a run stands, as a line on stdout: rewritten twice a second on a terminal, a plain line
-/// every half minute elsewhere.
+/// every half minute elsewhere. A sweep that started the run is told too.
 class Progress {
  public:
   Progress(Scene const& scene, Plan const& plan, std::int64_t first_step, bool quiet);
@@ -20,6 +20,7 @@ class Progress {
 
  private:
   using Clock = std::chrono::steady_clock;
+  void report(std::int64_t step) const;
   void print(std::int64_t step, Clock::time_point now);
 
   double disks_;
@@ -30,6 +31,7 @@ class Progress {
   bool terminal_;
   Clock::time_point start_;
   Clock::time_point shown_;
+  Clock::time_point reported_;  ///< to the sweep
 };
 
 }  // namespace bagnold
