@@ -14,14 +14,21 @@ namespace {
 constexpr int round_ms = 100;    ///< between looks at signals and at folders in use
 constexpr int most_waits = 100;  ///< rounds: a killed process may take a while to end a write
 
-/// The last thing that the program said on stderr.
-std::string last_words(std::filesystem::path const& log) {
+/// The last thing that a point said on stderr, behind what the log held before.
+std::string last_words(std::filesystem::path const& log, std::uintmax_t before) {
   constexpr std::string_view mark = "bagnold: ";
   std::ifstream in(log);
+  in.seekg(static_cast<std::streamoff>(before));
   std::string words = "ended without a word";
   for (std::string line; std::getline(in, line);)
     if (line.starts_with(mark)) words = line.substr(mark.size());
   return words;
+}
+
+std::uintmax_t size_of(std::filesystem::path const& log) {
+  std::error_code missing;
+  auto const size = std::filesystem::file_size(log, missing);
+  return missing ? 0 : size;
 }
 
 }  // namespace
@@ -73,7 +80,9 @@ void Scheduler::start(Chain& chain, std::size_t point) {
   auto command = work_.command;
   command.push_back(folder_.point(point).string());
   command.insert(command.end(), work_.options.begin(), work_.options.end());
-  running_.emplace(point, Running{Child(command, folder_.log(point)), &chain});
+  auto const log = folder_.log(point);
+  auto const before = size_of(log);
+  running_.emplace(point, Running{Child(command, log), &chain, before});
   chain.busy = true;
   line_.started(point);
 }
@@ -91,7 +100,7 @@ void Scheduler::look_at_points() {
     auto& [point, running] = *at;
     if (auto const share = running.child.share()) line_.reached(point, *share);
     if (auto const code = running.child.exit_code()) {
-      ended(*running.chain, point, *code);
+      ended(running, point, *code);
       at = running_.erase(at);
     } else {
       ++at;
@@ -99,7 +108,8 @@ void Scheduler::look_at_points() {
   }
 }
 
-void Scheduler::ended(Chain& chain, std::size_t point, int exit_code) {
+void Scheduler::ended(Running const& running, std::size_t point, int exit_code) {
+  Chain& chain = *running.chain;
   chain.busy = false;
   if (exit_code == 0 && folder_.finished(point)) {
     ++chain.next;
@@ -108,7 +118,9 @@ void Scheduler::ended(Chain& chain, std::size_t point, int exit_code) {
   }
   if (stopping_ && exit_code > 128) return line_.stopped(point);
   chain.next = chain.points.size();
-  failures_[point] = {point, exit_code, last_words(folder_.log(point))};
+  failures_[point] = {point, exit_code,
+                      exit_code > 128 ? fmt::format("ended by signal {}", exit_code - 128)
+                                      : last_words(folder_.log(point), running.log_before)};
   line_.failed(point);
 }
 

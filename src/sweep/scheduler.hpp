@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
@@ -46,12 +47,18 @@ class Scheduler {
     bool over() const { return next == points.size(); }
   };
 
+  struct Running {
+    Child child;
+    Chain* chain;
+    std::uintmax_t log_before;  ///< bytes in the log when it started
+  };
+
   void start_points();
   void start(Chain& chain, std::size_t point);
   bool let_go(std::size_t point);
   void wait() const;
   void look_at_points();
-  void ended(Chain& chain, std::size_t point, int exit_code);
+  void ended(Running const& running, std::size_t point, int exit_code);
   bool pending() const;
 
   Sweep const& sweep_;
@@ -59,10 +66,6 @@ class Scheduler {
   Work work_;
   ProgressLine& line_;
   std::vector<Chain> chains_;
-  struct Running {
-    Child child;
-    Chain* chain;
-  };
   std::map<std::size_t, Running> running_;  ///< by point
   std::map<std::size_t, int> waits_;        ///< rounds that a point was in use by another process
   std::map<std::size_t, Failure> failures_;

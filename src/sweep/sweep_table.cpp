@@ -14,7 +14,8 @@ namespace bagnold::sweep {
 
 namespace {
 
-constexpr std::int64_t largest_exact = std::int64_t{1} << 53;  ///< integers up to here are doubles too
+constexpr std::int64_t largest_exact = std::int64_t{1}
+                                       << 53;  ///< integers up to here are doubles too
 
 /// Reads the lists of one sweep file.
 class TableReader {
