@@ -11,11 +11,14 @@ import unittest
 from bagnold import seconds_to_strain
 from sweeps import SweepTest, tables
 
-POINT_SECONDS = 0.25
+POINT_SECONDS = 0.15
 KILLS = 10
 
 
 class Kill(SweepTest):
+    def finished(self, out):
+        return len(list(out.glob("points/*/summary.json")))
+
     def test_ten_kills(self):
         seed = int.from_bytes(os.urandom(4), "little")
         chance = random.Random(seed)
@@ -27,18 +30,18 @@ class Kill(SweepTest):
             chain="shear.strain_rate", shear__strain=strain, **often,
         )
         whole, out = self.folder / "whole", self.folder / "out"
-        begin = time.monotonic()
         self.sweep(path, whole, "--jobs", "2", "--quiet")
-        seconds = time.monotonic() - begin
-        with self.subTest(seed=seed, seconds=seconds):
+        with self.subTest(seed=seed):
             killed = 0
             for kill in range(KILLS):
                 process = self.start("sweep", path, "--out", out, "--jobs", "2")
-                time.sleep(chance.uniform(0.0, 1.6 * seconds / KILLS))
+                # moments spread over the sweep, however fast the machine is just now
+                self.wait_until(lambda: self.finished(out) >= 2 * kill - 1, process)
+                time.sleep(chance.uniform(0.0, 2 * POINT_SECONDS))
                 victims = self.children(out)
                 if kill % 2 and victims:  # a point alone: the sweep goes on without it
                     os.kill(chance.choice(victims), signal.SIGKILL)
-                    time.sleep(chance.uniform(0.0, 0.3 * seconds / KILLS))
+                    time.sleep(chance.uniform(0.0, POINT_SECONDS / 2))
                 process.kill()
                 status, output = self.finish(process)
                 self.assertIn(status, (-signal.SIGKILL, 0, 1), output)

@@ -70,7 +70,8 @@ class Tables(SweepTest):
     def test_same_bytes_for_two_runs_and_any_number_of_jobs(self):
         path = self.sweep_file(grid={"disks.elasticity": [1, 4], **SEEDS})
         for k, arguments in enumerate((["--jobs", "1"], ["--jobs", "2"], ["--threads", "2"])):
-            self.sweep(path, self.folder / f"out{k}", *arguments)
+            said = self.sweep(path, self.folder / f"out{k}", *arguments).stdout
+            self.assertIn("6 of 6 points done, 0 running, 0 failed  strain 100%", said)
         one = tables(self.folder / "out0")
         self.assertEqual(tables(self.folder / "out1"), one)
         self.assertEqual(tables(self.folder / "out2"), one)
@@ -259,7 +260,7 @@ class Signals(SweepTest):
         self.wait_until(lambda: self.children(out) == [], seconds=10)
 
     def test_stopped_and_gone_on(self):
-        path = self.sweep_file(grid=SEEDS, shear__strain=64.0)
+        path = self.sweep_file(grid=SEEDS, shear__strain=256.0)
         whole, out = self.folder / "whole", self.folder / "out"
         self.sweep(path, whole)
         process = self.begin(path, out)
