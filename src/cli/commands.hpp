@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -25,6 +26,18 @@ struct ResumeOptions {
   bool quiet = false;
 };
 
+struct SweepOptions {
+  std::filesystem::path sweep_file;
+  std::filesystem::path folder;  ///< "": results/NAME of the sweep file
+  Machine machine;               ///< of each point; threads = 0: 1
+  int jobs = 0;                  ///< points at a time; 0: as many as the cores take
+  std::int64_t chain = 0;        ///< run this chain only, from 1; 0: all
+  bool collect = false;          ///< write the tables of what is there
+  bool emit_slurm = false;       ///< prepare the folder and write job scripts
+  bool quiet = false;
+  bool allow_unstable = false;
+};
+
 /// A line on stderr, quiet or not; nothing for no message.
 void warn(std::string const& message);
 
@@ -34,5 +47,11 @@ int run_command(RunOptions const& options);
 int resume_command(ResumeOptions const& options);
 int validate_command(RunOptions const& options);
 int info_command();
+
+/// 1 where points failed or, with `collect`, have no result yet; 0, 130 and 143 as the others.
+int sweep_command(SweepOptions const& options);
+
+/// Prints what a sweep file comes to: points, chains, steps, time.
+int validate_sweep_command(RunOptions const& options);
 
 }  // namespace bagnold

@@ -10,7 +10,8 @@
 namespace bagnold {
 
 /// Where a run stands, as a line on stdout: rewritten twice a second on a terminal, a plain line
-/// every half minute elsewhere. Steps are those of all replicas together.
+/// every half minute elsewhere. Steps are those of all replicas together. A sweep that started the run
+/// is told too.
 class Progress {
  public:
   Progress(Scene const& scene, Plan const& plan, std::int64_t first_steps, bool quiet);
@@ -20,6 +21,7 @@ class Progress {
 
  private:
   using Clock = std::chrono::steady_clock;
+  void report(std::int64_t steps) const;
   void print(std::int64_t steps, Clock::time_point now);
 
   double disks_;
@@ -30,6 +32,7 @@ class Progress {
   bool terminal_;
   Clock::time_point start_;
   Clock::time_point shown_;
+  Clock::time_point reported_;  ///< to the sweep
 };
 
 }  // namespace bagnold

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <stdexcept>
 
@@ -105,6 +106,16 @@ void Hdf5Writer::text(std::string const& path, std::string const& value,
   // c_str() has the closing zero that the type counts
   write(path, type.get(), Handle(H5Screate(H5S_SCALAR), H5Sclose),
         std::as_bytes(std::span(value.c_str(), value.size() + 1)), attributes);
+}
+
+void Hdf5Writer::texts(std::string const& path, std::span<std::string const> values) {
+  std::size_t longest = 0;
+  for (auto const& value : values) longest = std::max(longest, value.size());
+  std::string filled;
+  for (auto const& value : values) filled += value + std::string(longest + 1 - value.size(), '\0');
+  auto const type = text_type(longest + 1);
+  write(path, type.get(), plain_space(path, values.size(), {values.size()}),
+        std::as_bytes(std::span(filled)), {});
 }
 
 void Hdf5Writer::attribute(std::string const& path, std::string const& name, Value const& value) {

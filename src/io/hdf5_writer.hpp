@@ -44,6 +44,8 @@ class Hdf5Writer {
                Attributes const& attributes = {});
   /// One text of any length, UTF-8.
   void text(std::string const& path, std::string const& value, Attributes const& attributes = {});
+  /// Texts of any length, UTF-8, as one dataset [n]: each filled up with zeros to the longest.
+  void texts(std::string const& path, std::span<std::string const> values);
   void attribute(std::string const& path, std::string const& name, Value const& value);
 
   /// The file as it would be on the disk.
