@@ -25,10 +25,8 @@ double most_disk_steps(std::string const& engine) {
   return engine == "dense" || engine == "contact-rich" ? 2.5e8 : 1e12;
 }
 
-/// Threads of Kokkos for a row: replicas bring their own. With more than are used the others wait
-/// busily beside what is timed.
-void check_threads(Row const& row, std::size_t replicas, int there) {
-  int const needed = replicas > 1 ? 1 : row.threads;
+/// With more threads than are used the others wait busily beside what is timed.
+void check_threads(int needed, int there) {
   if (there != needed)
     throw InputError(fmt::format("--threads = {} (must be {} here)", there, needed));
 }
@@ -57,17 +55,16 @@ Scene scene_of(Row const& row, std::string const& engine, RowOptions const& opti
 RowSystems::RowSystems(Row const& row, std::string const& engine, RowOptions const& options)
     : scene_(scene_of(row, engine, options)),
       plan_(make_plan(scene_)),
-      threads_(row.threads),
+      side_by_side_(row.side_by_side),
       untimed_(plan_.steps / 10) {
   plan_.steps += untimed_;
   plan_.windows = (plan_.steps + plan_.window_steps - 1) / plan_.window_steps;
   auto started = fit_to_scene(io::read_states(scene_.start.file), scene_);
-  check_threads(row, started.size(), options.threads);
-  bool const threads_within = threads_ > 1 && started.size() == 1;
+  check_threads(row.threads, options.threads);
   measurements_.resize(started.size());
   for (std::size_t r = 0; r < started.size(); ++r) {
     simulations_.push_back(make_simulation(scene_, first_snapshot(std::move(started[r].state)),
-                                           threads_within ? "openmp" : "serial"));
+                                           row.threads > 1 ? "openmp" : "serial"));
     measurements_[r].windows.columns = static_cast<std::size_t>(simulations_[r]->columns());
     simulations_[r]->advance(untimed_, {plan_.window_steps, plan_.every, untimed_},
                              measurements_[r].open);
@@ -77,7 +74,7 @@ RowSystems::RowSystems(Row const& row, std::string const& engine, RowOptions con
 void RowSystems::run() {
   SideBySide all;
   all.systems = simulations_.size();
-  all.threads = all.systems > 1 ? threads_ : 1;
+  all.threads = side_by_side_;
   all.further = [&](std::size_t r, std::function<bool()> const& go_on) {
     return run_steady(*simulations_[r], plan_, measurements_[r], go_on);
   };

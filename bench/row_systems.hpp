@@ -41,7 +41,7 @@ class RowSystems {
  private:
   Scene scene_;
   Plan plan_;
-  int threads_;
+  int side_by_side_;
   std::int64_t untimed_;
   std::vector<std::unique_ptr<Simulation>> simulations_;  ///< [R]
   std::vector<Measurement> measurements_;                 ///< [R]

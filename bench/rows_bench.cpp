@@ -12,9 +12,9 @@ namespace {
 constexpr std::array engines{"auto", "reference", "dense", "contact-rich", "windowed"};
 
 /// Time is that of one thread outside the kernel, or of the wall for several.
-void report(benchmark::State& run, RowSystems const& systems, int threads, Spent const& spent,
+void report(benchmark::State& run, RowSystems const& systems, bool threaded, Spent const& spent,
             Counts const& counts, Counts const& before) {
-  double const seconds = threads > 1 ? spent.wall : spent.user;
+  double const seconds = threaded ? spent.wall : spent.user;
   auto const [pairs, prunings, builds, one_by_one, in_windows] = counts - before;
   double const strain = systems.strain_done();
   run.SetIterationTime(seconds);
@@ -42,7 +42,7 @@ void row_bench(benchmark::State& run, Row const& row, std::string const& engine,
       Spent const begin = spent_so_far();
       systems.run();
       Spent const spent = spent_so_far() - begin;
-      report(run, systems, row.threads, spent, systems.counts(), before);
+      report(run, systems, row.threads * row.side_by_side > 1, spent, systems.counts(), before);
     }
   } catch (std::exception const& error) {
     run.SkipWithError(error.what());
@@ -56,6 +56,7 @@ void register_rows(RowOptions const& options) {
     for (std::string const engine : engines) {
       std::string name = std::string(row.state) + '/' + engine;
       if (row.threads > 1) name += "/threads:" + std::to_string(row.threads);
+      if (row.side_by_side > 1) name += "/side_by_side:" + std::to_string(row.side_by_side);
       benchmark::RegisterBenchmark(name.c_str(), row_bench, row, engine, options)
           ->Iterations(1)
           ->UseManualTime()
