@@ -1,28 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <sys/resource.h>
-
-#include <chrono>
+#include <time.h>
 
 namespace bagnold::bench {
 
 /// Time that has gone by, [s].
 struct Spent {
-  double user;  ///< of all threads of this process, outside the kernel
+  double cpu;  ///< of all threads of this process
   double wall;
 
-  friend Spent operator-(Spent a, Spent b) { return {a.user - b.user, a.wall - b.wall}; }
+  friend Spent operator-(Spent a, Spent b) { return {a.cpu - b.cpu, a.wall - b.wall}; }
 };
 
-/// Since some moment in the past. On a machine shared with others `user` is the steadier.
+/// Since some moment in the past. On a machine shared with others `cpu` is the steadier. Not
+/// getrusage: how it divides this time into user's and system's is a guess from ticks.
 inline Spent spent_so_far() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  std::chrono::duration<double> const wall = std::chrono::steady_clock::now().time_since_epoch();
-  return {static_cast<double>(usage.ru_utime.tv_sec) +
-              1e-6 * static_cast<double>(usage.ru_utime.tv_usec),
-          wall.count()};
+  auto const seconds = [](clockid_t clock) {
+    timespec now{};
+    clock_gettime(clock, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+  };
+  return {seconds(CLOCK_PROCESS_CPUTIME_ID), seconds(CLOCK_MONOTONIC)};
 }
 
 }  // namespace bagnold::bench

@@ -25,7 +25,7 @@ def bagnold_info(program):
 
 def lammps_version(program):
     done = subprocess.run([program, "-h"], capture_output=True, text=True)
-    found = re.search(r"Simulator - (\d+ \w+ \d+)", done.stdout)
+    found = re.search(r"Simulator - (.+)", done.stdout)
     return f"LAMMPS {found[1]}" if found else "LAMMPS"
 
 
@@ -39,5 +39,5 @@ def preamble(program, lammps, rounds, quick, arguments):
     warning = "**Small systems and a thousandth of the strain: no measurement.** " if quick else ""
     return (f"{warning}{model()}, {os.cpu_count()} cores, {clock}; {info['compiler']}, Kokkos {info['Kokkos']}, "
             f"Bagnold {info['git']}, {lammps_version(lammps) if lammps else 'no LAMMPS'}. `{command}`: "
-            f"{len(rounds)} rounds, interleaved; median (least-most) over rounds, ratios within a round. "
-            "Time is that of one core outside the kernel, with threads that of the wall.")
+            f"rounds: {len(rounds)}, interleaved; median (least-most) over rounds, ratios within a round. "
+            "Time is CPU time of one core, with several threads that of the wall.")

@@ -35,7 +35,8 @@ def arguments():
                         help="of auto, reference, dense, contact-rich, windowed; the first is held against "
                              "the targets (default: %(default)s)")
     parser.add_argument("--lammps", default="lmp", metavar="PROGRAM", help="left out where there is none")
-    parser.add_argument("--build", default="build/openmp", metavar="DIR", help="use the programs there as they are")
+    parser.add_argument("--build", default=os.path.join(ROOT, "build/openmp"), metavar="DIR",
+                        help="use the programs there as they are")
     parser.add_argument("--into", metavar="FILE", help="write the table between the markers of this file")
     parser.add_argument("--list", action="store_true", help="the rows")
     options = parser.parse_args()
