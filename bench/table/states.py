@@ -98,8 +98,9 @@ def run(program, folder, state, quick, say):
     with open(path, "w") as out:
         out.write("".join(f"[{table}]\n" + "".join(f"{key} = {toml(value)}\n" for key, value in keys.items())
                           for table, keys in scene.items()))
-    subprocess.run([program, "run", path, "--out", os.path.join(folder, state.name), "--force", "--quiet"],
-                   check=True, stdout=subprocess.DEVNULL)
+    # One thread a system: two that share cores with others mostly wait for each other.
+    subprocess.run([program, "run", path, "--out", os.path.join(folder, state.name), "--force", "--quiet",
+                    "--threads", str(disks.get("replicas", 1))], check=True, stdout=subprocess.DEVNULL)
     os.remove(path)
 
 
