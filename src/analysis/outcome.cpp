@@ -9,6 +9,8 @@
 namespace bagnold::analysis {
 namespace {
 
+constexpr double rounding = 1e-12;  ///< relative: what did not change but for this has no spread
+
 double standard_deviation(std::vector<std::vector<double>> const& replicas, std::size_t parameter) {
   double sum = 0.0, squares = 0.0, count = 0.0;
   for (auto const& one : replicas)
@@ -17,7 +19,8 @@ double standard_deviation(std::vector<std::vector<double>> const& replicas, std:
   for (auto const& one : replicas)
     if (std::isfinite(one[parameter]))
       squares += (one[parameter] - sum / count) * (one[parameter] - sum / count);
-  return std::sqrt(squares / (count - 1.0));
+  double const deviation = std::sqrt(squares / (count - 1.0));
+  return deviation > rounding * std::abs(sum / count) ? deviation : 0.0;
 }
 
 Outcome carry_out(Task const& task, Request const& request) {

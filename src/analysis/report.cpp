@@ -19,7 +19,10 @@ std::string quoted(std::string const& text) {
 }
 
 void put_line(std::string& out, std::vector<std::string> const& cells) {
-  for (std::size_t k = 0; k < cells.size(); ++k) out += (k == 0 ? "" : ",") + quoted(cells[k]);
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    if (k != 0) out += ',';
+    out += quoted(cells[k]);
+  }
   out += '\n';
 }
 

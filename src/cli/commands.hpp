@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "src/analysis/request.hpp"
+
 namespace bagnold {
 
 /// On what a run runs; none of it changes its bits.
@@ -29,6 +31,14 @@ struct ResumeOptions {
   bool quiet = false;
 };
 
+struct AnalyseOptions {
+  std::string kind;
+  std::filesystem::path sweep;   ///< folder or sweep.h5
+  std::filesystem::path prefix;  ///< of the files written; "": the folder of the sweep and the kind
+  analysis::Request request;
+  bool quiet = false;
+};
+
 /// A line on stderr, quiet or not; nothing for no message.
 void warn(std::string const& message);
 
@@ -38,5 +48,9 @@ int run_command(RunOptions const& options);
 int resume_command(ResumeOptions const& options);
 int validate_command(RunOptions const& options);
 int info_command();
+int analyse_command(AnalyseOptions const& options);
+
+/// What --help says of the kinds of analysis.
+std::string analyse_kinds();
 
 }  // namespace bagnold

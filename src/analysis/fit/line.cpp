@@ -8,7 +8,6 @@
 #include <cmath>
 #include <optional>
 
-#include "src/analysis/fit/points.hpp"
 #include "src/config/errors.hpp"
 
 namespace bagnold::analysis {

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/analysis/fit/points.hpp"
 #include "src/config/errors.hpp"
 
 namespace bagnold::analysis {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "src/analysis/fit/covariance.hpp"
+#include "src/analysis/fit/points.hpp"
 
 namespace bagnold::analysis {
 

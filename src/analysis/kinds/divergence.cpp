@@ -18,9 +18,11 @@ constexpr auto phi_key = "disks.packing_fraction";
 struct Spot {
   double phi, error;
   Outcome const* outcome;
+  std::size_t parameter;  ///< the one that is the place
 
   double place(std::uint32_t replica) const {
-    return replica == 0 ? outcome->found.value[0] : outcome->replicas.at(replica - 1)[0];
+    return replica == 0 ? outcome->found.value[parameter]
+                        : outcome->replicas.at(replica - 1)[parameter];
   }
 };
 
@@ -43,6 +45,7 @@ std::vector<Outcome> find_places(SweepTable const& table, Request const& request
 /// Series of places against phi, a curve for each combination of the other labels.
 std::vector<Series> places_against_phi(std::vector<Outcome> const& outcomes,
                                        Request const& request) {
+  std::size_t const parameter = request.of == "crossover" ? crossover_place : 0;
   std::vector<std::pair<std::vector<Label>, std::vector<Spot>>> curves;
   std::size_t without = 0;
   for (auto const& one : outcomes) {
@@ -52,7 +55,8 @@ std::vector<Series> places_against_phi(std::vector<Outcome> const& outcomes,
       throw InputError("divergence: disks.packing_fraction does not differ between the curves; "
                        "vary it in the sweep");
     Spot const spot{std::strtod(phi->second.c_str(), nullptr),
-                    one.failure.empty() ? one.found.error[0] : unknown, &one};
+                    one.failure.empty() ? one.found.error[parameter] : unknown, &one,
+                    parameter};
     labels.erase(phi);
     auto curve = std::ranges::find(curves, labels, [](auto const& c) { return c.first; });
     if (curve == curves.end()) curve = curves.insert(curves.end(), {labels, {}});
