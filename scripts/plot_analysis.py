@@ -26,7 +26,7 @@ except ImportError as error:
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#E69F00", "#56B4E9", "#CC79A7", "#555555", "#B8A600")
 MARKERS = "osD^v<>ph*"
 GREY = "#777777"
-MOST_NAMED = 16  # more curves get colours from a map, and the first and last a name
+MOST_NAMED = 16  # of more curves the first and last have a name
 
 STYLE = {
     "font.size": 10, "axes.spines.top": False, "axes.spines.right": False, "axes.linewidth": 0.8,
@@ -97,7 +97,7 @@ def column(rows, key):
 
 def bars(values):
     """Lengths of error bars, None where there is none."""
-    return np.nan_to_num(values) if np.isfinite(values).any() else None
+    return np.nan_to_num(values) if (values > 0).any() else None
 
 
 def draw_curve(axes, rows, colour, marker, name):
@@ -120,17 +120,23 @@ def draw_curve(axes, rows, colour, marker, name):
 
 
 def keep_in_view(axes, rows):
-    """Limits from the points, not from lines or error bars that run far."""
+    """Limits from the points and their error bars, but from no bar longer than all points together."""
     data = [row for row in rows if row["what"] == "data"]
-    for name, key in (("x", "x"), ("y", "y")):
+    for name in ("x", "y"):
         log = rows[0][f"{name}_scale"] == "log"
-        values = column(data, key) if data else np.array([])
-        values = values[np.isfinite(values) & ((values > 0) | (not log))]
-        if not len(values):
+        values, errors = column(data, name), np.nan_to_num(column(data, f"{name}_error"))
+        good = np.isfinite(values) & ((values > 0) | (not log))
+        if not good.any():
             continue
+        values, errors = values[good], errors[good]
         scale, back = (np.log10, lambda v: 10.0**v) if log else ((lambda v: v), (lambda v: v))
         low, high = scale(values.min()), scale(values.max())
-        room = 0.07 * (high - low) or 0.1 * abs(high) or 0.1
+        width = high - low or 0.1 * abs(high) or 0.1
+        ends = np.concatenate([values - errors, values + errors])
+        ends = scale(ends[(ends > 0) | (not log)])
+        low = max(low - width, min(low, ends.min()))
+        high = min(high + width, max(high, ends.max()))
+        room = 0.06 * (high - low or width)
         getattr(axes, f"set_{name}lim")(back(low - room), back(high + room))
 
 
@@ -140,10 +146,10 @@ def draw_panel(axes, rows):
         if rows[0][f"{name}_scale"] == "log" and (values[np.isfinite(values)] > 0).any():
             getattr(axes, f"set_{name}scale")("log")
     names = list(dict.fromkeys(row["curve"] for row in rows))
-    many = len(names) > MOST_NAMED
+    many = len(names) > len(COLOURS)
     for i, name in enumerate(names):
-        colour = plt.cm.viridis(i / (len(names) - 1)) if many else COLOURS[i % len(COLOURS)]
-        shown = name and (not many or i in (0, len(names) - 1))
+        colour = plt.cm.viridis(0.92 * i / (len(names) - 1)) if many else COLOURS[i]
+        shown = name and (len(names) <= MOST_NAMED or i in (0, len(names) - 1))
         if name == "phi_J":
             colour = GREY
         draw_curve(axes, [row for row in rows if row["curve"] == name], colour,
