@@ -27,6 +27,7 @@ std::vector<Outcome> fit_all(std::vector<Series> const& series, ModelOf const& m
     auto const start = std::make_shared<std::vector<double>>();
     tasks.push_back({one.labels, [=, points_of = one.points](std::uint32_t replica) {
                        auto const points = points_of(replica);
+                       check_points(points, 2, "fit");  // a model takes its guesses from them
                        auto const curve = model(points);
                        auto const fitted = replica == 0 ? fit(curve, points, fixed)
                                                         : fit_from(curve, points, fixed, *start);

@@ -54,14 +54,14 @@ TEST(LevenbergMarquardt, FindsTheParametersOfExactPoints) {
   }
 }
 
-/// 400 noisy sets: pulls of mean 0 and variance 1, chi2 as many as degrees of freedom.
+/// 1000 noisy sets: pulls of mean 0 and variance 1, chi2 as many as degrees of freedom.
 TEST(LevenbergMarquardt, ErrorsAreRight) {
   std::mt19937_64 random(5);
   for (auto const& c : cases()) {
     SCOPED_TRACE(c.name);
     std::vector<Pulls> pulls(c.truth.size());
     double chi2 = 0.0, freedom = 0.0;
-    int const sets = 400;
+    int const sets = 1000;
     for (int set = 0; set < sets; ++set) {
       auto const points = sampled(c.x, c.curve, [&](double y) { return c.noise * y; }, &random);
       auto const found = fit(c.model(points), points, c.fixed);

@@ -45,7 +45,7 @@ TEST(Line, IntersectionAgainstMonteCarlo) {
 TEST(Line, TwoLinesMeetWhereTheDifferenceLeavesZero) {
   std::mt19937_64 random(9);
   Pulls pulls;
-  for (int set = 0; set < 400; ++set) {
+  for (int set = 0; set < 1000; ++set) {
     // a point on the corner itself would fit either line
     auto const points = sampled(
         evenly(4.5, 39.5, 18), [](double q) { return std::max(0.0, 100.0 * (20.0 - q)); },

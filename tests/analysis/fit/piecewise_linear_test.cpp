@@ -70,7 +70,7 @@ TEST(PiecewiseLinear, IsTheBestOfAll) {
 TEST(PiecewiseLinear, ErrorsAreRight) {
   std::mt19937_64 random(11);
   Pulls one, first, second;
-  for (int set = 0; set < 400; ++set) {
+  for (int set = 0; set < 1000; ++set) {
     auto const a = fit_piecewise_linear(
         sampled(evenly(0, 10, 22), one_kink, [](double) { return 0.4; }, &random), 1);
     one.add(a.value[3], 4.37, a.error[3]);
