@@ -140,9 +140,10 @@ std::vector<Curve> curves_of(SweepTable const& table, CurveChoice const& choice)
     std::ranges::stable_sort(curve.data, {}, where);
     auto const twice = std::ranges::adjacent_find(curve.data, {}, where);
     if (twice != curve.data.end())
-      throw InputError(fmt::format("two data at {} = {} of one curve; name the key in which they "
-                                   "differ with --by, or pick with --where",
-                                   choice.along, where(*twice)));
+      throw InputError(
+          fmt::format("two data at {} = {} of one curve; name the key in which they "
+                      "differ with --by, or pick with --where",
+                      choice.along, where(*twice)));
     for (auto& datum : curve.data)
       std::erase_if(datum.rows, [&](std::size_t row) { return table.failed(row); });
   }

@@ -33,10 +33,10 @@ struct CurveChoice {
   std::map<std::string, std::string> where;  ///< only points whose key has this value
 };
 
-/// All curves of a sweep. Curves differ in the keys `by`; by default these are the varied keys other
-/// than `along`, `apart`, disks.seed, and those whose value follows from that of `along` or of a key
-/// in `apart` (a strain chosen for each strain rate). Throws InputError: a key that was not varied, or two data at one place of
-/// a curve.
+/// All curves of a sweep. Curves differ in the keys `by`; by default these are the varied keys
+/// other than `along`, `apart`, disks.seed, and those whose value follows from that of `along` or
+/// of a key in `apart` (a strain chosen for each strain rate). Throws InputError: a key that was
+/// not varied, or two data at one place of a curve.
 std::vector<Curve> curves_of(SweepTable const& table, CurveChoice const& choice);
 
 /// Points that failed.

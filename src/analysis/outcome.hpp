@@ -33,8 +33,8 @@ struct Task {
 
 struct Outcome {
   std::vector<Label> labels;
-  Found found;          ///< empty where it failed
-  std::string failure;  ///< why nothing was found; empty: all is well
+  Found found;                                ///< empty where it failed
+  std::string failure;                        ///< why nothing was found; empty: all is well
   std::vector<std::vector<double>> replicas;  ///< [resamples][parameters], NaN where one failed
   std::vector<double> bootstrap;  ///< standard deviation over replicas, NaN if over half failed
 };

@@ -21,6 +21,14 @@ std::vector<double> at(std::vector<double> const& all, std::span<std::size_t con
   return out;
 }
 
+/// chi2 that is exceeded by chance once in a hundred, by the cube of a normal number (Wilson and
+/// Hilferty, Proc. Natl. Acad. Sci. 17, 684 (1931)): 1% low at one degree of freedom.
+double chance_limit(double freedom) {
+  constexpr double deviations = 2.3263;  // of a normal number, exceeded once in a hundred
+  double const variance = 2.0 / (9.0 * freedom);
+  return freedom * std::pow(1.0 - variance + deviations * std::sqrt(variance), 3);
+}
+
 Measured const& observable(SweepTable const& table, std::string const& name) {
   if (auto const found = table.observables.find(name); found != table.observables.end())
     return found->second;
@@ -48,7 +56,8 @@ Value merge_seeds(std::span<double const> means, std::span<double const> errors)
     if (std::isfinite(value)) scatter += (value - mean) * (value - mean);
   double const own = std::sqrt(squares) / n;
   double const among = count > 1 ? std::sqrt(scatter / (n * (n - 1.0))) : none;
-  return {mean, std::fmax(own, among)};  // fmax: the other one where one is NaN
+  bool const by_chance = (n - 1.0) * among * among <= chance_limit(n - 1.0) * own * own;
+  return {mean, by_chance || count == 1 ? own : among};  // NaN compares false
 }
 
 Quantity::Quantity(SweepTable const& table, std::string const& name, std::optional<double> phi_j)
@@ -82,8 +91,8 @@ double Quantity::resampled(std::span<std::size_t const> rows, Draw const& draw) 
   if (above_) return above_->resampled(rows, draw) / below_->resampled(rows, draw);
   if (rows.size() == 1) {
     auto const measured = of(rows);
-    return measured.mean + (std::isfinite(measured.error) ? measured.error : 0.0) *
-                               random_normal(draw, name_);
+    return measured.mean +
+           (std::isfinite(measured.error) ? measured.error : 0.0) * random_normal(draw, name_);
   }
   std::vector<std::size_t> drawn;
   for (std::uint32_t k = 0; k + 1 < rows.size(); ++k)

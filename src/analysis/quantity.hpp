@@ -16,11 +16,12 @@ struct Value {
   double mean, error;
 };
 
-/// The mean over n seeds, those that are NaN left out, and its error: the larger of what the seeds'
-/// own errors e_i tell, (sum e_i^2)^(1/2) / n, and what their scatter tells,
-/// [sum (x_i - mean)^2 / (n (n - 1))]^(1/2). The first is missing where a seed has no error, the
-/// second where there is one seed only. Taking the larger errs on the safe side (with correct e_i
-/// and two seeds by 18% on average): near a transition block errors are too small.
+/// The mean over n seeds, those that are NaN left out, and its error: what the seeds' own errors
+/// e_i tell, (sum e_i^2)^(1/2) / n. What their scatter tells, [sum (x_i - mean)^2 / (n (n -
+/// 1))]^(1/2), is taken instead where a seed has no error, and where the seeds differ by more than
+/// chance allows at 1% (chi2 with n - 1 degrees of freedom): near a transition block errors are too
+/// small. Taking always the larger one would give less weight to points that scatter by chance, and
+/// a fit's bootstrap would then be too small by a quarter with two seeds.
 Value merge_seeds(std::span<double const> means, std::span<double const> errors);
 
 /// A number that each datum of a sweep has: what goes on an axis. By name:

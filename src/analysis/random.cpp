@@ -22,7 +22,8 @@ Philox::ctr_type random_words(Draw const& draw, std::uint64_t purpose) {
 /// FNV-1a, with the highest bit set: no index has it.
 std::uint64_t hash_of(std::string_view text) {
   std::uint64_t hash = 14695981039346656037u;
-  for (char const letter : text) hash = (hash ^ static_cast<unsigned char>(letter)) * 1099511628211u;
+  for (char const letter : text)
+    hash = (hash ^ static_cast<unsigned char>(letter)) * 1099511628211u;
   return hash | (std::uint64_t{1} << 63);
 }
 
@@ -30,9 +31,13 @@ std::uint64_t hash_of(std::string_view text) {
 
 std::size_t random_index(Draw const& draw, std::uint32_t k, std::size_t count) {
   auto const words = random_words(draw, k);
-  auto const index = static_cast<std::size_t>(r123::u01<double>(words[0]) *
-                                              static_cast<double>(count));
+  auto const index =
+      static_cast<std::size_t>(r123::u01<double>(words[0]) * static_cast<double>(count));
   return index < count ? index : count - 1;
+}
+
+double random_offset(Draw const& draw, std::string_view purpose) {
+  return r123::u01<double>(random_words(draw, hash_of(purpose))[0]) - 0.5;
 }
 
 double random_normal(Draw const& draw, std::string_view purpose) {

@@ -16,6 +16,9 @@ struct Draw {
 /// An index below `count`, for the k-th of a datum's seeds.
 std::size_t random_index(Draw const& draw, std::uint32_t k, std::size_t count);
 
+/// A number spread evenly over -1/2 .. 1/2, of its own for each purpose.
+double random_offset(Draw const& draw, std::string_view purpose);
+
 /// A normal number of mean 0 and variance 1, of its own for each purpose (the name of a quantity).
 double random_normal(Draw const& draw, std::string_view purpose);
 

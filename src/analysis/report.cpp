@@ -14,7 +14,8 @@ namespace {
 std::string quoted(std::string const& text) {
   if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
   std::string out = "\"";
-  for (char const letter : text) out += letter == '"' ? std::string("\"\"") : std::string(1, letter);
+  for (char const letter : text)
+    out += letter == '"' ? std::string("\"\"") : std::string(1, letter);
   return out + "\"";
 }
 
@@ -53,9 +54,9 @@ std::string numeric_label(std::vector<Outcome> const& outcomes) {
 
 }  // namespace
 
-std::vector<std::string> const drawn_columns{"panel", "x_name", "y_name", "x_scale",
-                                             "y_scale", "curve", "what", "x",
-                                             "x_error", "y", "y_error"};
+std::vector<std::string> const drawn_columns{"panel",   "x_name", "y_name", "x_scale",
+                                             "y_scale", "curve",  "what",   "x",
+                                             "x_error", "y",      "y_error"};
 
 std::string cell(double value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
 
@@ -135,8 +136,8 @@ std::string caption(std::vector<Label> const& labels, std::string const& skip) {
   return out;
 }
 
-void draw_against_label(Report& report, std::vector<Outcome> const& outcomes,
-                        std::size_t parameter, std::string const& name, bool log_value) {
+void draw_against_label(Report& report, std::vector<Outcome> const& outcomes, std::size_t parameter,
+                        std::string const& name, bool log_value) {
   auto const label = numeric_label(outcomes);
   if (label.empty()) return;
   bool const log_label = label != "disks.packing_fraction";
@@ -159,21 +160,23 @@ void draw_against_label(Report& report, std::vector<Outcome> const& outcomes,
 
 void note_left_out(Report& report, SweepTable const& table, std::vector<Series> const& series) {
   if (auto const failed = count_failed(table))
-    report.notes.push_back(fmt::format("{} of {} points failed and are left out", failed,
-                                       table.points));
+    report.notes.push_back(
+        fmt::format("{} of {} points failed and are left out", failed, table.points));
   std::size_t left_out = 0, unweighted = 0;
   for (auto const& one : series) {
     left_out += one.left_out;
     unweighted += !one.points(0).weighted();
   }
   if (left_out)
-    report.notes.push_back(fmt::format("{} data have no value or no error and are left out (a datum "
-                                       "is one or several seeds)",
-                                       left_out));
+    report.notes.push_back(
+        fmt::format("{} data have no value or no error and are left out (a datum "
+                    "is one or several seeds)",
+                    left_out));
   if (unweighted)
-    report.notes.push_back(fmt::format("{} of {} curves have no errors: their points weigh the same, "
-                                       "and errors of what is fitted come from the scatter",
-                                       unweighted, series.size()));
+    report.notes.push_back(
+        fmt::format("{} of {} curves have no errors: their points weigh the same, "
+                    "and errors of what is fitted come from the scatter",
+                    unweighted, series.size()));
 }
 
 }  // namespace bagnold::analysis

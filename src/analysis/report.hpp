@@ -9,7 +9,8 @@
 
 namespace bagnold::analysis {
 
-/// A table of texts; numbers in the shortest form that reads back to the same double, empty for NaN.
+/// A table of texts; numbers in the shortest form that reads back to the same double, empty for
+/// NaN.
 struct Rows {
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;
@@ -59,8 +60,8 @@ std::string symbol(std::string const& name);
 
 /// Draws one parameter against the only label that all outcomes have as a number and that differs,
 /// phi always to the right. Nothing where there is none.
-void draw_against_label(Report& report, std::vector<Outcome> const& outcomes,
-                        std::size_t parameter, std::string const& name, bool log_value);
+void draw_against_label(Report& report, std::vector<Outcome> const& outcomes, std::size_t parameter,
+                        std::string const& name, bool log_value);
 
 /// Notes on data left out.
 void note_left_out(Report& report, SweepTable const& table, std::vector<Series> const& series);

@@ -23,15 +23,15 @@ struct Request {
   Fixed fixed;                                     ///< other parameters
   bool log_x = false, log_y = false;               ///< kinks, transitions: lines in these axes
   std::size_t kinks = 1;
-  std::string direction = "both";         ///< jump: up, down, both
-  double least_factor = 2.0;              ///< jump
-  std::vector<double> rates;              ///< transition: two; empty: the smallest two
-  std::optional<double> split;            ///< transition
-  std::string of = "crossover";           ///< divergence: crossover, jump, transition, value
-  std::optional<double> pressure;         ///< constant-pressure, [m/tau_e^2]
-  std::size_t window = 3;                 ///< exponents: points a local slope is taken over
-  std::uint32_t resamples = 400;          ///< of the bootstrap; 0: none
-  std::uint64_t seed = 1;                 ///< of the bootstrap
+  std::string direction = "both";  ///< jump: up, down, both
+  double least_factor = 2.0;       ///< jump
+  std::vector<double> rates;       ///< transition: two; empty: the smallest two
+  std::optional<double> split;     ///< transition
+  std::string of = "crossover";    ///< divergence: crossover, jump, transition, value
+  std::optional<double> pressure;  ///< constant-pressure, [m/tau_e^2]
+  std::size_t window = 3;          ///< exponents: points a local slope is taken over
+  std::uint32_t resamples = 400;   ///< of the bootstrap; 0: none
+  std::uint64_t seed = 1;          ///< of the bootstrap
 };
 
 }  // namespace bagnold::analysis

@@ -74,8 +74,8 @@ class Builder {
         m.x = x_->resampled(m.place.first.rows, first);
         m.y = y_->resampled(m.place.first.rows, first);
         if (m.place.second)
-          m.y -= y_->resampled(m.place.second->rows,
-                               {request_.seed, replica, m.place.second->number});
+          m.y -=
+              y_->resampled(m.place.second->rows, {request_.seed, replica, m.place.second->number});
       }
       std::ranges::stable_sort(all, {}, &Measurement::x);
     }

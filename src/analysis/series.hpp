@@ -14,9 +14,9 @@ namespace bagnold::analysis {
 /// A curve as points to fit, in order of x.
 struct Series {
   std::vector<Label> labels;
-  std::vector<double> x_error;                         ///< of the measured points
+  std::vector<double> x_error;                          ///< of the measured points
   std::function<Points(std::uint32_t replica)> points;  ///< 0: as measured; else resampled
-  std::size_t left_out = 0;                            ///< data without a value, or without an error
+  std::size_t left_out = 0;  ///< data without a value, or without an error
 };
 
 /// y against x for every curve of the sweep. Data without x or y (failed, undefined) are left out;

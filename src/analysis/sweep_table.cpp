@@ -23,8 +23,8 @@ constexpr std::string_view scene_name = "scene";
 std::size_t count_points(io::Hdf5Reader const& file, std::string const& first) {
   auto const shape = file.shape(first);
   if (shape.size() != 1 || shape.front() == 0)
-    throw InputError(fmt::format("{} of the sweep table holds no row of values; run the sweep first",
-                                 first));
+    throw InputError(
+        fmt::format("{} of the sweep table holds no row of values; run the sweep first", first));
   return shape.front();
 }
 
@@ -86,8 +86,9 @@ std::vector<double> SweepTable::numbers(std::string const& key) const {
   }
   std::vector<double> out;
   for (std::size_t point = 0; point < scenes.size(); ++point) {
-    auto const scene = parse_scene(scenes[point], fmt::format("{}, scene of point {}", origin, point),
-                                   std::filesystem::path(origin).parent_path());
+    auto const scene =
+        parse_scene(scenes[point], fmt::format("{}, scene of point {}", origin, point),
+                    std::filesystem::path(origin).parent_path());
     auto const value = number_of(scene, key);
     if (!value) break;
     out.push_back(*value);

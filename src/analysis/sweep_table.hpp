@@ -38,7 +38,8 @@ struct SweepTable {
   std::vector<double> numbers(std::string const& key) const;
 };
 
-/// Reads `sweep.h5`, or that file in a folder: `/points/KEY` [P] (numbers or texts of fixed length),
+/// Reads `sweep.h5`, or that file in a folder: `/points/KEY` [P] (numbers or texts of fixed
+/// length),
 /// `/points/scene` [P], `/observables/NAME` and `/observables/NAME_error` [P]. Files come from
 /// anywhere: Hdf5Reader refuses what is not plain. Throws InputError, naming the file.
 SweepTable read_sweep_table(std::filesystem::path const& path);

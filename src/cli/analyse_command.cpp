@@ -41,7 +41,8 @@ void print_rows(Rows const& rows) {
   std::vector<std::size_t> width;
   for (auto const& name : rows.columns) width.push_back(name.size());
   for (auto const& row : rows.rows)
-    for (std::size_t k = 0; k < row.size(); ++k) width[k] = std::max(width[k], shown(row[k]).size());
+    for (std::size_t k = 0; k < row.size(); ++k)
+      width[k] = std::max(width[k], shown(row[k]).size());
   auto const print = [&](std::vector<std::string> const& row, bool is_head) {
     for (std::size_t k = 0; k < row.size(); ++k)
       fmt::print("{:<{}}{}", is_head ? row[k] : shown(row[k]), width[k],
@@ -60,8 +61,9 @@ std::string analyse_kinds() {
     if (!kind.source.empty()) out += fmt::format("  {:<18} {}\n", "", kind.source);
     out += fmt::format("  {:<18} {}\n", "", kind.options);
   }
-  return out + "Written: PREFIX.csv (what was found), PREFIX.drawn.csv (what the picture shows), "
-               "PREFIX.png.\nUnits: length d_s, time tau_e; stresses in m/tau_e^2.";
+  return out +
+         "Written: PREFIX.csv (what was found), PREFIX.drawn.csv (what the picture shows), "
+         "PREFIX.png.\nUnits: length d_s, time tau_e; stresses in m/tau_e^2.";
 }
 
 int analyse_command(AnalyseOptions const& options) {

@@ -30,7 +30,8 @@ TEST(Curves, AKeyThatFollowsIsNoLabel) {
   auto const along_rate = curves_of(small_table(), {"shear.strain_rate", {}, {}, {}});
   ASSERT_EQ(along_rate.size(), 2u);
   EXPECT_EQ(along_rate[0].labels, std::vector<Label>({{phi_key, "0.7"}}));
-  auto const apart = curves_of(small_table(), {phi_key, {}, {"shear.strain_rate"}, {{"shear.strain_rate", "1e-5"}}});
+  auto const apart = curves_of(
+      small_table(), {phi_key, {}, {"shear.strain_rate"}, {{"shear.strain_rate", "1e-5"}}});
   ASSERT_EQ(apart.size(), 1u);
   EXPECT_TRUE(apart[0].labels.empty());
 }

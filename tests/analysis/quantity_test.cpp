@@ -11,13 +11,17 @@
 namespace bagnold::analysis {
 namespace {
 
-TEST(Quantity, SeedsAreMergedWithTheLargerError) {
+TEST(Quantity, SeedsAreMerged) {
   std::vector<double> const means{1, 2, 3, nothing}, small{0.1, 0.1, 0.1, nothing},
       large{3, 3, 3, 3}, unknown{nothing, 0.1, 0.1, 0.1};
   EXPECT_DOUBLE_EQ(merge_seeds(means, small).mean, 2.0);
-  EXPECT_DOUBLE_EQ(merge_seeds(means, small).error, std::sqrt(2.0 / 6.0));  // scatter
+  EXPECT_DOUBLE_EQ(merge_seeds(means, small).error, std::sqrt(2.0 / 6.0));   // scatter
   EXPECT_DOUBLE_EQ(merge_seeds(means, large).error, std::sqrt(27.0) / 3.0);  // their own
   EXPECT_DOUBLE_EQ(merge_seeds(means, unknown).error, std::sqrt(2.0 / 6.0));
+  // chi2 at 1% is 6.63 for two seeds: a difference of sqrt(2 6.63) = 3.64 errors
+  std::vector<double> const near{0, 3.5}, far{0, 3.8}, unit{1, 1};
+  EXPECT_DOUBLE_EQ(merge_seeds(near, unit).error, std::sqrt(0.5));
+  EXPECT_DOUBLE_EQ(merge_seeds(far, unit).error, 1.9);
   std::vector<double> const one{5}, no_error{nothing}, none{nothing};
   EXPECT_TRUE(std::isnan(merge_seeds(one, no_error).error));
   EXPECT_TRUE(std::isnan(merge_seeds(none, none).mean));

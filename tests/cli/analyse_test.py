@@ -80,6 +80,28 @@ class AnalyseTest(CliTest):
         (row,) = self.analyse("divergence")
         self.near(row, "phi_J", PHI_J)
 
+    def test_divergence_of_drops(self):
+        """P2 Figs. 1 and 3: P_el ~ 1/Q, a drop at Q_c(phi), then P_el ~ Q."""
+        points = grid(disks__packing_fraction=[0.70, 0.76, 0.79, 0.80, 0.81, 0.82, 0.83],
+                      disks__elasticity=list(np.geomspace(2, 100, 120)))
+        phi, q = points["disks.packing_fraction"], points["disks.elasticity"]
+        q_c = q_star(phi, 1.2, 0.3, 0.8433, 1.1)
+        self.sweep(points, 0.02, p_el=np.where(q < q_c, 1e-5 / q, 1e-8 * q))
+        (row,) = self.analyse("divergence", "--of", "jump", "--phi-j", 0.8433)
+        self.near(row, "x", 1.1)
+        self.near(row, "Q0", 1.2)
+        self.assertLess(float(row["x_error"]), 0.15)
+        ratio = float(row["x_bootstrap"]) / float(row["x_error"])
+        self.assertLess(abs(math.log(ratio)), math.log(1.5))
+
+    def test_divergence_of_a_quantity(self):
+        points = grid(disks__packing_fraction=list(np.linspace(0.70, 0.835, 12)))
+        phi = points["disks.packing_fraction"]
+        self.sweep(points, 0.01, B_p=q_star(phi, 0.0, 0.02, PHI_J, 3.0))
+        (row,) = self.analyse("divergence", "--of", "value", "--y", "B_p", "--fix", "Q0=0",
+                              "--phi-j", PHI_J)
+        self.near(row, "x", 3.0)
+
     def test_friction_law(self):
         points = grid(disks__packing_fraction=list(np.linspace(0.70, 0.84, 14)), disks__seed=[1, 2])
         inertial = 0.5 * (PHI_J - points["disks.packing_fraction"]) ** 1.5

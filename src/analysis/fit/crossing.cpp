@@ -23,8 +23,8 @@ std::optional<Interpolated> where_level(Points const& points, double level) {
     if (before == after) continue;
     double const share = before / (before - after);
     double const width = points.x[i + 1] - points.x[i];
-    return Interpolated{points.x[i] + share * width, interpolation_error(points, i, share) * width /
-                                                         std::abs(after - before)};
+    return Interpolated{points.x[i] + share * width,
+                        interpolation_error(points, i, share) * width / std::abs(after - before)};
   }
   return std::nullopt;
 }
@@ -34,8 +34,8 @@ std::optional<Interpolated> at_place(Points const& points, double x, double x_er
     if (!(x >= points.x[i] && x <= points.x[i + 1])) continue;
     double const width = points.x[i + 1] - points.x[i], rise = points.y[i + 1] - points.y[i];
     double const share = (x - points.x[i]) / width;
-    return Interpolated{points.y[i] + share * rise, std::hypot(interpolation_error(points, i, share),
-                                                               x_error * rise / width)};
+    return Interpolated{points.y[i] + share * rise,
+                        std::hypot(interpolation_error(points, i, share), x_error * rise / width)};
   }
   return std::nullopt;
 }

@@ -11,8 +11,8 @@ namespace {
 bool is_clear(Points const& points, std::size_t low, std::size_t high, double change) {
   constexpr double clear = 3.0;
   if (!points.weighted()) return true;
-  return change > clear * std::hypot(points.error[low] / points.y[low],
-                                     points.error[high] / points.y[high]);
+  return change >
+         clear * std::hypot(points.error[low] / points.y[low], points.error[high] / points.y[high]);
 }
 
 }  // namespace
@@ -35,8 +35,7 @@ std::optional<Jump> find_jump(Points const& points, Direction direction, double 
   std::size_t high = low + 1;
   while (low > 0 && steepness(low - 1) >= half) --low;
   while (high + 1 < points.size() && steepness(high) >= half) ++high;
-  if (change(low, high) < std::log(least_factor) ||
-      !is_clear(points, low, high, change(low, high)))
+  if (change(low, high) < std::log(least_factor) || !is_clear(points, low, high, change(low, high)))
     return std::nullopt;
 
   double const middle = (log_y[low] + log_y[high]) / 2.0;

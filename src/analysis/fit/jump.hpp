@@ -9,15 +9,15 @@ namespace bagnold::analysis {
 
 /// A sharp change of y by a factor, within few points.
 struct Jump {
-  double x, error;     ///< middle of the jump; (spacing of the points there) / 12^(1/2)
+  double x, error;       ///< middle of the jump; (spacing of the points there) / 12^(1/2)
   double before, after;  ///< y at its ends
 };
 
 enum class Direction { up, down };
 
-/// The largest jump of ln y in one direction, from `points` in order of x with y above 0: P2 Fig. 24
-/// (R_v jumps up at phi_B and down at phi_N), P2 Fig. 1 (the drop of P_el at Q_c, whose middle is
-/// taken: P2 Sec. III A 2).
+/// The largest jump of ln y in one direction, from `points` in order of x with y above 0: P2 Fig.
+/// 24 (R_v jumps up at phi_B and down at phi_N), P2 Fig. 1 (the drop of P_el at Q_c, whose middle
+/// is taken: P2 Sec. III A 2).
 ///
 /// The steepest interval is widened on both sides while ln y changes on at least half as steeply;
 /// the middle is where ln y, interpolated, is half-way between its ends. None if y changes by less

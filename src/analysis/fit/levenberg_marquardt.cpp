@@ -87,8 +87,7 @@ void check_fixed(Model const& model, Fixed const& fixed) {
       throw InputError(fmt::format("--fix {} = {} (no parameter of the {} has that name)", name,
                                    value, model.name));
     if (!std::isfinite(value) || value <= found->above)
-      throw InputError(
-          fmt::format("--fix {} = {} (must lie above {})", name, value, found->above));
+      throw InputError(fmt::format("--fix {} = {} (must lie above {})", name, value, found->above));
   }
 }
 
@@ -168,8 +167,8 @@ Fit fit_from(Model const& model, Points const& points, Fixed const& fixed, Value
     search.parameters.maxfev = 1000;
     auto const status = search.minimize(inside);
     if (status <= 0 || status == Eigen::LevenbergMarquardtSpace::TooManyFunctionEvaluation)
-      throw InputError(fmt::format("{} fit: no convergence; fix parameters (--fix), or add points",
-                                   model.name));
+      throw InputError(
+          fmt::format("{} fit: no convergence; fix parameters (--fix), or add points", model.name));
   }
   Fit out;
   out.value = residuals.parameters(inside);

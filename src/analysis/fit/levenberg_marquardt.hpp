@@ -12,10 +12,10 @@ namespace bagnold::analysis {
 /// Values of parameters that are not fitted.
 using Fixed = std::map<std::string, double>;
 
-/// Least squares, each point weighed by 1 / error^2, by Levenberg's and Marquardt's method (MINPACK,
-/// as Eigen has it). It starts from the three best combinations of the parameters' guesses, the
-/// linear ones solved for each, and keeps the best end. Parameters with a lower bound are fitted as
-/// ln(value - bound). Errors are those of the covariance (J^T W J)^-1 at the end.
+/// Least squares, each point weighed by 1 / error^2, by Levenberg's and Marquardt's method
+/// (MINPACK, as Eigen has it). It starts from the three best combinations of the parameters'
+/// guesses, the linear ones solved for each, and keeps the best end. Parameters with a lower bound
+/// are fitted as ln(value - bound). Errors are those of the covariance (J^T W J)^-1 at the end.
 ///
 /// Throws InputError: fewer points than free parameters, points that check_points refuses, a name
 /// in `fixed` that the model has not or a value at or below its bound, or no convergence.

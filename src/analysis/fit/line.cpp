@@ -52,8 +52,8 @@ TwoLines fit_two_lines(Points const& points, double const* at) {
   std::size_t const fewest = n >= 6 ? 3 : 2;
   std::size_t first = fewest, last = n - fewest;
   if (at != nullptr) {
-    first = last = static_cast<std::size_t>(std::ranges::upper_bound(points.x, *at) -
-                                            points.x.begin());
+    first = last =
+        static_cast<std::size_t>(std::ranges::upper_bound(points.x, *at) - points.x.begin());
     if (first < 2 || n - first < 2)
       throw InputError(fmt::format("--split {} leaves a line with fewer than 2 points", *at));
   }
@@ -65,7 +65,8 @@ TwoLines fit_two_lines(Points const& points, double const* at) {
   }
   best->meeting = intersection(best->first, best->second);
   if (!std::isfinite(best->meeting.x))
-    throw InputError("two lines: they are parallel and do not meet; narrow --range or give --split");
+    throw InputError(
+        "two lines: they are parallel and do not meet; narrow --range or give --split");
   return *best;
 }
 

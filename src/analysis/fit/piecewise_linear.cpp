@@ -121,9 +121,10 @@ Fit fit_piecewise_linear(Points const& points, std::size_t breaks) {
   check_points(points, 2 + 2 * breaks, "piecewise linear fit");
   for (std::size_t i = 1; i < points.size(); ++i)
     if (!(points.x[i] > points.x[i - 1]))
-      throw InputError(fmt::format("piecewise linear fit: two points at x = {}; tell them apart "
-                                   "with --by",
-                                   points.x[i]));
+      throw InputError(
+          fmt::format("piecewise linear fit: two points at x = {}; tell them apart "
+                      "with --by",
+                      points.x[i]));
   Search search(points);
   std::vector<Place> places;
   search.place(places, breaks);

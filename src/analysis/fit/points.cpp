@@ -13,9 +13,10 @@ namespace bagnold::analysis {
 void check_points(Points const& points, std::size_t fewest, std::string_view what) {
   auto const n = points.size();
   if (n < fewest)
-    throw InputError(fmt::format("{}: {} points (must be at least {}); add points to the sweep, or "
-                                 "fix parameters",
-                                 what, n, fewest));
+    throw InputError(
+        fmt::format("{}: {} points (must be at least {}); add points to the sweep, or "
+                    "fix parameters",
+                    what, n, fewest));
   if (points.y.size() != n || (points.weighted() && points.error.size() != n))
     throw std::logic_error("points: x, y and error differ in length");
   auto const finite = [](double value) { return std::isfinite(value); };
@@ -32,8 +33,8 @@ Points with_logarithms(Points const& points, bool log_x, bool log_y) {
   Points out = points;
   auto const logarithm = [](double& value, char const* axis) {
     if (!(value > 0.0))
-      throw InputError(fmt::format("{} = {} has no logarithm; leave --log-{} out, or narrow --range",
-                                   axis, value, axis));
+      throw InputError(fmt::format(
+          "{} = {} has no logarithm; leave --log-{} out, or narrow --range", axis, value, axis));
     value = std::log(value);
   };
   if (log_x)

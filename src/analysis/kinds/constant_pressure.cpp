@@ -17,8 +17,7 @@ constexpr auto rate_key = "shear.strain_rate";
 Found at_pressure(Points const& pressure, Points const& other, double wanted, bool log_x) {
   check_points(pressure, 2, "constant pressure");
   auto const place = where_level(with_logarithms(pressure, log_x, true), std::log(wanted));
-  if (!place)
-    throw InputError(fmt::format("p = {} lies outside this curve; add points", wanted));
+  if (!place) throw InputError(fmt::format("p = {} lies outside this curve; add points", wanted));
   double const x = log_x ? std::exp(place->value) : place->value;
   auto const y = at_place(with_logarithms(other, log_x, false), place->value, place->error);
   Found out{{x, y ? y->value : unknown},

@@ -35,8 +35,8 @@ std::vector<Outcome> find_places(SweepTable const& table, Request const& request
   if (request.of == "crossover") return find_crossovers(table, first, series);
   if (request.of == "transition") return find_transitions(table, first, series);
   if (request.of != "jump")
-    throw InputError(fmt::format("--of {} (must be crossover, jump, transition or value)",
-                                 request.of));
+    throw InputError(
+        fmt::format("--of {} (must be crossover, jump, transition or value)", request.of));
   if (request.y.empty()) first.y = "p_el";
   if (request.direction == "both") first.direction = "down";
   return find_jumps(table, first, series);
@@ -52,11 +52,11 @@ std::vector<Series> places_against_phi(std::vector<Outcome> const& outcomes,
     auto labels = one.labels;
     auto const phi = std::ranges::find(labels, std::string(phi_key), &Label::first);
     if (phi == labels.end())
-      throw InputError("divergence: disks.packing_fraction does not differ between the curves; "
-                       "vary it in the sweep");
+      throw InputError(
+          "divergence: disks.packing_fraction does not differ between the curves; "
+          "vary it in the sweep");
     Spot const spot{std::strtod(phi->second.c_str(), nullptr),
-                    one.failure.empty() ? one.found.error[parameter] : unknown, &one,
-                    parameter};
+                    one.failure.empty() ? one.found.error[parameter] : unknown, &one, parameter};
     labels.erase(phi);
     auto curve = std::ranges::find(curves, labels, [](auto const& c) { return c.first; });
     if (curve == curves.end()) curve = curves.insert(curves.end(), {labels, {}});
@@ -107,7 +107,10 @@ Report divergence(SweepTable const& table, Request const& request) {
   auto const outcomes = fit_all(series, divergence_model, fixed, false, request);
   report.results = tabulate(outcomes, {"Q0", "c", "phi_J", "x"});
   note_left_out(report, of_value ? table : SweepTable{}, series);
-  Panel panel(report, phi_key, of_value ? request.y : request.of == "crossover" ? "Q_star" : "Q_c",
+  Panel panel(report, phi_key,
+              of_value                    ? request.y
+              : request.of == "crossover" ? "Q_star"
+                                          : "Q_c",
               false, true);
   for (std::size_t k = 0; k < series.size(); ++k) {
     auto const curve = caption(series[k].labels);

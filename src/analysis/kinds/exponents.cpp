@@ -18,11 +18,14 @@ Found slope(Points const& measured, std::size_t first, std::size_t last) {
   auto const line = fit_line(points);
   double middle = 0.0;
   for (double const x : points.x) middle += x / static_cast<double>(points.size());
-  Found out{{std::exp(middle), line.value[1]}, {0.0, line.error[1]}, line.chi2, line.freedom,
+  Found out{{std::exp(middle), line.value[1]},
+            {0.0, line.error[1]},
+            line.chi2,
+            line.freedom,
             points.size()};
-  out.lines.push_back(sample_line(
-      std::exp(points.x.front()), std::exp(points.x.back()), true,
-      [&](double x) { return std::exp(line.value[0] + line.value[1] * std::log(x)); }));
+  out.lines.push_back(
+      sample_line(std::exp(points.x.front()), std::exp(points.x.back()), true,
+                  [&](double x) { return std::exp(line.value[0] + line.value[1] * std::log(x)); }));
   return out;
 }
 

@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "src/analysis/kinds/kinds.hpp"
+#include "src/analysis/random.hpp"
 #include "src/config/errors.hpp"
 
 namespace bagnold::analysis {
@@ -16,14 +19,19 @@ std::vector<Direction> directions_of(Request const& request) {
   throw InputError(fmt::format("--direction {} (must be up, down or both)", request.direction));
 }
 
-/// value = {place, factor} for each direction; NaN where there is no jump.
-Found jumps_of(Points const& points, Request const& request) {
+/// value = {place, factor} for each direction; NaN where there is no jump. Where points are
+/// resampled the place is drawn from where it may lie between two of them: resampling alone does
+/// not move it.
+Found jumps_of(Points const& points, Request const& request, Draw const& draw) {
   Found out;
   out.points = points.size();
   for (auto const direction : directions_of(request)) {
-    auto const found = find_jump(points, direction, request.least_factor);
-    out.value.insert(out.value.end(), {found ? found->x : unknown,
-                                       found ? found->after / found->before : unknown});
+    auto found = find_jump(points, direction, request.least_factor);
+    if (found && draw.replica != 0)
+      found->x += std::sqrt(12.0) * found->error *
+                  random_offset(draw, direction == Direction::up ? "up" : "down");
+    out.value.insert(out.value.end(),
+                     {found ? found->x : unknown, found ? found->after / found->before : unknown});
     out.error.insert(out.error.end(), {found ? found->error : unknown, unknown});
   }
   return out;
@@ -38,10 +46,11 @@ std::vector<Outcome> find_jumps(SweepTable const& table, Request const& request,
   directions_of(request);
   series = make_series(table, request, own_x(request), or_else(request.y, "R_v"));
   std::vector<Task> tasks;
-  for (auto const& one : series)
-    tasks.push_back({one.labels, [=, points = one.points](std::uint32_t replica) {
-                       return jumps_of(points(replica), request);
-                     }});
+  for (std::uint32_t curve = 0; curve < series.size(); ++curve)
+    tasks.push_back(
+        {series[curve].labels, [=, points = series[curve].points](std::uint32_t replica) {
+           return jumps_of(points(replica), request, {request.seed, replica, curve});
+         }});
   return carry_out(tasks, request);
 }
 
@@ -52,8 +61,7 @@ Report jump(SweepTable const& table, Request const& request) {
   std::vector<std::string> names;
   for (auto const direction : directions_of(request)) {
     auto const ending = direction == Direction::up ? "_up" : "_down";
-    names.insert(names.end(),
-                 {symbol(own_x(request)) + ending, std::string("factor") + ending});
+    names.insert(names.end(), {symbol(own_x(request)) + ending, std::string("factor") + ending});
   }
   report.results = tabulate(outcomes, names);
   note_left_out(report, table, series);

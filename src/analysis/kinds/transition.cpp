@@ -30,8 +30,8 @@ Found meet(Points const& measured, Request const& request) {
   auto const add = [&](Fit const& fit, double low, double high) {
     low = std::min(low, lines.meeting.x - beyond);
     high = std::max(high, lines.meeting.x + beyond);
-    auto line = sample_line(low, high, false,
-                            [&](double x) { return fit.value[0] + fit.value[1] * x; });
+    auto line =
+        sample_line(low, high, false, [&](double x) { return fit.value[0] + fit.value[1] * x; });
     for (double& x : line.x) x = back(x, request.log_x);
     for (double& y : line.y) y = back(y, request.log_y);
     out.lines.push_back(std::move(line));

@@ -27,16 +27,41 @@ std::vector<Case> cases() {
   auto const friction = [](Points const&) { return friction_law_model(); };
   auto const numbers = geometric(1e-4, 1e-1, 16);
   return {
-      {"crossover", crossover_model, crossover, geometric(0.1, 500, 20), {40, 7.35, 3, 1.3}, {},
+      {"crossover",
+       crossover_model,
+       crossover,
+       geometric(0.1, 500, 20),
+       {40, 7.35, 3, 1.3},
+       {},
        0.02},
-      {"crossover, s fixed", crossover_model, crossover, geometric(0.1, 500, 20),
-       {40, 7.35, 3, 1.3}, {{"s", 3.0}}, 0.02},
-      {"divergence", divergence_model, divergence, phi, {1.89, 0.05, 0.84335, 1.65},
-       {{"phi_J", 0.84335}}, 0.01},
-      {"divergence, phi_J free", divergence_model, divergence, phi, {1.89, 0.05, 0.84335, 1.65}, {},
+      {"crossover, s fixed",
+       crossover_model,
+       crossover,
+       geometric(0.1, 500, 20),
+       {40, 7.35, 3, 1.3},
+       {{"s", 3.0}},
+       0.02},
+      {"divergence",
+       divergence_model,
+       divergence,
+       phi,
+       {1.89, 0.05, 0.84335, 1.65},
+       {{"phi_J", 0.84335}},
+       0.01},
+      {"divergence, phi_J free",
+       divergence_model,
+       divergence,
+       phi,
+       {1.89, 0.05, 0.84335, 1.65},
+       {},
        0.003},
       {"friction law", friction, law, numbers, {0.093, 0.6, 0.46}, {}, 0.005},
-      {"friction law, mu_J fixed", friction, law, numbers, {0.093, 0.6, 0.46}, {{"mu_J", 0.093}},
+      {"friction law, mu_J fixed",
+       friction,
+       law,
+       numbers,
+       {0.093, 0.6, 0.46},
+       {{"mu_J", 0.093}},
        0.01},
   };
 }
@@ -44,8 +69,8 @@ std::vector<Case> cases() {
 TEST(LevenbergMarquardt, FindsTheParametersOfExactPoints) {
   for (auto const& c : cases()) {
     SCOPED_TRACE(c.name);
-    auto const points =
-        sampled(c.x, c.curve, [](double y) { return 1e-3 * y; }, nullptr);
+    auto const points = sampled(
+        c.x, c.curve, [](double y) { return 1e-3 * y; }, nullptr);
     auto const found = fit(c.model(points), points, c.fixed);
     for (std::size_t k = 0; k < c.truth.size(); ++k)
       EXPECT_NEAR(found.value[k], c.truth[k], 1e-5 * c.truth[k]) << k;
@@ -63,7 +88,8 @@ TEST(LevenbergMarquardt, ErrorsAreRight) {
     double chi2 = 0.0, freedom = 0.0;
     int const sets = 1000;
     for (int set = 0; set < sets; ++set) {
-      auto const points = sampled(c.x, c.curve, [&](double y) { return c.noise * y; }, &random);
+      auto const points = sampled(
+          c.x, c.curve, [&](double y) { return c.noise * y; }, &random);
       auto const found = fit(c.model(points), points, c.fixed);
       chi2 += found.chi2 / sets;
       freedom = static_cast<double>(found.freedom);

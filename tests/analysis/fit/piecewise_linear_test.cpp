@@ -71,11 +71,15 @@ TEST(PiecewiseLinear, ErrorsAreRight) {
   std::mt19937_64 random(11);
   Pulls one, first, second;
   for (int set = 0; set < 1000; ++set) {
-    auto const a = fit_piecewise_linear(
-        sampled(evenly(0, 10, 22), one_kink, [](double) { return 0.4; }, &random), 1);
+    auto const a =
+        fit_piecewise_linear(sampled(
+                                 evenly(0, 10, 22), one_kink, [](double) { return 0.4; }, &random),
+                             1);
     one.add(a.value[3], 4.37, a.error[3]);
     auto const b = fit_piecewise_linear(
-        sampled(evenly(0.77, 0.82, 26), two_kinks, [](double) { return 0.05; }, &random), 2);
+        sampled(
+            evenly(0.77, 0.82, 26), two_kinks, [](double) { return 0.05; }, &random),
+        2);
     first.add(b.value[3], 0.7923, b.error[3]);
     second.add(b.value[5], 0.8061, b.error[5]);
   }
