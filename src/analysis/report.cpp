@@ -3,98 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <cstdlib>
-#include <optional>
-#include <set>
-
 namespace bagnold::analysis {
-namespace {
-
-std::string quoted(std::string const& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string out = "\"";
-  for (char const letter : text)
-    out += letter == '"' ? std::string("\"\"") : std::string(1, letter);
-  return out + "\"";
-}
-
-void put_line(std::string& out, std::vector<std::string> const& cells) {
-  for (std::size_t k = 0; k < cells.size(); ++k) {
-    if (k != 0) out += ',';
-    out += quoted(cells[k]);
-  }
-  out += '\n';
-}
-
-std::optional<double> number_in(std::string const& text) {
-  char* end = nullptr;
-  double const value = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0') return std::nullopt;
-  return value;
-}
-
-/// The one label that differs among the outcomes and is a number; phi before others.
-std::string numeric_label(std::vector<Outcome> const& outcomes) {
-  std::string best;
-  if (outcomes.empty()) return best;
-  for (std::size_t k = 0; k < outcomes.front().labels.size(); ++k) {
-    std::set<std::string> values;
-    bool numbers = true;
-    for (auto const& one : outcomes) {
-      values.insert(one.labels[k].second);
-      numbers = numbers && number_in(one.labels[k].second);
-    }
-    auto const& key = outcomes.front().labels[k].first;
-    if (numbers && values.size() > 1 && (best.empty() || key == "disks.packing_fraction"))
-      best = key;
-  }
-  return best;
-}
-
-}  // namespace
-
-std::vector<std::string> const drawn_columns{"panel",   "x_name", "y_name", "x_scale",
-                                             "y_scale", "curve",  "what",   "x",
-                                             "x_error", "y",      "y_error"};
-
-std::string cell(double value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
-
-std::string to_csv(Rows const& rows) {
-  std::string out;
-  put_line(out, rows.columns);
-  for (auto const& row : rows.rows) put_line(out, row);
-  return out;
-}
-
-Panel::Panel(Report& report, std::string x_name, std::string y_name, bool log_x, bool log_y)
-    : report_(report) {
-  report.drawn.columns = drawn_columns;
-  std::set<std::string> before;
-  for (auto const& row : report.drawn.rows) before.insert(row.front());
-  head_ = {fmt::format("{}", before.size() + 1), std::move(x_name), std::move(y_name),
-           log_x ? "log" : "linear", log_y ? "log" : "linear"};
-}
-
-void Panel::point(std::string const& what, std::string const& curve, double x, double x_error,
-                  double y, double y_error) {
-  auto row = head_;
-  for (auto const& text : {curve, what, cell(x), cell(x_error), cell(y), cell(y_error)})
-    row.push_back(text);
-  report_.drawn.rows.push_back(std::move(row));
-}
-
-void Panel::data(std::string const& curve, Points const& points,
-                 std::vector<double> const& x_error) {
-  for (std::size_t i = 0; i < points.size(); ++i)
-    point("data", curve, points.x[i], x_error.empty() ? unknown : x_error[i], points.y[i],
-          points.weighted() ? points.error[i] : unknown);
-}
-
-void Panel::line(std::string const& curve, Line const& line) {
-  for (std::size_t i = 0; i < line.x.size(); ++i)
-    point("fit", curve, line.x[i], unknown, line.y[i], unknown);
-}
 
 Rows tabulate(std::vector<Outcome> const& outcomes, std::vector<std::string> const& parameters) {
   Rows out;
@@ -119,43 +28,6 @@ Rows tabulate(std::vector<Outcome> const& outcomes, std::vector<std::string> con
     out.rows.push_back(std::move(row));
   }
   return out;
-}
-
-std::string symbol(std::string const& name) {
-  if (name == "disks.elasticity") return "Q";
-  if (name == "disks.packing_fraction") return "phi";
-  if (name == "shear.strain_rate") return "gammadot";
-  if (name == "disks.count") return "N";
-  return name;
-}
-
-std::string caption(std::vector<Label> const& labels, std::string const& skip) {
-  std::string out;
-  for (auto const& [key, value] : labels)
-    if (key != skip) out += fmt::format("{}{} = {}", out.empty() ? "" : ", ", symbol(key), value);
-  return out;
-}
-
-void draw_against_label(Report& report, std::vector<Outcome> const& outcomes, std::size_t parameter,
-                        std::string const& name, bool log_value) {
-  auto const label = numeric_label(outcomes);
-  if (label.empty()) return;
-  bool const log_label = label != "disks.packing_fraction";
-  bool const value_right = name.starts_with("phi");
-  Panel panel = value_right ? Panel(report, name, label, log_value, log_label)
-                            : Panel(report, label, name, log_label, log_value);
-  for (auto const& one : outcomes) {
-    if (!one.failure.empty() || !std::isfinite(one.found.value[parameter])) continue;
-    double at = unknown;
-    for (auto const& [key, value] : one.labels)
-      if (key == label) at = *number_in(value);
-    double const value = one.found.value[parameter], error = one.found.error[parameter];
-    auto const curve = caption(one.labels, label);
-    if (value_right)
-      panel.point("data", curve, value, error, at, unknown);
-    else
-      panel.point("data", curve, at, unknown, value, error);
-  }
 }
 
 void note_left_out(Report& report, SweepTable const& table, std::vector<Series> const& series) {

@@ -4,64 +4,22 @@
 #include <string>
 #include <vector>
 
+#include "src/analysis/csv.hpp"
 #include "src/analysis/outcome.hpp"
 #include "src/analysis/series.hpp"
 
 namespace bagnold::analysis {
 
-/// A table of texts; numbers in the shortest form that reads back to the same double, empty for
-/// NaN.
-struct Rows {
-  std::vector<std::string> columns;
-  std::vector<std::vector<std::string>> rows;
-};
-
-std::string cell(double value);
-
-/// RFC 4180, lines ended by a line feed: equal tables give equal bytes.
-std::string to_csv(Rows const& rows);
-
 /// What an analysis has to say.
 struct Report {
   Rows results;                    ///< a row for each curve, or datum
-  Rows drawn;                      ///< what the picture shows, see drawn_columns
+  Rows drawn;                      ///< what the picture shows, see drawn_columns (panel.hpp)
   std::vector<std::string> notes;  ///< for the reader: what was left out, and why
-};
-
-/// panel; quantities on the axes; "log" or "linear" for each; curve; "data", "fit" or "mark"; x, y
-/// and their errors.
-extern std::vector<std::string> const drawn_columns;
-
-/// One panel of the picture.
-class Panel {
- public:
-  Panel(Report& report, std::string x_name, std::string y_name, bool log_x, bool log_y);
-
-  void data(std::string const& curve, Points const& points,
-            std::vector<double> const& x_error = {});
-  void point(std::string const& what, std::string const& curve, double x, double x_error, double y,
-             double y_error);
-  void line(std::string const& curve, Line const& line);
-
- private:
-  Report& report_;
-  std::vector<std::string> head_;
 };
 
 /// Columns of the labels, then NAME, NAME_error, NAME_bootstrap of each parameter, chi2, freedom,
 /// points, failure; a row for each outcome.
 Rows tabulate(std::vector<Outcome> const& outcomes, std::vector<std::string> const& parameters);
-
-/// "Q = 10, gammadot = 1e-05"; labels of `skip` are left out.
-std::string caption(std::vector<Label> const& labels, std::string const& skip = "");
-
-/// Q, phi, gammadot, N for the keys that have a letter; else the name.
-std::string symbol(std::string const& name);
-
-/// Draws one parameter against the only label that all outcomes have as a number and that differs,
-/// phi always to the right. Nothing where there is none.
-void draw_against_label(Report& report, std::vector<Outcome> const& outcomes, std::size_t parameter,
-                        std::string const& name, bool log_value);
 
 /// Notes on data left out.
 void note_left_out(Report& report, SweepTable const& table, std::vector<Series> const& series);

@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <map>
-#include <string>
-
 #include "src/analysis/fit/covariance.hpp"
-#include "src/analysis/fit/models.hpp"
+#include "src/analysis/fit/starts.hpp"
 
 namespace bagnold::analysis {
-
-/// Values of parameters that are not fitted.
-using Fixed = std::map<std::string, double>;
 
 /// Least squares, each point weighed by 1 / error^2, by Levenberg's and Marquardt's method
 /// (MINPACK, as Eigen has it). It starts from the three best combinations of the parameters'

@@ -4,6 +4,7 @@
 #include <span>
 #include <string_view>
 
+#include "src/analysis/panel.hpp"
 #include "src/analysis/report.hpp"
 #include "src/analysis/request.hpp"
 #include "src/analysis/sweep_table.hpp"
