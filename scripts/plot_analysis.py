@@ -107,8 +107,8 @@ def draw_curve(axes, rows, colour, marker, name):
         axes.errorbar(column(of["data"], "x"), column(of["data"], "y"),
                       xerr=bars(column(of["data"], "x_error")),
                       yerr=bars(column(of["data"], "y_error")), fmt=marker, ms=4.2, mfc="white",
-                      color=colour, lw=0 if of["fit"] else 0.5, elinewidth=0.9, capsize=1.5,
-                      label=name, zorder=3)
+                      color=colour, ls="none" if of["fit"] else "-", lw=0.5, elinewidth=0.9,
+                      capsize=1.5, label=name, zorder=3)
     if of["fit"]:
         x, y = column(of["fit"], "x"), column(of["fit"], "y")
         for piece in np.split(np.arange(len(x)), np.nonzero(np.diff(x) < 0)[0] + 1):
@@ -173,7 +173,7 @@ def pretty(name):
     parts = []
     for part in name.split(", "):
         key, _, value = part.partition(" = ")
-        parts.append(f"{label(key)} = {value}" if value else part.replace("$", ""))
+        parts.append(f"{label(key)} = {value}" if value else label(part))
     return ", ".join(parts)
 
 

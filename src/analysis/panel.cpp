@@ -11,6 +11,8 @@
 namespace bagnold::analysis {
 namespace {
 
+constexpr auto phi_key = "disks.packing_fraction";
+
 std::optional<double> number_in(std::string const& text) {
   char* end = nullptr;
   double const value = std::strtod(text.c_str(), &end);
@@ -30,8 +32,7 @@ std::string numeric_label(std::vector<Outcome> const& outcomes) {
       numbers = numbers && number_in(one.labels[k].second);
     }
     auto const& key = outcomes.front().labels[k].first;
-    if (numbers && values.size() > 1 && (best.empty() || key == "disks.packing_fraction"))
-      best = key;
+    if (numbers && values.size() > 1 && (best.empty() || key == phi_key)) best = key;
   }
   return best;
 }
@@ -86,26 +87,29 @@ std::string caption(std::vector<Label> const& labels, std::string const& skip) {
   return out;
 }
 
-void draw_against_label(Report& report, std::vector<Outcome> const& outcomes, std::size_t parameter,
-                        std::string const& name, bool log_value) {
+void draw_against_label(Report& report, std::vector<Outcome> const& outcomes,
+                        std::vector<DrawnParameter> const& parameters, std::string const& axis,
+                        bool log_value) {
   auto const label = numeric_label(outcomes);
   if (label.empty()) return;
-  bool const log_label = label != "disks.packing_fraction";
-  bool const value_right = name.starts_with("phi");
-  Panel panel = value_right ? Panel(report, name, label, log_value, log_label)
-                            : Panel(report, label, name, log_label, log_value);
-  for (auto const& one : outcomes) {
-    if (!one.failure.empty() || !std::isfinite(one.found.value[parameter])) continue;
-    double at = unknown;
-    for (auto const& [key, value] : one.labels)
-      if (key == label) at = *number_in(value);
-    double const value = one.found.value[parameter], error = one.found.error[parameter];
-    auto const curve = caption(one.labels, label);
-    if (value_right)
-      panel.point("data", curve, value, error, at, unknown);
-    else
-      panel.point("data", curve, at, unknown, value, error);
-  }
+  bool const log_label = label != phi_key;
+  bool const value_right = axis == "phi" || axis.starts_with("phi_");
+  Panel panel = value_right ? Panel(report, axis, label, log_value, log_label)
+                            : Panel(report, label, axis, log_label, log_value);
+  for (auto const& [index, name] : parameters)
+    for (auto const& one : outcomes) {
+      if (!one.failure.empty() || !std::isfinite(one.found.value[index])) continue;
+      double at = unknown;
+      for (auto const& [key, value] : one.labels)
+        if (key == label) at = *number_in(value);
+      double const value = one.found.value[index], error = one.found.error[index];
+      auto const others = caption(one.labels, label);
+      auto const curve = name.empty() || others.empty() ? name + others : name + ", " + others;
+      if (value_right)
+        panel.point("data", curve, value, error, at, unknown);
+      else
+        panel.point("data", curve, at, unknown, value, error);
+    }
 }
 
 }  // namespace bagnold::analysis

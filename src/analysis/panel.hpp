@@ -34,9 +34,16 @@ std::string caption(std::vector<Label> const& labels, std::string const& skip = 
 /// Q, phi, gammadot, N for the keys that have a letter; else the name.
 std::string symbol(std::string const& name);
 
-/// Draws one parameter against the only label that all outcomes have as a number and that differs,
-/// phi always to the right. Nothing where there is none.
-void draw_against_label(Report& report, std::vector<Outcome> const& outcomes, std::size_t parameter,
-                        std::string const& name, bool log_value);
+/// A parameter of all outcomes to draw, and what its points are called; "" by the labels alone.
+struct DrawnParameter {
+  std::size_t index;
+  std::string name = {};
+};
+
+/// Draws parameters, `axis` being what they are, against the only label that all outcomes have as a
+/// number and that differs, phi always to the right. Nothing where there is none.
+void draw_against_label(Report& report, std::vector<Outcome> const& outcomes,
+                        std::vector<DrawnParameter> const& parameters, std::string const& axis,
+                        bool log_value);
 
 }  // namespace bagnold::analysis

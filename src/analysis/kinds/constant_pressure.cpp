@@ -48,8 +48,8 @@ Report constant_pressure(SweepTable const& table, Request const& request) {
   auto const name = symbol(along);
   report.results = tabulate(outcomes, {name, y});
   note_left_out(report, table, pressures);
-  draw_against_label(report, outcomes, 0, name, log_x);
-  draw_against_label(report, outcomes, 1, y, false);
+  draw_against_label(report, outcomes, {{0}}, name, log_x);
+  draw_against_label(report, outcomes, {{1}}, y, false);
   Panel panel(report, along, y, log_x, false);
   for (auto const& one : outcomes)
     if (one.failure.empty())

@@ -74,8 +74,9 @@ Report jump(SweepTable const& table, Request const& request) {
       panel.point("mark", curve, outcomes[k].found.value[place], outcomes[k].found.error[place],
                   unknown, unknown);
   }
-  for (std::size_t k = 0; k < names.size(); k += 2)
-    draw_against_label(report, outcomes, k, names[k], log_x);
+  std::vector<DrawnParameter> places;
+  for (std::size_t k = 0; k < names.size(); k += 2) places.push_back({k, names[k]});
+  draw_against_label(report, outcomes, places, symbol(own_x(request)), log_x);
   return report;
 }
 

@@ -59,8 +59,9 @@ Report kink(SweepTable const& table, Request const& request) {
       panel.point("mark", curve, found.value[place], found.error[place], found.value[place + 1],
                   unknown);
   }
-  for (std::size_t k = 0; k < request.kinks; ++k)
-    draw_against_label(report, outcomes, 2 * k, names[2 * k], request.log_x);
+  std::vector<DrawnParameter> places;
+  for (std::size_t k = 0; k < request.kinks; ++k) places.push_back({2 * k, names[2 * k]});
+  draw_against_label(report, outcomes, places, symbol(x), request.log_x);
   return report;
 }
 

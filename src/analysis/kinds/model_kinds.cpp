@@ -65,8 +65,8 @@ Report crossover(SweepTable const& table, Request const& request) {
     panel.data(curve, series[k].points(0), series[k].x_error);
     for (auto const& line : outcomes[k].found.lines) panel.line(curve, line);
   }
-  draw_against_label(report, outcomes, 1, "Q_star", true);
-  draw_against_label(report, outcomes, 3, "q", false);
+  draw_against_label(report, outcomes, {{crossover_place}}, "Q_star", true);
+  draw_against_label(report, outcomes, {{3}}, "q", false);
   return report;
 }
 

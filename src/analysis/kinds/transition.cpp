@@ -78,7 +78,7 @@ Report transition(SweepTable const& table, Request const& request) {
       panel.point("mark", curve, outcomes[k].found.value[0], outcomes[k].found.error[0], unknown,
                   unknown);
   }
-  draw_against_label(report, outcomes, 0, name, name == "Q_c");
+  draw_against_label(report, outcomes, {{0}}, name, name == "Q_c");
   return report;
 }
 
