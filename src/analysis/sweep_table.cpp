@@ -34,6 +34,8 @@ void read_keys(io::Hdf5Reader const& file, SweepTable& table) {
     if (table.points == 0) table.points = count_points(file, path);
     if (name == scene_name) {
       table.scenes = file.texts(path, table.points);
+    } else if (name.find('.') == std::string::npos) {
+      continue;  // about the point, its folder for example: no key of the scene
     } else if (file.holds_text(path)) {
       table.keys[name].texts = file.texts(path, table.points);
     } else {

@@ -23,6 +23,7 @@ void put_good(io::Hdf5Writer& file) {
   file.group("/observables");
   file.dataset("/points/disks.elasticity", std::vector<double>{1, 10, 100}, {count});
   file.dataset("/points/disks.seed", std::vector<std::int64_t>{1, 1, 2}, {count});
+  file.dataset("/points/folder", std::vector<double>{0, 1, 2}, {count});  // no key
   file.dataset("/observables/p", std::vector<double>{1, 2, std::nan("")}, {count});
   file.dataset("/observables/p_error", std::vector<double>{0.1, 0.2, std::nan("")}, {count});
 }
@@ -69,6 +70,7 @@ TEST_F(SweepTableFile, IsRead) {
   EXPECT_EQ(found.points, count);
   EXPECT_EQ(found.numbers("disks.elasticity"), (std::vector<double>{1, 10, 100}));
   EXPECT_EQ(found.numbers("disks.seed"), (std::vector<double>{1, 1, 2}));
+  EXPECT_EQ(found.keys.size(), 2u);
   EXPECT_EQ(found.observables.size(), 1u);
   EXPECT_EQ(found.observables.at("p").error[1], 0.2);
   EXPECT_FALSE(found.failed(0));

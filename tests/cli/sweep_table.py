@@ -15,10 +15,12 @@ def write_sweep(path, points, observables, errors):
             if values.dtype.kind == "U":
                 values = np.char.encode(values, "utf-8")
             file[f"points/{key}"] = values
+        count = len(next(iter(points.values())))
+        file["points/folder"] = np.array([f"{i:04d}".encode() for i in range(count)])
         for name, values in observables.items():
             file[f"observables/{name}"] = np.asarray(values, float)
             file[f"observables/{name}_error"] = np.asarray(errors[name], float)
-        file["status"] = np.zeros(len(next(iter(points.values()))), np.int64)
+        file["status"] = np.array([b"done"] * count)
 
 
 def grid(**axes):
