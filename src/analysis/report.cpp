@@ -33,7 +33,7 @@ Rows tabulate(std::vector<Outcome> const& outcomes, std::vector<std::string> con
 void note_left_out(Report& report, SweepTable const& table, std::vector<Series> const& series) {
   if (auto const failed = count_failed(table))
     report.notes.push_back(
-        fmt::format("{} of {} points failed and are left out", failed, table.points));
+        fmt::format("{} of {} points have no result and are left out", failed, table.points));
   std::size_t left_out = 0, unweighted = 0;
   for (auto const& one : series) {
     left_out += one.left_out;

@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "src/analysis/request.hpp"
+#include "src/cli/machine.hpp"
 
 namespace bagnold {
-
-/// On what a run runs; none of it changes its bits.
-struct Machine {
-  std::string backend;  ///< "" chooses
-  int threads = 0;      ///< 0 chooses
-};
 
 struct RunOptions {
   std::filesystem::path scene_file;
@@ -39,6 +35,18 @@ struct AnalyseOptions {
   bool quiet = false;
 };
 
+struct SweepOptions {
+  std::filesystem::path sweep_file;
+  std::filesystem::path folder;  ///< "": results/NAME of the sweep file
+  Machine machine;               ///< of each point; threads = 0: 1
+  int jobs = 0;                  ///< points at a time; 0: as many as the cores take
+  std::int64_t chain = 0;        ///< run this chain only, from 1; 0: all
+  bool collect = false;          ///< write the tables of what is there
+  bool emit_slurm = false;       ///< prepare the folder and write job scripts
+  bool quiet = false;
+  bool allow_unstable = false;
+};
+
 /// A line on stderr, quiet or not; nothing for no message.
 void warn(std::string const& message);
 
@@ -52,5 +60,11 @@ int analyse_command(AnalyseOptions const& options);
 
 /// What --help says of the kinds of analysis.
 std::string analyse_kinds();
+
+/// 1 where points failed or, with `collect`, have no result yet; 0, 130 and 143 as the others.
+int sweep_command(SweepOptions const& options);
+
+/// Prints what a sweep file comes to: points, chains, steps, time.
+int validate_sweep_command(RunOptions const& options);
 
 }  // namespace bagnold

@@ -4,8 +4,8 @@
 #include <CLI/CLI.hpp>
 #include <new>
 
+#include "src/cli/analyse_options.hpp"
 #include "src/cli/commands.hpp"
-#include "src/cli/name_value.hpp"
 #include "src/config/errors.hpp"
 
 namespace {
@@ -13,7 +13,7 @@ namespace {
 constexpr char const* units =
     "Units: length d_s (small diameter), time tau_e (elastic time), so that k_e = 1; strain rates in\n"
     "1/tau_e, stresses in m/tau_e^2.\n"
-    "Exit codes: 0 done, 2 bad input, 3 numerical failure, 4 input/output failure, 130 or 143\n"
+    "Exit codes: 0 done, 1 a sweep with failed points, 2 bad input, 3 numerical failure, 4 input/output failure, 130 or 143\n"
     "interrupted with a checkpoint written.";
 
 enum ExitCode { done = 0, bad_input = 2, numerical_failure = 3, file_failure = 4 };
@@ -40,41 +40,22 @@ void add_scene(CLI::App& command, bagnold::RunOptions& options) {
                    "accept a time step (in tau_e) beyond the scheme's stability");
 }
 
-void add_axes(CLI::App& command, bagnold::analysis::Request& request) {
-  command.add_option("--x", request.x, "quantity to the right: a key, an observable, phi_J-phi, A/B");
-  command.add_option("--y", request.y, "quantity upwards");
-  command.add_option("--along", request.along, "key that runs along a curve [x, or phi]");
-  command.add_option("--by", request.by, "keys that tell curves apart [all others that vary]");
-  command.add_option_function<std::vector<std::string>>(
-             "--where",
-             [&](auto const& pairs) { request.where = bagnold::name_values(pairs, "--where"); },
-             "KEY=VALUE: only these points; may be repeated")
-      ->allow_extra_args(false);
-  command.add_option("--range", request.range, "LOW HIGH: only x between");
-  command.add_flag("--log-x", request.log_x, "straight lines in ln x (kink, transition)");
-  command.add_flag("--log-y", request.log_y, "straight lines in ln y (kink, transition)");
-}
-
-void add_fit(CLI::App& command, bagnold::analysis::Request& request) {
-  command.add_option("--phi-j", request.phi_j, "phi_J: fixed in a divergence, used by phi_J-phi");
-  command.add_option_function<std::vector<std::string>>(
-             "--fix",
-             [&](auto const& pairs) { request.fixed = bagnold::name_numbers(pairs, "--fix"); },
-             "NAME=VALUE: a parameter that is not fitted; may be repeated")
-      ->allow_extra_args(false);
-  command.add_option("--of", request.of, "divergence: crossover, jump, transition or value");
-  command.add_option("--kinks", request.kinks, "kink: 1 or 2 [1]");
-  command.add_option("--direction", request.direction, "jump: up, down or both [both]");
-  command.add_option("--least-factor", request.least_factor, "jump: by which y changes at least [2]")
-      ->check(CLI::Range(1.0, 1e12));
-  command.add_option("--rates", request.rates, "transition: two strain rates [the smallest two]")
-      ->expected(2);
-  command.add_option("--split", request.split, "transition: x between the two lines [best fit]");
-  command.add_option("--pressure", request.pressure, "constant-pressure: P, [m/tau_e^2]");
-  command.add_option("--window", request.window, "exponents: points a slope is taken over [3]");
-  command.add_option("--resamples", request.resamples, "of the bootstrap; 0: none [400]")
-      ->check(CLI::Range(0, 100000));
-  command.add_option("--seed", request.seed, "of the bootstrap [1]");
+void add_sweep(CLI::App& command, bagnold::SweepOptions& options) {
+  command.add_option("FILE", options.sweep_file, "scene with a table [sweep] (see inputs/)")
+      ->required();
+  command.add_option("--out", options.folder, "folder for the points and tables [results/FILE]");
+  command.add_option("--jobs", options.jobs, "points at a time [default: cores / threads]")
+      ->check(CLI::Range(1, 4096));
+  auto* slurm = command.add_flag("--emit-slurm", options.emit_slurm,
+                                 "prepare the folder for Slurm and write job scripts; run nothing");
+  auto* chain = command.add_option("--chain", options.chain,
+                                   "run this chain of points only, from 1, and write no table");
+  auto* collect =
+      command.add_flag("--collect", options.collect, "write the tables of what is done; run nothing");
+  slurm->excludes(chain)->excludes(collect);
+  chain->excludes(collect);
+  command.add_flag("--allow-unstable", options.allow_unstable,
+                   "accept a time step (in tau_e) beyond the scheme's stability");
 }
 
 }  // namespace
@@ -106,15 +87,16 @@ int main(int argc, char** argv) try {
   resume_command->add_option("DIR", resume.folder, "folder of the run")->required();
   add_machine(*resume_command, resume.machine, resume.quiet);
 
+  bagnold::SweepOptions sweep;
+  auto* sweep_command =
+      app.add_subcommand("sweep", "run all points of a sweep file; the same command goes on with it");
+  sweep_command->footer(units);
+  add_sweep(*sweep_command, sweep);
+  add_machine(*sweep_command, sweep.machine, sweep.quiet);
+
   bagnold::AnalyseOptions analyse;
   auto* analyse_command = app.add_subcommand("analyse", "fits and phase boundaries from a sweep");
-  analyse_command->footer(bagnold::analyse_kinds());
-  analyse_command->add_option("KIND", analyse.kind, "what to find, see below")->required();
-  analyse_command->add_option("SWEEP", analyse.sweep, "folder of a sweep, or sweep.h5")->required();
-  analyse_command->add_option("--out", analyse.prefix, "prefix of the files written [SWEEP/KIND]");
-  add_axes(*analyse_command, analyse.request);
-  add_fit(*analyse_command, analyse.request);
-  analyse_command->add_flag("--quiet", analyse.quiet, "no table; errors and remarks are still shown");
+  bagnold::add_analyse_options(*analyse_command, analyse);
 
   auto* info_command = app.add_subcommand("info", "version, git hash, Kokkos, backends, CPU");
   info_command->footer(units);
@@ -128,6 +110,7 @@ int main(int argc, char** argv) try {
   if (*run_command) return bagnold::run_command(run);
   if (*validate_command) return bagnold::validate_command(validate);
   if (*resume_command) return bagnold::resume_command(resume);
+  if (*sweep_command) return bagnold::sweep_command(sweep);
   if (*analyse_command) return bagnold::analyse_command(analyse);
   if (*info_command) return bagnold::info_command();
   return bad_input;

@@ -200,7 +200,7 @@ class AnalyseTest(CliTest):
                 file[f"observables/{name}"][5] = np.nan
                 file[f"observables/{name}"][48:51] = np.nan  # all seeds of one datum
         rows = self.analyse("crossover")
-        self.assertIn("4 of 288 points failed and are left out", self.result.stderr)
+        self.assertIn("4 of 288 points have no result and are left out", self.result.stderr)
         self.assertEqual([row["points"] for row in rows], ["16", "15", "16", "16", "16", "16"])
 
     def test_a_curve_that_fails_leaves_the_others(self):
