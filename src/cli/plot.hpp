@@ -10,4 +10,7 @@ namespace bagnold {
 /// a run without a picture is still a run.
 std::string draw_plot(std::filesystem::path const& result, std::filesystem::path const& picture);
 
+/// The same of an analysis, from its table of what is to be drawn (scripts/plot_analysis.py).
+std::string draw_analysis(std::filesystem::path const& drawn, std::filesystem::path const& picture);
+
 }  // namespace bagnold
