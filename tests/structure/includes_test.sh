@@ -22,7 +22,8 @@ src/config
 src/statistics
 src/state            src/config kernels/core
 src/simulation       src/config src/state src/statistics kernels
-src/protocols        src/config src/state src/statistics src/simulation
+src/measure          src/config src/state src/statistics src/simulation src/io kernels
+src/protocols        src/config src/state src/statistics src/simulation src/measure
 src/io               src/config src/state src/statistics
 src/start            src/config src/state src/statistics src/simulation src/io kernels
 src/analysis         src/config src/state src/statistics src/simulation src/io

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/measure/fields.hpp"
+
+#include <fmt/format.h>
+
+#include "src/config/errors.hpp"
+#include "src/measure/local_fields.hpp"
+
+namespace bagnold {
+
+Fields::Fields(Scene const& scene)
+    : rate_(scene.shear.strain_rate),
+      packing_fraction_(even_edges(0.0, 1.2, 240)),
+      strain_rate_(sinh_edges(1.0, 12.0, 240)) {
+  if (scene.box_length() < least_box_for_fields())
+    throw InputError(
+        fmt::format("measure.fields = true (circles of radius {} d_s need a box {:.3g} d_s wide, "
+                    "disks.count = {} "
+                    "makes one of {:.3g}); use more disks or measure.fields = false",
+                    field_radius, least_box_for_fields(), scene.disks.count, scene.box_length()));
+}
+
+void Fields::add(Frame const& frame) {
+  State const& state = frame.state;
+  auto const fields = local_fields(state);
+  last_.clear();
+  for (std::size_t i = 0; i < state.count(); ++i) {
+    packing_fraction_.add(fields.packing_fraction[i]);
+    strain_rate_.add(fields.strain_rate[i] / rate_);
+    last_.insert(last_.end(), {state.position[i][0], state.position[i][1], state.diameter[i],
+                               fields.packing_fraction[i], fields.strain_rate[i]});
+  }
+  frame_ = {static_cast<double>(frame.step), frame.strain, state.box_length, state.offset};
+}
+
+void Fields::save(Numbers& numbers) {
+  numbers["local_phi"] = packing_fraction_.numbers();
+  numbers["local_gammadot"] = strain_rate_.numbers();
+  numbers["fields"] = last_;
+  numbers["fields_frame"] = frame_;
+}
+
+void Fields::load(Numbers const& numbers) {
+  packing_fraction_.restore(numbers.at("local_phi"));
+  strain_rate_.restore(numbers.at("local_gammadot"));
+  last_ = numbers.at("fields");
+  frame_ = numbers.at("fields_frame");
+}
+
+void Fields::report(FrameResults& results) const {
+  results.histograms.push_back(packing_fraction_.histogram(
+      "local_phi", "1", "packing fraction within 4 d_s of a disk, P2 Fig. 27"));
+  results.histograms.push_back(strain_rate_.histogram(
+      "local_gammadot", "1", "strain rate within 4 d_s of a disk over gammadot, P2 Fig. 27"));
+  results.samples.push_back(
+      {"fields",
+       "disks of the last frame and what is within 4 d_s of each, P2 Fig. 27",
+       {"x [d_s]", "y [d_s]", "diameter [d_s]", "phi [1]", "gammadot [1/tau_e]"},
+       last_});
+  results.samples.push_back({"fields_frame",
+                             "the frame of `fields`",
+                             {"step [1]", "strain [1]", "box_length [d_s]", "offset [d_s]"},
+                             frame_});
+}
+
+}  // namespace bagnold

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "src/measure/frame_observer.hpp"
+#include "src/simulation/simulation.hpp"
+
+namespace bagnold {
+
+/// Which observers are shown which configurations of one simulation.
+///
+/// An observer sees the first configuration at or after each multiple of its spacing at which the
+/// engine can stop; where windows are longer than the spacing, multiples share a frame. That does
+/// not depend on how the run is cut into calls, if each goes no further than next().
+class Frames {
+ public:
+  /// spacing: [steps], 1 at least. Frames before first_step are not shown.
+  void watch(std::unique_ptr<FrameObserver> observer, std::int64_t spacing,
+             std::int64_t first_step = 0);
+
+  bool none() const { return watched_.empty(); }
+
+  /// The first step after `step` that an observer waits for.
+  std::int64_t next(std::int64_t step) const;
+
+  /// Shows the configuration to all that have waited for one since step `from`, which they have
+  /// seen; -1: since before step 0. step_strain: gammadot dt.
+  void show(Simulation const& simulation, std::int64_t from, double step_strain);
+
+  Numbers save();
+  void load(Numbers const& numbers);
+  FrameResults results() const;
+
+ private:
+  struct Watched {
+    std::unique_ptr<FrameObserver> observer;
+    std::int64_t spacing;
+    std::int64_t first_step;
+
+    bool waits(std::int64_t from, std::int64_t to) const;
+  };
+  std::vector<Watched> watched_;
+};
+
+}  // namespace bagnold
