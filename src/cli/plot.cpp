@@ -10,15 +10,17 @@
 #include <cstring>
 #include <vector>
 
+#include "plot_frames_script.hpp"
 #include "plot_script.hpp"
 
 namespace bagnold {
 
 namespace {
 
-/// Runs `python - result picture` with the script on its standard input, its output thrown away.
+/// Runs `python - result target` with the script on its standard input, its output thrown away.
 /// Returns its exit code; 127 if it cannot be started.
-int run_script(std::string const& python, std::string const& result, std::string const& picture) {
+int run_script(std::string const& python, char const* script, std::string const& result,
+               std::string const& target) {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) return 127;
   pid_t const child = fork();
@@ -28,13 +30,13 @@ int run_script(std::string const& python, std::string const& result, std::string
     dup2(ends[0], STDIN_FILENO);
     dup2(nowhere, STDOUT_FILENO);
     dup2(nowhere, STDERR_FILENO);
-    execlp(python.c_str(), python.c_str(), "-", result.c_str(), picture.c_str(),
+    execlp(python.c_str(), python.c_str(), "-", result.c_str(), target.c_str(),
            static_cast<char*>(nullptr));
     _exit(127);
   }
   close(ends[0]);
-  for (std::size_t sent = 0, size = std::strlen(plot_script); sent < size;) {
-    ssize_t const now = write(ends[1], plot_script + sent, size - sent);
+  for (std::size_t sent = 0, size = std::strlen(script); sent < size;) {
+    ssize_t const now = write(ends[1], script + sent, size - sent);
     if (now <= 0) break;
     sent += static_cast<std::size_t>(now);
   }
@@ -45,14 +47,23 @@ int run_script(std::string const& python, std::string const& result, std::string
   return WIFEXITED(status) ? WEXITSTATUS(status) : 126;
 }
 
-}  // namespace
-
-std::string draw_plot(std::filesystem::path const& result, std::filesystem::path const& picture) {
+std::string draw(char const* script, std::filesystem::path const& result,
+                 std::filesystem::path const& target) {
   std::vector<std::string> pythons{"/usr/bin/python3", "python3"};
   if (char const* chosen = std::getenv("BAGNOLD_PYTHON")) pythons = {chosen};
   for (auto const& python : pythons)
-    if (run_script(python, result.string(), picture.string()) == 0) return "";
+    if (run_script(python, script, result.string(), target.string()) == 0) return "";
   return fmt::format("no picture drawn: {} with h5py and matplotlib is needed", pythons.front());
+}
+
+}  // namespace
+
+std::string draw_plot(std::filesystem::path const& result, std::filesystem::path const& picture) {
+  return draw(plot_script, result, picture);
+}
+
+std::string draw_frames(std::filesystem::path const& result, std::filesystem::path const& folder) {
+  return draw(plot_frames_script, result, folder);
 }
 
 }  // namespace bagnold

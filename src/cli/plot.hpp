@@ -10,4 +10,7 @@ namespace bagnold {
 /// a run without a picture is still a run.
 std::string draw_plot(std::filesystem::path const& result, std::filesystem::path const& picture);
 
+/// The same for profiles.png and fields.png, of what the result has of them.
+std::string draw_frames(std::filesystem::path const& result, std::filesystem::path const& folder);
+
 }  // namespace bagnold

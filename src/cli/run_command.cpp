@@ -10,6 +10,7 @@
 #include "src/cli/commands.hpp"
 #include "src/cli/plot.hpp"
 #include "src/cli/progress.hpp"
+#include "src/cli/provenance.hpp"
 #include "src/cli/run_folder.hpp"
 #include "src/cli/run_results.hpp"
 #include "src/cli/signals.hpp"
@@ -18,6 +19,7 @@
 #include "src/config/toml_text.hpp"
 #include "src/io/checkpoint.hpp"
 #include "src/io/state_file.hpp"
+#include "src/measure/make_frames.hpp"
 #include "src/simulation/make_simulation.hpp"
 #include "src/start/start.hpp"
 
@@ -132,6 +134,7 @@ class Runner {
     }
     c.start_record = run_.start_record;
     c.wall_seconds = run_.wall_seconds;
+    c.frames = run_.measurement.frames.save();
     io::write_checkpoint(folder_.path(), c);
     write_result_file(folder_, run_);
     checkpointed_ = SteadyClock::now();
@@ -144,11 +147,15 @@ class Runner {
   }
 
   void finish() {
+    run_.measurement.frames.finish();
     io::write_state(folder_.state(), simulation_->state());
     auto const list = estimates(run_);
     write_summary(folder_, run_, list);
+    run_.measurement.frames.tidy();
     if (run_.scene.output.plot) {  // shows the summary's errors
       warn(draw_plot(folder_.result(), folder_.picture()));
+      if (run_.scene.measure.profiles || run_.scene.measure.fields)
+        warn(draw_frames(folder_.result(), folder_.path()));
     }
     if (quiet_) return;
     print_table(run_, list);
@@ -187,6 +194,9 @@ int run_from_start(RunFolder const& folder, Scene const& scene, Plan const& plan
   auto simulation =
       begin(folder, scene, snapshot_of(std::move(started->state)), machine.backend);
   run.measurement.windows.columns = static_cast<std::size_t>(simulation->columns());
+  run.measurement.frames =
+      make_frames(scene, plan, simulation->state(), folder.trajectory(), provenance().version);
+  run.measurement.frames.begin();
   return Runner(folder, std::move(run), std::move(simulation), quiet).run();
 }
 
@@ -219,6 +229,9 @@ int run_from_checkpoint(RunFolder const& folder, io::Checkpoint checkpoint, Mach
   snapshot.engine = std::move(checkpoint.engine);
   if (!quiet) fmt::print("going on from step {} of {}\n", snapshot.step, run.plan.steps);
   auto simulation = begin(folder, scene, snapshot, machine.backend);
+  run.measurement.frames =
+      make_frames(scene, run.plan, snapshot.state, folder.trajectory(), provenance().version);
+  run.measurement.frames.load(checkpoint.frames);
   return Runner(folder, std::move(run), std::move(simulation), quiet).run();
 }
 

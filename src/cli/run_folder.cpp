@@ -17,6 +17,8 @@ namespace {
 
 constexpr char const* run_files[] = {"scene.toml",     "summary.json",           "result.h5",
                                      "state.h5",       "failed_state.h5",        "plot.png",
+                                     "trajectory.h5md", "trajectory.xdmf",       "profiles.png",
+                                     "trajectory.parts", "fields.png",
                                      "checkpoint.h5",  "checkpoint.previous.h5"};
 
 bool holds_run(fs::path const& folder) {
@@ -49,7 +51,7 @@ RunFolder RunFolder::make(fs::path const& folder, bool force) {
   refuse_old();  // another process may have been quicker
   io::remove_checkpoints(folder);
   for (auto const* name : run_files) {
-    fs::remove(folder / name, error);
+    fs::remove_all(folder / name, error);
     if (error)
       throw FileError(fmt::format("{}: the old run's file cannot be removed ({})",
                                   (folder / name).string(), error.message()));

@@ -25,6 +25,7 @@ class RunFolder {
   std::filesystem::path state() const { return path_ / "state.h5"; }
   std::filesystem::path failed_state() const { return path_ / "failed_state.h5"; }
   std::filesystem::path picture() const { return path_ / "plot.png"; }
+  std::filesystem::path trajectory() const { return path_ / "trajectory.h5md"; }
 
   /// Replace a text file in one piece. Throws FileError.
   static void write_text(std::filesystem::path const& file, std::string const& text);

@@ -106,6 +106,10 @@ void write_result_file(RunFolder const& folder, Run const& run) {
       series.value.push_back(observable.value(windows.mean(w, w + 1)));
     result.series.push_back(std::move(series));
   }
+  auto found = run.measurement.frames.results();
+  result.histograms = std::move(found.histograms);
+  result.profiles = std::move(found.profiles);
+  result.samples = std::move(found.samples);
   io::write_result(folder.result(), result);
 }
 
@@ -130,14 +134,20 @@ void write_summary(RunFolder const& folder, Run const& run,
       number(run.wall_seconds > 0 ? disk_steps / run.wall_seconds
                                   : std::numeric_limits<double>::quiet_NaN());
   double const window_strain = step_strain(run) * static_cast<double>(run.plan.window_steps);
-  for (auto const& [observable, estimate] : list) {
+  auto const put = [&](std::string const& name, statistics::Estimate const& estimate,
+                       double strain_between) {
     auto const& tau = estimate.correlation;
-    summary["observables"][std::string(observable.name)] = {
+    summary["observables"][name] = {
         {"mean", number(estimate.mean)},
         {"error", number(estimate.error)},
-        {"correlation_strain", tau ? number(*tau * window_strain) : Json(nullptr)},
-        {"samples", windows.size() - discarded(run)}};
-  }
+        {"correlation_strain", tau ? number(*tau * strain_between) : Json(nullptr)},
+        {"samples", estimate.samples}};
+  };
+  for (auto const& [observable, estimate] : list)
+    put(std::string(observable.name), estimate, window_strain);
+  double const frame_strain = step_strain(run) * static_cast<double>(run.plan.frame_steps);
+  for (auto const& scalar : run.measurement.frames.results().scalars)
+    put(scalar.name, scalar.estimate, frame_strain);
   RunFolder::write_text(folder.summary(), summary.dump(2) + "\n");
 }
 

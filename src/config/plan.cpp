@@ -45,7 +45,20 @@ Plan make_plan(Scene const& scene) {
                                  std::ceil(steps / most_windows) * step_strain));
   plan.discarded_windows = static_cast<std::int64_t>(
       round_up(scene.shear.discard * static_cast<double>(plan.windows)));
+  auto const steps_between = [&](double strain) {
+    return static_cast<std::int64_t>(
+        std::clamp(round_up(strain / step_strain), 1.0, most_steps));
+  };
+  plan.frame_steps = steps_between(scene.measure.frame_strain);
+  if (scene.output.trajectory_strain > 0)
+    plan.trajectory_steps = steps_between(scene.output.trajectory_strain);
   return plan;
+}
+
+double least_box_for_fields() {
+  // a search from a small disk reaches what touches the circle, one from a big disk further
+  double const small_radius = 0.5;
+  return 2 * (big_diameter + field_radius - small_radius);
 }
 
 std::string plan_warning(Plan const& plan) {
@@ -76,6 +89,13 @@ void check_feasible(Scene const& scene, Plan const& plan, bool allow_unstable) {
         "{} + integration.skin {}) = {:.3g}, or disks meet through two images); use more disks or "
         "a smaller skin",
         scene.disks.count, length, big_diameter, scene.integration.skin, 2 * reach));
+
+  if (scene.measure.fields && length < least_box_for_fields())
+    throw InputError(fmt::format(
+        "measure.fields = true (disks.count = {} makes a box {:.3g} d_s wide, circles of radius {} "
+        "need {:.3g}, or they meet disks through two images); use more disks or measure.fields = "
+        "false",
+        scene.disks.count, length, field_radius, least_box_for_fields()));
 
   double const radius = contact_spectral_radius(scene, plan.time_step);
   if (radius > 1 + 1e-9 && !allow_unstable)

@@ -212,8 +212,10 @@ void refuse_contradictions(Scene const& scene, std::string const& origin) {
                        scene.start.file));
   if (scene.shear.discard >= 1)
     refuse("shear.discard = 1 (must be below 1) would leave nothing to measure");
-  if (scene.output.trajectory_strain != 0)
-    refuse("output.trajectory_strain is not there yet (must be 0); take state.h5 for the last state");
+  if (scene.measure.rotation && !scene.rotates())
+    refuse(fmt::format("measure.rotation = true (disks of model \"{}\" do not rotate); use model "
+                       "\"CD_rot\" or \"general\", or measure.rotation = false",
+                       disks.model));
 }
 
 }  // namespace

@@ -15,7 +15,7 @@
 namespace bagnold::io {
 namespace {
 
-constexpr std::int64_t schema = 2;  ///< of the file, see SCHEMA.md
+constexpr std::int64_t schema = 3;  ///< of the file, see SCHEMA.md
 
 std::filesystem::path newest_of(std::filesystem::path const& folder) {
   return folder / "checkpoint.h5";
@@ -86,6 +86,12 @@ std::vector<std::byte> checkpoint_image(Checkpoint const& checkpoint) {
   for (auto const& [name, value] : checkpoint.start_record)
     file.attribute("/start_record", name, value);
 
+  file.group("/frames");
+  for (auto const& [name, numbers] : checkpoint.frames) {
+    file.dataset("/frames/" + name, numbers, {numbers.size()});
+    file.attribute("/frames", name, static_cast<std::int64_t>(numbers.size()));
+  }
+
   auto image = file.image();
   add_seal(image);
   return image;
@@ -123,6 +129,10 @@ Checkpoint parse_checkpoint(std::string const& name, std::vector<std::byte> imag
 
   for (auto const& record : file.attribute_names("/start_record"))
     checkpoint.start_record[record] = file.number("/start_record", record);
+
+  for (auto const& name : file.attribute_names("/frames"))
+    checkpoint.frames[name] = file.doubles(
+        "/frames/" + name, {static_cast<hsize_t>(file.integer("/frames", name))});
   return checkpoint;
 }
 

@@ -18,6 +18,11 @@ void Counts::add(double value) {
   ++count_[static_cast<std::size_t>(above - edges_.begin() - 1)];
 }
 
+void Counts::add(Counts const& other) {
+  for (std::size_t b = 0; b < count_.size(); ++b) count_[b] += other.count_[b];
+  total_ += other.total_;
+}
+
 statistics::Histogram Counts::histogram(std::string name, std::string unit,
                                         std::string description) const {
   statistics::Histogram h{std::move(name), std::move(unit), std::move(description), edges_, {}};

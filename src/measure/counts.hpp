@@ -17,6 +17,9 @@ class Counts {
   /// NaN is not counted; what lies beyond the edges counts in the total only.
   void add(double value);
 
+  /// Adds those of the same edges.
+  void add(Counts const& other);
+
   /// density[b] = count[b] / (total width[b]).
   statistics::Histogram histogram(std::string name, std::string unit,
                                   std::string description) const;

@@ -11,12 +11,13 @@ namespace bagnold {
 /// of the last one, for a picture.
 class Fields final : public FrameObserver {
  public:
-  /// InputError where the box is too small for circles of radius 4 d_s.
+  /// The box is least_box_for_fields() wide at least.
   explicit Fields(Scene const& scene);
 
   void add(Frame const& frame) override;
   void save(Numbers& numbers) override;
   void load(Numbers const& numbers) override;
+  void join(FrameObserver const& other) override;
   void report(FrameResults& results) const override;
 
  private:

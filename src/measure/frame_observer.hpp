@@ -52,8 +52,16 @@ class FrameObserver {
   /// The inverse, before the first frame of a resumed run.
   virtual void load(Numbers const& numbers) = 0;
 
+  /// Takes in what another of its kind saw of another system.
+  virtual void join(FrameObserver const& other) = 0;
+
   /// Adds what it found so far.
   virtual void report(FrameResults& results) const = 0;
+
+  /// A run begins that is not resumed; its last frame has been shown; all its results are written.
+  virtual void begin() {}
+  virtual void finish() {}
+  virtual void tidy() {}
 };
 
 }  // namespace bagnold

@@ -21,14 +21,31 @@ std::int64_t Frames::next(std::int64_t step) const {
   return next;
 }
 
-void Frames::show(Simulation const& simulation, std::int64_t from, double step_strain) {
+void Frames::show(Simulation const& simulation, std::int64_t from) {
   auto const step = simulation.step();
   auto const waits = [&](Watched const& w) { return w.waits(from, step); };
   if (std::ranges::none_of(watched_, waits)) return;
   State const state = simulation.state();
-  Frame const frame{state, step, static_cast<double>(step) * step_strain};
+  Frame const frame{state, step, static_cast<double>(step) * step_strain_};
   for (auto const& w : watched_)
     if (waits(w)) w.observer->add(frame);
+}
+
+void Frames::begin() {
+  for (auto const& w : watched_) w.observer->begin();
+}
+
+void Frames::finish() {
+  for (auto const& w : watched_) w.observer->finish();
+}
+
+void Frames::tidy() {
+  for (auto const& w : watched_) w.observer->tidy();
+}
+
+void Frames::join(Frames const& other) {
+  for (std::size_t k = 0; k < watched_.size(); ++k)
+    watched_[k].observer->join(*other.watched_[k].observer);
 }
 
 Numbers Frames::save() {

@@ -17,21 +17,29 @@ namespace bagnold {
 /// not depend on how the run is cut into calls, if each goes no further than next().
 class Frames {
  public:
+  /// step_strain: gammadot dt.
+  explicit Frames(double step_strain = 0.0) : step_strain_(step_strain) {}
+
   /// spacing: [steps], 1 at least. Frames before first_step are not shown.
   void watch(std::unique_ptr<FrameObserver> observer, std::int64_t spacing,
              std::int64_t first_step = 0);
-
-  bool none() const { return watched_.empty(); }
 
   /// The first step after `step` that an observer waits for.
   std::int64_t next(std::int64_t step) const;
 
   /// Shows the configuration to all that have waited for one since step `from`, which they have
-  /// seen; -1: since before step 0. step_strain: gammadot dt.
-  void show(Simulation const& simulation, std::int64_t from, double step_strain);
+  /// seen; -1: since before step 0.
+  void show(Simulation const& simulation, std::int64_t from);
 
+  /// To all observers, see FrameObserver.
+  void begin();
   Numbers save();
   void load(Numbers const& numbers);
+  void finish();
+  void tidy();
+
+  /// Takes in what the same observers saw of another system.
+  void join(Frames const& other);
   FrameResults results() const;
 
  private:
@@ -42,6 +50,7 @@ class Frames {
 
     bool waits(std::int64_t from, std::int64_t to) const;
   };
+  double step_strain_;
   std::vector<Watched> watched_;
 };
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "src/config/plan.hpp"
 #include "src/measure/circle_overlap.hpp"
 #include "src/measure/disk_search.hpp"
 
@@ -45,8 +46,6 @@ struct PlaneFit {
 };
 
 }  // namespace
-
-double least_box_for_fields() { return 2 * (big_diameter + search_reach); }
 
 LocalFields local_fields(State const& state) {
   auto const search = disk_search(state, search_reach);

@@ -7,11 +7,6 @@
 
 namespace bagnold {
 
-inline constexpr double field_radius = 4.0;  ///< R, P2 Fig. 27, [d_s]
-
-/// Least width of a box in which no disk is met twice in one circle, [d_s].
-double least_box_for_fields();
-
 /// Local packing fraction and strain rate of each disk, over a circle of radius R = 4 d_s about its
 /// centre (P2 Fig. 27).
 struct LocalFields {

@@ -92,6 +92,15 @@ void Profiles::load(Numbers const& numbers) {
   plain_.weight = aligned_.weight = std::vector<double>(band_position_.size() / 2, 1.0);
 }
 
+void Profiles::join(FrameObserver const& other) {
+  auto const& of = dynamic_cast<Profiles const&>(other);
+  for (std::size_t f = 0; f < of.plain_.size(); ++f) {
+    plain_.push_back(of.plain_.row(f), 1.0);
+    aligned_.push_back(of.aligned_.row(f), 1.0);
+  }
+  band_position_.insert(band_position_.end(), of.band_position_.begin(), of.band_position_.end());
+}
+
 void Profiles::report_profiles(statistics::Windows const& frames, std::string const& suffix,
                                FrameResults& results) const {
   double const rate = scene_.shear.strain_rate;

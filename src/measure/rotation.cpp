@@ -12,6 +12,10 @@ void Rotation::save(Numbers& numbers) { numbers["rotation"] = counts_.numbers();
 
 void Rotation::load(Numbers const& numbers) { counts_.restore(numbers.at("rotation")); }
 
+void Rotation::join(FrameObserver const& other) {
+  counts_.add(dynamic_cast<Rotation const&>(other).counts_);
+}
+
 void Rotation::report(FrameResults& results) const {
   results.histograms.push_back(
       counts_.histogram("rotation", "1", "thetadot/gammadot over disks and frames"));

@@ -13,6 +13,7 @@ class Rotation final : public FrameObserver {
   void add(Frame const& frame) override;
   void save(Numbers& numbers) override;
   void load(Numbers const& numbers) override;
+  void join(FrameObserver const& other) override;
   void report(FrameResults& results) const override;
 
  private:

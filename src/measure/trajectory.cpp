@@ -55,8 +55,8 @@ void Trajectory::load(Numbers const& numbers) {
   }
 }
 
-void Trajectory::clear() const {
-  remove_parts();
+void Trajectory::begin() {
+  tidy();
   std::error_code error;
   fs::remove(file_, error);
   if (!error) fs::remove(fs::path(file_).replace_extension(".xdmf"), error);
@@ -79,7 +79,7 @@ void Trajectory::finish() {
   io::replace_file(fs::path(file_).replace_extension(".xdmf"), std::as_bytes(std::span(text)));
 }
 
-void Trajectory::remove_parts() const {
+void Trajectory::tidy() {
   std::error_code error;
   fs::remove_all(folder(), error);
   if (error)

@@ -25,16 +25,17 @@ class Trajectory final : public FrameObserver {
   void save(Numbers& numbers) override;
   /// FileError where a part that the checkpoint counts is gone.
   void load(Numbers const& numbers) override;
+  void join(FrameObserver const&) override {}
   void report(FrameResults&) const override {}
 
-  /// Drops what an earlier run left. Call it before the first frame of a run that is not resumed.
-  void clear() const;
+  /// Drops what an earlier run left.
+  void begin() override;
 
   /// Joins the parts into NAME.h5md, and writes NAME.xdmf beside it. May be called again.
-  void finish();
+  void finish() override;
 
-  /// Removes the parts: when nothing is left that would need them again.
-  void remove_parts() const;
+  /// Removes the parts.
+  void tidy() override;
 
  private:
   std::filesystem::path part(std::size_t number) const;

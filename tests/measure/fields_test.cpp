@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "src/config/errors.hpp"
+#include "src/config/plan.hpp"
 #include "src/measure/local_fields.hpp"
 #include "tests/measure/states.hpp"
 
@@ -102,12 +102,6 @@ TEST(Fields, HistogramsAndLastFrame) {
   EXPECT_EQ(last.rows[3], expected);
   EXPECT_EQ(test::named(results.samples, "fields_frame").rows,
             (std::vector<double>{7.0, 0.25, 26.0, 0.0}));
-}
-
-TEST(Fields, RefuseABoxThatIsTooSmall) {
-  Scene scene = test::plain_scene("CD", rate);
-  scene.disks.count = 32;
-  EXPECT_THROW(Fields{scene}, InputError);
 }
 
 }  // namespace

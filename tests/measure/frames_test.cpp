@@ -31,6 +31,7 @@ class Steps final : public FrameObserver {
   }
   void save(Numbers&) override {}
   void load(Numbers const&) override {}
+  void join(FrameObserver const&) override {}
   void report(FrameResults&) const override {}
 
  private:
@@ -39,7 +40,7 @@ class Steps final : public FrameObserver {
 
 std::vector<std::vector<std::int64_t>> seen_in_calls_of(std::int64_t steps) {
   std::vector<std::vector<std::int64_t>> seen(3);
-  Frames frames;
+  Frames frames(0.5);
   frames.watch(std::make_unique<Steps>(seen[0]), 10);
   frames.watch(std::make_unique<Steps>(seen[1]), 10, 40);
   frames.watch(std::make_unique<Steps>(seen[2]), 3, 60);
@@ -47,11 +48,11 @@ std::vector<std::vector<std::int64_t>> seen_in_calls_of(std::int64_t steps) {
   OpenWindows windows;
   Sampling sampling;
   sampling.last_step = 75;
-  frames.show(simulation, -1, 0.5);
+  frames.show(simulation, -1);
   while (simulation.step() < 75) {
     auto const from = simulation.step();
     simulation.advance(std::min(steps, frames.next(from) - from), sampling, windows);
-    frames.show(simulation, from, 0.5);
+    frames.show(simulation, from);
   }
   return seen;
 }

@@ -36,7 +36,7 @@ class TrajectoryTest : public testing::Test {
     add(whole, 0, 12);
     whole.save(numbers);
     whole.finish();
-    whole.remove_parts();
+    whole.tidy();
   }
 
  private:
@@ -68,7 +68,7 @@ TEST_F(TrajectoryTest, KilledAtAnyFrameEndsTheSame) {
     int const saved = killed / 3 * 3;  // a checkpoint every three frames
     {
       Trajectory first(file("cut.h5md"), header());
-      first.clear();
+      first.begin();
       for (int f = 0; f < saved; f += 3) {
         add(first, f, f + 3);
         first.save(numbers);
@@ -81,7 +81,7 @@ TEST_F(TrajectoryTest, KilledAtAnyFrameEndsTheSame) {
     }
     Trajectory second(file("cut.h5md"), header());
     if (saved == 0)
-      second.clear();
+      second.begin();
     else
       second.load(numbers);
     add(second, saved, 12);

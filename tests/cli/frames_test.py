@@ -1,0 +1,237 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Profiles, fields, rotation and trajectories in the files of a run, killed or not."""
+
+import json
+import signal
+import subprocess
+import sys
+import time
+import unittest
+import xml.etree.ElementTree
+
+import h5py
+import numpy as np
+
+from bagnold import CliTest, read_summary, seconds_to_strain
+
+MEASURED = {"measure__profiles": True, "measure__rotation": True, "measure__fields": True,
+            "disks__count": 128, "disks__packing_fraction": 0.82}
+GROUPS = ("histograms", "profiles", "samples")
+
+
+def tables(out):
+    """Every dataset that frames made, as bytes, by path."""
+    found = {}
+
+    def take(name, item):
+        if isinstance(item, h5py.Dataset) and name.split("/")[0] in GROUPS:
+            found[name] = item[()].tobytes()
+
+    with h5py.File(out / "result.h5", "r") as file:
+        file.visititems(take)
+    return found
+
+
+class MeasuredTest(CliTest):
+    def test_off_leaves_nothing(self):
+        out = self.run_new("off")
+        with h5py.File(out / "result.h5", "r") as file:
+            for group in GROUPS:
+                self.assertNotIn(group, file)
+        self.assertEqual(list(out.glob("trajectory*")), [])
+
+    def test_tables(self):
+        out = self.run_new("on", shear__strain=4.0, measure__frame_strain=2.0**-6, **MEASURED)
+        summary = read_summary(out)
+        for name in ("band_fraction_phi", "band_fraction_gammadot"):
+            self.assertTrue(0 < summary["observables"][name]["mean"] < 1)
+            self.assertEqual(summary["observables"][name]["samples"], 129)  # 2.0 to 4.0, both ends
+        with h5py.File(out / "result.h5", "r") as file:
+            length = float(file.attrs["box_length"])
+            profiles = {k: {d: g[d][()] for d in ("y", "value", "error")}
+                        for k, g in file["profiles"].items()}
+            spins = file["histograms/rotation"]
+            edges, density = spins["edges"][()], spins["density"][()]
+            local = file["histograms/local_phi"]
+            phi_edges, phi_density = local["edges"][()], local["density"][()]
+            disks = file["samples/fields"][()]
+            self.assertEqual(file["samples/band_position"].shape, (129, 2))
+        for name in ("v_x", "gammadot", "phi", "p", "p_el", "p_dis", "p_kin", "sigma", "Z", "T_g"):
+            for which in (name, name + "_aligned"):
+                profile = profiles[which]
+                self.assertEqual(len(profile["y"]), max(8, int(length / 1.5)))
+                np.testing.assert_allclose(np.diff(profile["y"]), length / len(profile["y"]))
+                self.assertTrue(np.isfinite(profile["value"]).all(), which)
+        # what must hold for the averages, whatever the profile
+        self.assertAlmostEqual(profiles["phi"]["value"].mean(), 0.82, places=12)
+        rate = 2.0**-7
+        self.assertAlmostEqual(profiles["gammadot"]["value"].mean() / rate, 1.0, places=9)
+        for name in ("p", "p_el", "sigma"):
+            found = profiles[name]["value"].mean() / summary["observables"][name]["mean"]
+            self.assertAlmostEqual(found, 1.0, delta=0.2, msg=name)  # other configurations
+        self.assertAlmostEqual(float((density * np.diff(edges)).sum()), 1.0, places=9)
+        middle = (edges[1:] + edges[:-1]) / 2
+        self.assertAlmostEqual(float((density * np.diff(edges) * middle).sum()),
+                               summary["observables"]["spin_mean"]["mean"], delta=0.1)
+        mean_phi = float((phi_density * np.diff(phi_edges) * (phi_edges[1:] + phi_edges[:-1]) / 2).sum())
+        self.assertAlmostEqual(mean_phi, 0.82, delta=0.03)
+        self.assertEqual(disks.shape, (128, 5))
+
+    def test_refusals(self):
+        self.refused(self.scene(disks__model="CD", measure__rotation=True), "measure.rotation",
+                     "CD_rot")
+        self.refused(self.scene(disks__count=32, measure__fields=True), "measure.fields", "box")
+        for value in (0.0, -1.0):
+            self.refused(self.scene(measure__frame_strain=value), "measure.frame_strain")
+
+    def test_pictures(self):
+        out = self.run_new("pictures", output__plot=True, measure__frame_strain=2.0**-6, **MEASURED)
+        for name in ("profiles.png", "fields.png"):
+            self.assertEqual((out / name).read_bytes()[:4], b"\x89PNG")
+
+
+class TrajectoryTest(CliTest):
+    def trajectory(self, **changes):
+        changes.setdefault("output__trajectory_strain", 2.0**-5)
+        changes.setdefault("integration__engine", "contact-rich")  # stops at every step
+        return self.run_new("trajectory", shear__strain=0.25, **changes)
+
+    def test_h5md(self):
+        """P. de Buyl, P. Colberg, F. Hoefling, Comput. Phys. Commun. 185, 1546 (2014), Sec. 3."""
+        out = self.trajectory()
+        with h5py.File(out / "trajectory.h5md", "r") as file:
+            self.assertEqual(list(file["h5md"].attrs["version"]), [1, 1])
+            for group in ("author", "creator"):
+                self.assertIn("name", file["h5md"][group].attrs)
+            self.assertEqual(file["h5md/creator"].attrs["name"].decode(), "Bagnold")
+            self.assertIn("version", file["h5md/creator"].attrs)
+            disks = file["particles/trajectory"]
+            box = disks["box"]
+            self.assertEqual(box.attrs["dimension"], 3)
+            self.assertEqual(list(box.attrs["boundary"]), [b"periodic", b"periodic", b"none"])
+            step, moment = disks["position/step"][()], disks["position/time"][()]
+            self.assertEqual(list(step), [64 * k for k in range(9)])
+            np.testing.assert_array_equal(moment, step * 2.0**-4)
+            for name in ("velocity", "spin", "box/edges"):  # of one time: the same objects
+                self.assertEqual(disks[name]["step"], disks["position/step"])
+                self.assertEqual(disks[name]["time"], disks["position/time"])
+            edges = box["edges/value"][()]
+            self.assertEqual(edges.shape, (9, 3, 3))
+            length = edges[0, 0, 0]
+            tilt = (step * 2.0**-11 * length + length / 2) % length - length / 2
+            np.testing.assert_allclose(edges[:, 1, 0], tilt, atol=1e-12)
+            np.testing.assert_array_equal(edges[:, 1, 1], length)
+            position, velocity = disks["position/value"][()], disks["velocity/value"][()]
+            self.assertEqual(position.shape, (9, 64, 3))
+            self.assertEqual(disks["spin/value"].shape, (9, 64))
+            self.assertTrue((position[..., 2] == 0).all() and (velocity[..., 2] == 0).all())
+            self.assertTrue((position[..., :2] >= 0).all() and (position[..., :2] <= length).all())
+            self.assertEqual(sorted(set(disks["species"][()])), [0, 1])
+            np.testing.assert_array_equal(disks["diameter"][()], 1 + 0.4 * disks["species"][()])
+            np.testing.assert_array_equal(disks["mass"][()], 1.0)
+            self.assertEqual(file["parameters"].attrs["length_unit"], b"d_s")
+        with h5py.File(out / "state.h5", "r") as file:  # the last frame is the last state
+            np.testing.assert_array_equal(file["state/position"][()], position[-1, :, :2])
+            np.testing.assert_array_equal(file["state/velocity"][()], velocity[-1, :, :2])
+        self.assertFalse((out / "trajectory.parts").exists())
+
+    def test_no_spins_without_rotation(self):
+        out = self.trajectory(disks__model="CD_n")
+        with h5py.File(out / "trajectory.h5md", "r") as file:
+            self.assertNotIn("spin", file["particles/trajectory"])
+
+    def test_xdmf(self):
+        """Every dataset that the XDMF names is there, and has the dimensions it says."""
+        out = self.trajectory()
+        grids = xml.etree.ElementTree.parse(out / "trajectory.xdmf").findall(".//Grid/Grid")
+        self.assertEqual(len(grids), 9)
+        with h5py.File(out / "trajectory.h5md", "r") as file:
+            for frame, grid in enumerate(grids):
+                self.assertEqual(float(grid.find("Time").get("Value")), frame * 4.0)
+                names = [a.get("Name") for a in grid.findall("Attribute")]
+                self.assertEqual(names, ["diameter", "species", "velocity", "spin"])
+                for item in grid.iter("DataItem"):
+                    if item.get("Format") != "HDF":
+                        continue
+                    name, path = item.text.split(":")
+                    self.assertEqual(name, "trajectory.h5md")
+                    shape = tuple(map(int, item.get("Dimensions").split()))
+                    self.assertEqual(file[path].shape, shape)
+                for slab in grid.iterfind(".//DataItem[@ItemType='HyperSlab']"):
+                    start, stride, count = np.array(slab[0].text.split(), int).reshape(3, -1)
+                    self.assertEqual(list(start), [frame] + [0] * (len(start) - 1))
+                    self.assertTrue((stride == 1).all())
+                    self.assertEqual(list(count), list(map(int, slab.get("Dimensions").split())))
+
+    def test_mdanalysis(self):
+        """Opens with no topology file; in a process of its own, for what it prints and loads."""
+        if subprocess.run([sys.executable, "-c", "import MDAnalysis"], capture_output=True).returncode:
+            self.skipTest("MDAnalysis is not installed (Debian: python3-mdanalysis)")
+        out = self.trajectory()
+        program = """
+import json, sys, warnings
+warnings.simplefilter("ignore")
+import MDAnalysis
+universe = MDAnalysis.Universe(sys.argv[1], n_atoms=64, convert_units=False)
+frames = [[float(ts.time), *map(float, ts.positions[5]), *map(float, ts.velocities[5]),
+           *map(float, ts.triclinic_dimensions.ravel())] for ts in universe.trajectory]
+print(json.dumps([len(universe.atoms), frames]))
+"""
+        result = subprocess.run([sys.executable, "-c", program, out / "trajectory.h5md"],
+                                capture_output=True, text=True)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        count, frames = json.loads(result.stdout.splitlines()[-1])
+        self.assertEqual((count, len(frames)), (64, 9))
+        with h5py.File(out / "trajectory.h5md", "r") as file:
+            disks = file["particles/trajectory"]
+            for k, frame in enumerate(frames):
+                expected = [disks["position/time"][k], *disks["position/value"][k, 5],
+                            *disks["velocity/value"][k, 5], *disks["box/edges/value"][k].ravel()]
+                np.testing.assert_allclose(frame, expected, rtol=1e-5, atol=1e-5)
+
+
+class KilledTest(CliTest):
+    def test_kill_and_resume_change_nothing(self):
+        for engine, model in (("contact-rich", "CD_rot"), ("windowed", "CD_rot")):
+            with self.subTest(engine=engine):
+                self.check_killed(engine, model)
+
+    def check_killed(self, engine, model):
+        changes = {**MEASURED, "disks__model": model, "integration__engine": engine,
+                   "output__checkpoint_minutes": 0.0005, "shear__discard": 0.25}
+        strain = seconds_to_strain(self, 1.5, shear__strain=1.0, **changes)
+        path = self.scene(shear__strain=float(strain), output__sample_strain=float(strain / 64),
+                          measure__frame_strain=float(strain / 50),
+                          output__trajectory_strain=float(strain / 37), **changes)
+        whole, cut = self.folder / f"whole-{engine}", self.folder / f"cut-{engine}"
+        began = time.monotonic()
+        self.run_scene(path, whole, "--quiet", "--threads", 1)
+        lasted = time.monotonic() - began
+        process = self.start("run", path, "--out", cut, "--quiet", "--threads", 1)
+        kills = 0
+        for share in (0.3, 0.1, 0.15, 0.05, 0.2):
+            if not self.wait_until(lambda: (cut / "checkpoint.h5").exists(), process):
+                break
+            time.sleep(share * lasted)
+            if process.poll() is not None:
+                break
+            process.send_signal(signal.SIGKILL)
+            process.wait()
+            kills += 1
+            for part in sorted((cut / "trajectory.parts").glob("*.h5md")):
+                with h5py.File(part, "r") as file:  # whole, after a kill at any moment
+                    self.assertGreater(len(file["particles/trajectory/position/step"]), 0)
+            process = self.start("resume", cut, "--quiet", "--threads", 1)
+        code, output = self.finish(process)
+        self.assertEqual(code, 0, output)
+        self.assertGreater(kills, 1)
+        self.assert_same_results(whole, cut)
+        self.assertEqual(tables(whole), tables(cut))
+        self.assertGreater(len(tables(whole)), 60)
+        for name in ("trajectory.h5md", "trajectory.xdmf"):
+            self.assertEqual((whole / name).read_bytes(), (cut / name).read_bytes(), name)
+        self.assertFalse((cut / "trajectory.parts").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()
