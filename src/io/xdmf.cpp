@@ -13,14 +13,16 @@ std::string whole(std::string const& file, char const* name, char const* type, s
       count, file, name);
 }
 
-/// One frame of a time-dependent element of `width` numbers a disk.
+/// One frame of a time-dependent element, [count] or [count][3]: behind the path what to take of
+/// the dataset, first:stride:count:shape. The hyperslabs of XDMF 2 crash ParaView's readers of
+/// XDMF 3.
 std::string one_frame(std::string const& file, char const* name, std::size_t frame,
-                      std::size_t frames, std::size_t count, int width) {
-  bool const row = width > 1;
-  auto const third = row ? fmt::format(" {}", width) : "";
+                      std::size_t frames, std::size_t count, bool vector) {
+  auto const with = [&](char const* third) { return vector ? third : ""; };
   return fmt::format(
-      R"(<DataItem ItemType="HyperSlab" Dimensions="1 {1}{2}"><DataItem Dimensions="3 {3}" Format="XML">{4} 0{5} 1 1{6} 1 {1}{2}</DataItem><DataItem Format="HDF" NumberType="Float" Precision="8" Dimensions="{7} {1}{2}">{0}:/particles/trajectory/{8}/value</DataItem></DataItem>)",
-      file, count, third, row ? 3 : 2, frame, row ? " 0" : "", row ? " 1" : "", frames, name);
+      R"(<DataItem Format="HDF" NumberType="Float" Precision="8" Dimensions="{0}{1}">)"
+      "{2}:/particles/trajectory/{3}/value|{4} 0{5}:1 1{6}:1 {0}{1}:{7} {0}{1}</DataItem>",
+      count, with(" 3"), file, name, frame, with(" 0"), with(" 1"), frames);
 }
 
 std::string attribute(char const* name, char const* kind, std::string const& item) {
@@ -37,20 +39,21 @@ std::string xdmf_of(std::string const& file, std::size_t count, std::vector<doub
       "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\"><Domain>\n"
       "<Grid Name=\"trajectory\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
   for (std::size_t f = 0; f < time.size(); ++f) {
-    auto const item = [&](char const* name, int width) {
-      return one_frame(file, name, f, time.size(), count, width);
+    auto const item = [&](char const* name, bool vector) {
+      return one_frame(file, name, f, time.size(), count, vector);
     };
     out +=
         fmt::format("  <Grid Name=\"disks\" GridType=\"Uniform\"><Time Value=\"{}\"/>\n", time[f]);
     out +=
         fmt::format("    <Topology TopologyType=\"Polyvertex\" NumberOfElements=\"{}\"/>\n", count);
-    out += fmt::format("    <Geometry GeometryType=\"XYZ\">{}</Geometry>\n", item("position", 3));
+    out +=
+        fmt::format("    <Geometry GeometryType=\"XYZ\">{}</Geometry>\n", item("position", true));
     out += attribute("diameter", "Scalar",
                      whole(file, "diameter", R"(NumberType="Float" Precision="8")", count));
     out += attribute("species", "Scalar",
                      whole(file, "species", R"(NumberType="Int" Precision="4")", count));
-    out += attribute("velocity", "Vector", item("velocity", 3));
-    if (spins) out += attribute("spin", "Scalar", item("spin", 1));
+    out += attribute("velocity", "Vector", item("velocity", true));
+    if (spins) out += attribute("spin", "Scalar", item("spin", false));
     out += "  </Grid>\n";
   }
   return out + "</Grid>\n</Domain></Xdmf>\n";

@@ -7,8 +7,8 @@
 
 namespace bagnold::io {
 
-/// What ParaView and VisIt need to know of an H5MD file beside them: XDMF 3, points with diameter,
-/// species, velocity and spin. time: [frames], [tau_e].
+/// What ParaView needs to know of an H5MD file beside it: XDMF 3, points with diameter, species,
+/// velocity and spin. time: [frames], [tau_e].
 std::string xdmf_of(std::string const& h5md_name, std::size_t count,
                     std::vector<double> const& time, bool spins);
 

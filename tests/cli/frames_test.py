@@ -151,36 +151,70 @@ class TrajectoryTest(CliTest):
                 names = [a.get("Name") for a in grid.findall("Attribute")]
                 self.assertEqual(names, ["diameter", "species", "velocity", "spin"])
                 for item in grid.iter("DataItem"):
-                    if item.get("Format") != "HDF":
-                        continue
-                    name, path = item.text.split(":")
+                    name, path = item.text.split(":", 1)
+                    path, _, part = path.partition("|")
                     self.assertEqual(name, "trajectory.h5md")
-                    shape = tuple(map(int, item.get("Dimensions").split()))
-                    self.assertEqual(file[path].shape, shape)
-                for slab in grid.iterfind(".//DataItem[@ItemType='HyperSlab']"):
-                    start, stride, count = np.array(slab[0].text.split(), int).reshape(3, -1)
-                    self.assertEqual(list(start), [frame] + [0] * (len(start) - 1))
-                    self.assertTrue((stride == 1).all())
-                    self.assertEqual(list(count), list(map(int, slab.get("Dimensions").split())))
+                    shape = [int(n) for n in item.get("Dimensions").split()]
+                    if not part:
+                        self.assertEqual(list(file[path].shape), shape)
+                        continue
+                    first, stride, count, whole = (list(map(int, numbers.split()))
+                                                   for numbers in part.split(":"))
+                    self.assertEqual(list(file[path].shape), whole)
+                    self.assertEqual(first, [frame] + [0] * len(shape))
+                    self.assertEqual(stride, [1] * len(first))
+                    self.assertEqual(count, [1] + shape)
+
+    def other_program(self, module, program, out):
+        """What a program prints as JSON about a trajectory, in a process of its own."""
+        has = subprocess.run([sys.executable, "-c", f"import {module}"], capture_output=True)
+        if has.returncode:
+            self.skipTest(f"{module} is not installed")
+        result = subprocess.run([sys.executable, "-c", program, out], capture_output=True, text=True)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return json.loads(result.stdout.splitlines()[-1])
+
+    def test_paraview(self):
+        """Opens by its name alone (Debian: python3-paraview)."""
+        out = self.trajectory()
+        times, points, arrays = self.other_program("paraview.simple", """
+import json, os, sys
+from paraview import servermanager, simple
+reader = simple.OpenDataFile(sys.argv[1] + "/trajectory.xdmf")
+simple.UpdatePipeline(proxy=reader)
+times = list(reader.TimestepValues)
+simple.UpdatePipeline(time=times[3], proxy=reader)
+data = servermanager.Fetch(reader)
+while data.IsA("vtkMultiBlockDataSet"):
+    data = data.GetBlock(0)
+arrays = {name: data.GetPointData().GetArray(name).GetTuple(5)
+          for name in ("diameter", "species", "velocity", "spin")}
+print()
+print(json.dumps([times, [data.GetPoint(k) for k in range(data.GetNumberOfPoints())], arrays]),
+      flush=True)
+os._exit(0)
+""", out)
+        with h5py.File(out / "trajectory.h5md", "r") as file:
+            disks = file["particles/trajectory"]
+            np.testing.assert_array_equal(times, disks["position/time"])
+            np.testing.assert_allclose(points, disks["position/value"][3], rtol=1e-6)
+            for name in ("velocity", "spin"):
+                np.testing.assert_allclose(np.squeeze(arrays[name]), disks[name]["value"][3, 5],
+                                           rtol=1e-6)
+            self.assertEqual(arrays["diameter"], [disks["diameter"][5]])
 
     def test_mdanalysis(self):
-        """Opens with no topology file; in a process of its own, for what it prints and loads."""
-        if subprocess.run([sys.executable, "-c", "import MDAnalysis"], capture_output=True).returncode:
-            self.skipTest("MDAnalysis is not installed (Debian: python3-mdanalysis)")
+        """Opens with no topology file (Debian: python3-mdanalysis)."""
         out = self.trajectory()
-        program = """
+        count, frames = self.other_program("MDAnalysis", """
 import json, sys, warnings
 warnings.simplefilter("ignore")
 import MDAnalysis
-universe = MDAnalysis.Universe(sys.argv[1], n_atoms=64, convert_units=False)
+universe = MDAnalysis.Universe(sys.argv[1] + "/trajectory.h5md", n_atoms=64, convert_units=False)
 frames = [[float(ts.time), *map(float, ts.positions[5]), *map(float, ts.velocities[5]),
            *map(float, ts.triclinic_dimensions.ravel())] for ts in universe.trajectory]
 print(json.dumps([len(universe.atoms), frames]))
-"""
-        result = subprocess.run([sys.executable, "-c", program, out / "trajectory.h5md"],
-                                capture_output=True, text=True)
-        self.assertEqual(result.returncode, 0, result.stderr)
-        count, frames = json.loads(result.stdout.splitlines()[-1])
+""", out)
         self.assertEqual((count, len(frames)), (64, 9))
         with h5py.File(out / "trajectory.h5md", "r") as file:
             disks = file["particles/trajectory"]
