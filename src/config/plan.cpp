@@ -21,6 +21,18 @@ constexpr double big_diameter = 1.4;  // [d_s]
 /// A quotient rounded up, but not for the sake of the rounding of the quotient itself.
 double round_up(double quotient) { return std::ceil(quotient * (1 - 1e-12)); }
 
+/// Of what is kept of frames, [bytes]: of each slice 1.5 d_s thick about 20 sums, twice; of fields the
+/// last one. All of it also in a checkpoint and in its image.
+double memory_of_frames(Scene const& scene, Plan const& plan) {
+  double const measured = static_cast<double>((plan.windows - plan.discarded_windows)) *
+                          static_cast<double>(plan.window_steps);
+  double const frames = 1 + measured / static_cast<double>(plan.frame_steps);
+  double bytes = 0;
+  if (scene.measure.profiles) bytes += frames * (8 + scene.box_length() / 1.5) * 2 * 21 * 8 * 5;
+  if (scene.measure.fields) bytes += static_cast<double>(scene.disks.count) * 7 * 8 * 3;
+  return bytes;
+}
+
 }  // namespace
 
 Plan make_plan(Scene const& scene) {
@@ -77,7 +89,8 @@ double memory_needed(Scene const& scene, Plan const& plan) {
   double const list = 4 + 1.125 * 4 * 7 * std::pow(1 + scene.integration.skin, 2) + 3 * 4;
   double const host = 3 * (16 + 16 + spin + 8) + 16;
   double const windows = static_cast<double>(plan.windows) * 16 * 8 * 6;
-  return static_cast<double>(scene.disks.count) * (views + list + host) + windows + 64e6;
+  return static_cast<double>(scene.disks.count) * (views + list + host) + windows +
+         memory_of_frames(scene, plan) + 64e6;
 }
 
 void check_feasible(Scene const& scene, Plan const& plan, bool allow_unstable) {

@@ -16,10 +16,20 @@ namespace {
 
 constexpr char const* group = "/particles/trajectory";
 
+/// What the system said, where HDF5 hands it on among much else.
+std::string reason() {
+  auto const all = hdf5_reason();
+  std::string const before = "error message = '";
+  auto const begin = all.find(before);
+  if (begin == std::string::npos) return all;
+  auto const text = all.substr(begin + before.size());
+  return text.substr(0, text.find('\''));
+}
+
 void require(bool good, std::string const& name) {
   if (good) return;
   throw FileError(fmt::format("cannot write {}: {}; free space on the disk, then `bagnold resume`",
-                              name, hdf5_reason()));
+                              name, reason()));
 }
 
 Handle without_times(hid_t kind) {

@@ -13,6 +13,9 @@ herr_t keep_first(unsigned, H5E_error2_t const* error, void* text) {
 }  // namespace
 
 void quiet_hdf5() {
+  // At exit HDF5 would close again, and crash on, a file that a full disk kept it from closing. It
+  // must be told before its first use; nothing is left open that the end of the program should close.
+  H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   H5PLset_loading_state(0);
 }

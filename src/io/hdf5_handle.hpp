@@ -37,7 +37,8 @@ class Handle {
   Close close_;
 };
 
-/// Stops HDF5 from printing its errors and from loading filter plug-ins.
+/// Stops HDF5 from printing its errors, from loading filter plug-ins, and from work at exit. Comes
+/// before any other use of HDF5.
 void quiet_hdf5();
 
 /// The innermost reason of the HDF5 call that just failed; any further call forgets it.
