@@ -264,6 +264,7 @@ int resume_command(ResumeOptions const& options) {
   catch_signals();
   RunFolder const folder = RunFolder::open(options.folder);
   if (std::filesystem::exists(folder.summary())) {
+    folder.remove_trajectory_parts();
     fmt::print("{} is finished: nothing to resume\n", options.folder.string());
     return 0;
   }

@@ -70,6 +70,14 @@ RunFolder RunFolder::open(fs::path const& folder) {
   return RunFolder(folder);
 }
 
+void RunFolder::remove_trajectory_parts() const {
+  auto const parts = path_ / "trajectory.parts";
+  std::error_code error;
+  fs::remove_all(parts, error);
+  if (error)
+    throw FileError(fmt::format("{} cannot be removed ({})", parts.string(), error.message()));
+}
+
 void RunFolder::write_text(fs::path const& file, std::string const& text) {
   io::replace_file(file, std::as_bytes(std::span(text)));
 }

@@ -27,6 +27,9 @@ class RunFolder {
   std::filesystem::path picture() const { return path_ / "plot.png"; }
   std::filesystem::path trajectory() const { return path_ / "trajectory.h5md"; }
 
+  /// Of a finished run: those that a kill right at its end left. Throws FileError.
+  void remove_trajectory_parts() const;
+
   /// Replace a text file in one piece. Throws FileError.
   static void write_text(std::filesystem::path const& file, std::string const& text);
 
