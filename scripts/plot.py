@@ -49,21 +49,27 @@ class Run:
     def __init__(self, path):
         with h5py.File(path, "r") as file:
             group = file["series"]
-            self.series = {k: np.atleast_1d(d[()]).astype(float) for k, d in group.items()}
+            self.each = {k: np.atleast_2d(d[()]).astype(float) for k, d in group.items()}
             self.unit = {k: plain(d.attrs.get("unit", "")) for k, d in group.items()}
             self.discarded = int(group.attrs.get("discarded_windows", 0))
             self.about = {k: plain(v) for k, v in file.attrs.items()}
-        sizes = {len(values) for values in self.series.values()}
-        if len(sizes) != 1 or sizes == {0}:
+        shapes = {values.shape for values in self.each.values()}
+        if len(shapes) != 1 or any(values.size == 0 for values in self.each.values()):
             raise ValueError("/series is empty or its datasets differ in length")
+        self.replicas, windows = shapes.pop()
+        self.series = {k: mean_of_rows(values) for k, values in self.each.items()}
         folder = os.path.dirname(os.path.abspath(path))
         self.observables = read_observables(os.path.join(folder, "summary.json"))
         self.state = read_state(os.path.join(folder, "state.h5"))
-        self.strain = self.series.get("strain", np.arange(1.0, sizes.pop() + 1.0))
+        self.strain = self.series.get("strain", np.arange(1.0, windows + 1.0))
         self.rate = self.number("strain_rate", mean_of(self["strain_rate"]))
 
     def __getitem__(self, name):
         return self.series.get(name, np.full(len(next(iter(self.series.values()))), np.nan))
+
+    def replicas_of(self, name):
+        """The series of each replica, where there are several."""
+        return self.each[name] if self.replicas > 1 and name in self.each else []
 
     def number(self, name, default=np.nan):
         try:
@@ -87,6 +93,14 @@ def mean_of(values):
     return float(values.mean()) if len(values) else np.nan
 
 
+def mean_of_rows(values):
+    """[R, n] to [n]: the mean over the replicas that have a value."""
+    defined = np.isfinite(values)
+    count = defined.sum(axis=0)
+    total = np.where(defined, values, 0.0).sum(axis=0)
+    return np.where(count > 0, total / np.maximum(count, 1), np.nan)
+
+
 def plain(value):
     """An attribute as str or number, whichever way it was stored."""
     value = value.decode(errors="replace") if isinstance(value, bytes) else value
@@ -106,6 +120,8 @@ def read_state(path):
         with h5py.File(path, "r") as file:
             group = file["state"]
             state = {k: group[k][()] for k in ("position", "velocity", "diameter")}
+            if state["diameter"].ndim == 2:  # replicas: the first one is drawn
+                state = {k: values[0] for k, values in state.items()}
             return {**state, **{k: float(group.attrs[k]) for k in ("box_length", "offset")}}
     except (OSError, KeyError, TypeError, ValueError):
         return None
@@ -143,6 +159,9 @@ def draw_series(axes, run, name, colour, label):
     """Windows as a line (many: pale, with a running mean), the mean of the measured ones dashed."""
     label = f"{label} = {rounded(*run.mean(name))}"
     windows = len(run.strain)
+    for one in run.replicas_of(name):
+        pale = smooth(one, windows // 100) if windows >= MANY_WINDOWS else one
+        axes.plot(run.strain, pale, color=colour, alpha=0.25, lw=0.5, zorder=1)
     if windows >= MANY_WINDOWS:
         axes.plot(run.strain, run[name], color=colour, alpha=0.3, lw=0.5)
         axes.plot(run.strain, smooth(run[name], windows // 100), color=colour, lw=1.3, label=label)
@@ -206,6 +225,8 @@ def draw_stress(figure, spot, run):
         axes.text(0.015, 0.98, "not measured", transform=axes.transAxes, color=GREY, fontsize=8.5,
                   va="top")
     note = "bold: running mean,  " if len(run.strain) >= MANY_WINDOWS else ""
+    if run.replicas > 1:
+        note += "pale: each replica,  "
     axes.text(0.985, 0.02, note + "dashed: mean ± standard error", transform=axes.transAxes,
               color=GREY, fontsize=8.5, ha="right")
 
@@ -372,8 +393,10 @@ def draw_packing(figure, spot, run):
     bar = figure.colorbar(coloured, ax=axes, shrink=0.8, pad=0.02, extend="both", aspect=28)
     bar.set_label(r"$(v_x - \dot\gamma y) / (\dot\gamma d_s)$")
     bar.outline.set_visible(False)
-    note = f"last state; lines: overlaps up to {strongest:.2g}" if np.isfinite(strongest) else ""
-    axes.set_title(note or "last state", fontsize=9, color="#333333")
+    note = "last state" + (" of the first replica" if run.replicas > 1 else "")
+    if np.isfinite(strongest):
+        note += f"; lines: overlaps up to {strongest:.2g}"
+    axes.set_title(note, fontsize=9, color="#333333")
 
 
 def excess_image(axes, position, excess, tilt, length):
@@ -403,6 +426,8 @@ def heading(run):
         known.append(r"$\dot\gamma\tau_e = $" + power_of_ten(run.rate))
     model = str(run.about.get("model", ""))
     known.append(f"strain {run.strain[-1]:.4g}")
+    if run.replicas > 1:
+        known.append(f"{run.replicas} replicas")
     mass = {"equal": "equal masses", "area": "mass by area"}.get(run.about.get("mass"))
     parts = [f"model {model}" if model else "", *known, mass or ""]
     title = str(run.about.get("title", "")).replace("$", r"\$")

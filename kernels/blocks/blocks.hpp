@@ -16,6 +16,10 @@ constexpr Real class_distance(int pair_class) {  ///< d_ij, [d_s]
   return small_diameter + pair_class * (big_diameter - small_diameter) / 2;
 }
 
+/// Lists taken from the outer one, each from the one before: pairs whose gap can close before the next
+/// pruning, and of those the ones that touch now.
+enum NearList : int { inner_list, contact_list, near_lists };
+
 /// A compact patch of disks and all that they may touch, as a stretch of slots:
 ///
 ///     own disks | inert ones, to a multiple of the pack width, at least two | halo
@@ -30,14 +34,13 @@ struct Block {
   std::uint32_t padded = 0;  ///< own and inert
   std::uint32_t halo = 0;
   std::uint32_t halo_first = 0;            ///< in Blocks::halo
-  std::uint32_t pairs[pair_classes + 1]{};  ///< where the classes begin, in Blocks::outer and ::inner
-  std::uint32_t inner[pair_classes]{};      ///< pairs of each class in the inner list
+  std::uint32_t pairs[pair_classes + 1]{};  ///< where the classes begin, in Blocks::outer and ::near
+  std::uint32_t near[near_lists][pair_classes]{};  ///< pairs of each class in the near lists
 
   std::uint32_t local() const { return padded + halo; }
 };
 
-/// The disks cut into blocks, and the pairs of each: an outer list within d_ij + skin, and an inner
-/// one of those whose gap can close before the next pruning.
+/// The disks cut into blocks, and the pairs of each: an outer list within d_ij + skin, and near ones.
 struct Blocks {
   template <class T>
   using Array = Kokkos::View<T*, Kokkos::HostSpace>;
@@ -48,7 +51,7 @@ struct Blocks {
   Array<Block> block;            ///< [count]
   Array<Neighbor> halo;          ///< the slot that each halo disk copies, and its image
   Array<simd::LocalPair> outer;  ///< class segments, multiples of the pack width
-  Array<simd::LocalPair> inner;  ///< the same places, filled from the front
+  Array<simd::LocalPair> near[near_lists];  ///< the same places, filled from the front; or empty
   Array<std::uint32_t> slot_of;  ///< [N]: where a disk is, by its index at the start
 };
 

@@ -5,6 +5,7 @@
 
 #include "kernels/blocks/blocks.hpp"
 #include "kernels/blocks/spatial_order.hpp"
+#include "kernels/core/side_by_side.hpp"
 #include "kernels/neighbors/neighbor_search.hpp"
 
 namespace bagnold {
@@ -61,7 +62,7 @@ Blocks build_blocks(Space const& space, Kokkos::View<Vec2<Real>*, Space> const& 
 
   Blocks blocks;
   blocks.count = (count + size - 1) / size;
-  blocks.block = Blocks::Array<Block>("blocks::block", blocks.count);
+  blocks.block = Blocks::Array<Block>(Kokkos::view_alloc(space, "blocks::block"), blocks.count);
   auto const block = blocks.block;
   auto const is_inside = [=](std::uint32_t b, Neighbor const& n) {
     return n.index() / size == b && n.image().m == 0 && n.image().n == 0;
@@ -69,7 +70,7 @@ Blocks build_blocks(Space const& space, Kokkos::View<Vec2<Real>*, Space> const& 
 
   // Halos and pair counts of each block.
   std::vector<std::vector<std::uint32_t>> keys(blocks.count);
-  Kokkos::parallel_for("blocks::count", Policy(space, 0, blocks.count), [&](std::int64_t b) {
+  side_by_side::parallel_for("blocks::count", Policy(space, 0, blocks.count), [&](std::int64_t b) {
     Block mine;
     auto const begin = static_cast<std::uint32_t>(b) * size;
     mine.own = std::min(count - begin, size);
@@ -113,12 +114,12 @@ Blocks build_blocks(Space const& space, Kokkos::View<Vec2<Real>*, Space> const& 
   };
   blocks.halo = Blocks::Array<Neighbor>(uninitialized("blocks::halo"), halos);
   blocks.outer = Blocks::Array<simd::LocalPair>(uninitialized("blocks::outer"), pairs);
-  blocks.inner = Blocks::Array<simd::LocalPair>(uninitialized("blocks::inner"), pairs);
+  blocks.near[inner_list] = Blocks::Array<simd::LocalPair>(uninitialized("blocks::inner"), pairs);
   blocks.slot_of = Blocks::Array<std::uint32_t>(uninitialized("blocks::slot_of"), count);
   auto const slot = [=](std::uint32_t rank) { return block(rank / size).first + rank % size; };
   for (std::uint32_t rank = 0; rank < count; ++rank) blocks.slot_of(order[rank]) = slot(rank);
 
-  Kokkos::parallel_for("blocks::fill", Policy(space, 0, blocks.count), [&](std::int64_t b) {
+  side_by_side::parallel_for("blocks::fill", Policy(space, 0, blocks.count), [&](std::int64_t b) {
     Block const& mine = block(b);
     auto const begin = static_cast<std::uint32_t>(b) * size;
     auto const& halo = keys[b];

@@ -19,7 +19,7 @@ struct NoPackObserver {
   void operator()(PackOfPairs const&) const {}
 };
 
-/// The forces on the disks of one block from its inner list, a pack of pairs at once.
+/// The forces on the disks of one block from one of its near lists, a pack of pairs at once.
 ///
 /// The pairs are added in the order of the list, so the bits depend neither on threads nor on when
 /// the list was pruned: a pair that does not touch adds zero.
@@ -32,13 +32,14 @@ struct BlockForces {
   Repulsion repulsion;
 
   /// records, spins (thetadot, [1 / tau_e]; null if the law does not rotate) and force: the
-  /// block's slots, halo included; force: zeroed here.
+  /// block's slots, halo included.
   template <class Observer>
-  void operator()(Block const& block, simd::LocalPair const* inner, simd::Record const* records,
-                  double const* spins, Force* force, Observer&& observe) const {
-    for (std::uint32_t i = 0; i < block.local(); ++i) force[i] = Force{};
+  void operator()(Blocks const& blocks, Block const& block, NearList list,
+                  simd::Record const* records, double const* spins, Force* force,
+                  Observer&& observe) const {
     for (int c = 0; c < pair_classes; ++c)
-      add_class(c, inner + block.pairs[c], block.inner[c], records, spins, force, observe);
+      add_class(c, blocks.near[list].data() + block.pairs[c], block.near[list][c], records, spins,
+                force, observe);
   }
 
  private:

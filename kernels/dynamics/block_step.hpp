@@ -33,6 +33,17 @@ inline void refresh_halo(Blocks const& blocks, Block const& block, BlockState co
   }
 }
 
+/// Largest (v - gammadot y x^)^2 of a block's disks, [d_s^2 / tau_e^2].
+inline Real fastest2_of(Block const& block, BlockState const& state, Real strain_rate) {
+  simd::Pack fastest2 = 0.0;
+  for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
+    auto const r = simd::load_records(state.record.data() + block.first + i);
+    simd::Pack const ux = fnma(strain_rate, r.y, r.vx);
+    fastest2 = max(fastest2, fma(ux, ux, r.vy * r.vy));
+  }
+  return simd::largest(fastest2);
+}
+
 /// What a step tells of a block.
 struct BlockReport {
   Real fastest2 = 0;          ///< largest (v - gammadot y x^)^2, [d_s^2 / tau_e^2]
@@ -73,18 +84,19 @@ struct BlockStep {
     refresh_halo(blocks, block, now, box);
     auto const* record = now.record.data() + block.first;
     evaluate(block, now, force, NoPackObserver{});
-    Kick const kick(*this, time_step);
+    Kick const kick(table, time_step);
     for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
       auto r = simd::load_records(record + i);
       auto const f = simd::load_forces(force + i);
-      Pack const k = kick.per_mass(block.first + i);
+      auto const big = simd::nonzero(species.data() + block.first + i);
+      Pack const k = kick.per_mass(big);
       r.x = fma(time_step, r.vx, r.x);
       r.y = fma(time_step, r.vy, r.y);
       r.vx = fma(k, f.x, r.vx);
       r.vy = fma(k, f.y, r.vy);
       simd::store_records(trial.record.data() + block.first + i, r);
       if constexpr (rotates)
-        fma(kick.per_inertia(block.first + i), f.turn, Pack::load(now.spin.data() + block.first + i))
+        fma(kick.per_inertia(big), f.turn, Pack::load(now.spin.data() + block.first + i))
             .store(trial.spin.data() + block.first + i);
     }
   }
@@ -98,14 +110,15 @@ struct BlockStep {
     refresh_halo(blocks, block, trial, box);
     OverlapWatch watch;
     evaluate(block, trial, force, watch);
-    Kick const kick(*this, time_step / 2);
+    Kick const kick(table, time_step / 2);
     Pack fastest2 = 0.0, poison = 0.0;
     for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
       auto const slot = block.first + i;
       auto r = simd::load_records(now.record.data() + slot);
       auto const t = simd::load_records(trial.record.data() + slot);
       auto const f = simd::load_forces(force + i);
-      Pack const k = kick.per_mass(slot);
+      auto const big = simd::nonzero(species.data() + slot);
+      Pack const k = kick.per_mass(big);
       Pack const vx = fma(k, f.x, 0.5 * (r.vx + t.vx));
       Pack const vy = fma(k, f.y, 0.5 * (r.vy + t.vy));
       r.x = fma(time_step / 2, r.vx + vx, r.x);
@@ -115,7 +128,7 @@ struct BlockStep {
       simd::store_records(now.record.data() + slot, r);
       seen(slot, r);
       if constexpr (rotates)
-        fma(kick.per_inertia(slot), f.turn, 0.5 * (Pack::load(now.spin.data() + slot) + Pack::load(trial.spin.data() + slot)))
+        fma(kick.per_inertia(big), f.turn, 0.5 * (Pack::load(now.spin.data() + slot) + Pack::load(trial.spin.data() + slot)))
             .store(now.spin.data() + slot);
       Pack const ux = fnma(box.strain_rate, r.y, vx);
       Pack const speed2 = fma(ux, ux, vy * vy);
@@ -125,31 +138,36 @@ struct BlockStep {
     return {simd::largest(fastest2), simd::largest(watch.largest), watch.touching, simd::sum(poison)};
   }
 
+  /// force: [block.local()], zeroed here.
   template <class Observer>
   void evaluate(Block const& block, BlockState const& state, Force* force,
                 Observer&& observe) const {
-    double const* spins = nullptr;
-    if constexpr (rotates) spins = state.spin.data() + block.first;
-    forces(block, blocks.inner.data(), state.record.data() + block.first, spins, force, observe);
+    for (std::uint32_t i = 0; i < block.local(); ++i) force[i] = Force{};
+    add_forces(block, inner_list, state, force, observe);
   }
 
- private:
-  /// What turns forces on eight slots into changes of motion, by species.
+  /// Adds to force what the pairs of a near list exert.
+  template <class Observer>
+  void add_forces(Block const& block, NearList list, BlockState const& state, Force* force,
+                  Observer&& observe) const {
+    double const* spins = nullptr;
+    if constexpr (rotates) spins = state.spin.data() + block.first;
+    forces(blocks, block, list, state.record.data() + block.first, spins, force, observe);
+  }
+
+  /// What turns forces on eight disks into changes of motion, by species.
   struct Kick {
-    Species const* species;
     simd::Pack mass[2], inertia[2];
 
-    Kick(BlockStep const& step, Real time) : species(step.species.data()) {
+    Kick(SpeciesTable const& table, Real time) {
       for (int s = 0; s < 2; ++s) {
-        mass[s] = time * step.table.inverse_mass[s];
-        inertia[s] = time * step.table.diameter[s] * step.table.inverse_inertia[s];
+        mass[s] = time * table.inverse_mass[s];
+        inertia[s] = time * table.diameter[s] * table.inverse_inertia[s];
       }
     }
-    simd::Pack per_mass(std::uint32_t slot) const {  ///< dt / m
-      return select(simd::nonzero(species + slot), mass[1], mass[0]);
-    }
-    simd::Pack per_inertia(std::uint32_t slot) const {  ///< dt d / I
-      return select(simd::nonzero(species + slot), inertia[1], inertia[0]);
+    simd::Pack per_mass(simd::Mask big) const { return select(big, mass[1], mass[0]); }  ///< dt / m
+    simd::Pack per_inertia(simd::Mask big) const {  ///< dt d / I
+      return select(big, inertia[1], inertia[0]);
     }
   };
 };

@@ -65,7 +65,7 @@ struct Batches {
     }
     blocks.count = static_cast<std::uint32_t>(stretches_.size());
     need(blocks.block, blocks.count, "islands::block");
-    need(blocks.inner, pairs, "islands::pairs");
+    need(blocks.near[inner_list], pairs, "islands::pairs");
     need(step.species, slots, "islands::species");
     need(step.now.record, slots, "islands::record");
     need(step.trial.record, slots, "islands::trial_record");
@@ -120,16 +120,16 @@ struct Batches {
         use(pair_class(step.species(block.first + a), step.species(block.first + b)), a, b);
       }
     };
-    each([&](int c, auto, auto) { ++block.inner[c]; });
+    each([&](int c, auto, auto) { ++block.near[inner_list][c]; });
     std::uint32_t to[pair_classes];
     for (int c = 0; c < pair_classes; ++c) {
       to[c] = block.pairs[c];
-      block.pairs[c + 1] = block.pairs[c] + simd::round_up(block.inner[c]);
+      block.pairs[c + 1] = block.pairs[c] + simd::round_up(block.near[inner_list][c]);
     }
-    each([&](int c, auto a, auto b) { step.blocks.inner(to[c]++) = simd::LocalPair::make(a, b); });
+    each([&](int c, auto a, auto b) { step.blocks.near[inner_list](to[c]++) = simd::LocalPair::make(a, b); });
     for (int c = 0; c < pair_classes; ++c)
       while (to[c] < block.pairs[c + 1])
-        step.blocks.inner(to[c]++) = simd::LocalPair::make(block.own, block.own + 1);
+        step.blocks.near[inner_list](to[c]++) = simd::LocalPair::make(block.own, block.own + 1);
   }
 };
 

@@ -40,8 +40,8 @@ inline std::int64_t free_steps(Blocks const& blocks, Block const& block,
   Pack first = time_step * static_cast<Real>(most + 1);
   for (int c = 0; c < pair_classes; ++c) {
     Real const touch = class_distance(c);
-    auto const* pairs = blocks.inner.data() + block.pairs[c];
-    for (std::uint32_t k = 0; k < block.inner[c]; k += simd::width) {
+    auto const* pairs = blocks.near[inner_list].data() + block.pairs[c];
+    for (std::uint32_t k = 0; k < block.near[inner_list][c]; k += simd::width) {
       auto const d = simd::load_differences(records, pairs + k);
       Pack const b = fma(d.x, d.vx, d.y * d.vy), v2 = fma(d.vx, d.vx, d.vy * d.vy);
       Pack const r2 = fma(d.x, d.x, fma(d.y, d.y, -(touch * touch)));

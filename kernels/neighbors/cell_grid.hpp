@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/core/side_by_side.hpp"
 #include "kernels/geometry/sheared_box.hpp"
 
 namespace bagnold {
@@ -31,7 +32,7 @@ namespace detail {
 
 template <class Space>
 void sort_cells(Space const& space, CellGrid<Space> const& grid) {
-  Kokkos::parallel_for(
+  side_by_side::parallel_for(
       "neighbors::CellGrid::sort",
       Kokkos::RangePolicy<Space>(space, 0, static_cast<std::int64_t>(grid.side) * grid.side),
       KOKKOS_LAMBDA(std::int64_t c) {
@@ -64,19 +65,19 @@ CellGrid<Space> make_cell_grid(Space const& space,
   Counts filled("neighbors::filled", cells);
   auto const g = grid;
 
-  Kokkos::parallel_for(
+  side_by_side::parallel_for(
       "neighbors::CellGrid::count", Kokkos::RangePolicy<Space>(space, 0, count),
       KOKKOS_LAMBDA(std::int64_t i) {
         auto const c = g.cell(position(i));
         Kokkos::atomic_fetch_add(&g.first(c + 1), 1u);
       });
-  Kokkos::parallel_scan(
+  side_by_side::parallel_scan(
       "neighbors::CellGrid::scan", Kokkos::RangePolicy<Space>(space, 0, cells + 1),
       KOKKOS_LAMBDA(std::int64_t c, std::uint32_t& sum, bool last) {
         sum += g.first(c);
         if (last) g.first(c) = sum;
       });
-  Kokkos::parallel_for(
+  side_by_side::parallel_for(
       "neighbors::CellGrid::fill", Kokkos::RangePolicy<Space>(space, 0, count),
       KOKKOS_LAMBDA(std::int64_t i) {
         auto const c = g.cell(position(i));

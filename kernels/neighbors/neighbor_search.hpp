@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "kernels/core/side_by_side.hpp"
 #include "kernels/core/species.hpp"
 #include "kernels/neighbors/cell_grid.hpp"
 #include "kernels/neighbors/neighbor_rows.hpp"
@@ -77,14 +78,14 @@ NeighborRows<Space> make_neighbor_rows(Space const& space, NeighborSearch<Space>
     rows.row = Kokkos::View<std::uint32_t*, Space>("neighbors::row", count + 1);
   auto const row = rows.row;
 
-  Kokkos::parallel_for(
+  side_by_side::parallel_for(
       "neighbors::NeighborRows::count", Kokkos::RangePolicy<Space>(space, 0, count),
       KOKKOS_LAMBDA(std::int64_t i) {
         std::uint32_t found = 0;
         search(static_cast<std::uint32_t>(i), [&](Neighbor const&) { ++found; });
         row(i + 1) = found;
       });
-  Kokkos::parallel_scan(
+  side_by_side::parallel_scan(
       "neighbors::NeighborRows::scan", Kokkos::RangePolicy<Space>(space, 0, count + 1),
       KOKKOS_LAMBDA(std::int64_t i, std::uint32_t & sum, bool last) {
         sum += row(i);
@@ -100,7 +101,7 @@ NeighborRows<Space> make_neighbor_rows(Space const& space, NeighborSearch<Space>
         total + total / 8);
   }
   auto const entries = rows.entries;
-  Kokkos::parallel_for(
+  side_by_side::parallel_for(
       "neighbors::NeighborRows::fill", Kokkos::RangePolicy<Space>(space, 0, count),
       KOKKOS_LAMBDA(std::int64_t i) {
         auto const begin = row(i);

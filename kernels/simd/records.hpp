@@ -75,11 +75,14 @@ BAGNOLD_INLINE Records transpose(__m512d z02, __m512d z13, __m512d z46, __m512d 
 
 BAGNOLD_INLINE __m256d load(Record const& r) { return _mm256_load_pd(&r.x); }
 
-/// Eight rows of four numbers.
-BAGNOLD_INLINE Records load_rows(double const* r) {
-  auto const row = [&](int k) { return _mm256_load_pd(r + 4 * k); };
+/// Eight rows of four numbers, row(k) each.
+template <class Row>
+BAGNOLD_INLINE Records load_rows(Row const& row) {
   return transpose(join(row(0), row(2)), join(row(1), row(3)), join(row(4), row(6)),
                    join(row(5), row(7)));
+}
+BAGNOLD_INLINE Records load_rows(double const* r) {
+  return load_rows([&](int k) { return _mm256_load_pd(r + 4 * k); });
 }
 
 }  // namespace detail
@@ -93,6 +96,26 @@ BAGNOLD_INLINE Records load_differences(Record const* records, LocalPair const* 
   __m256d const d4 = difference(4), d5 = difference(5), d6 = difference(6), d7 = difference(7);
   return detail::transpose(detail::join(d0, d2), detail::join(d1, d3), detail::join(d4, d6),
                            detail::join(d5, d7));
+}
+
+/// The records of eight quadrupled indices.
+BAGNOLD_INLINE Records load_records(Record const* r, std::uint16_t const* index4) {
+  return detail::load_rows([&](int k) { return detail::load(at(r, index4[k])); });
+}
+
+BAGNOLD_INLINE ForceComponents load_forces(TurningForce const* f, std::uint16_t const* index4) {
+  auto const rows =
+      detail::load_rows([&](int k) { return _mm256_load_pd(&at(f, index4[k]).x); });
+  return {rows.x, rows.vx, rows.vy};
+}
+
+/// Moves `count` (even) disks straight on: to = {x + v time, v}; `to` may be `from`.
+BAGNOLD_INLINE void fly(Record* to, Record const* from, std::uint32_t count, double time) {
+  __m512d const t = _mm512_set1_pd(time);
+  for (std::uint32_t i = 0; i < count; i += 2) {
+    __m512d const r = _mm512_loadu_pd(&from[i].x);
+    _mm512_storeu_pd(&to[i].x, _mm512_mask3_fmadd_pd(t, _mm512_permutex_pd(r, 0xee), r, 0x33));
+  }
 }
 
 /// Eight records in a row.
@@ -117,7 +140,11 @@ BAGNOLD_INLINE Mask nonzero(std::uint8_t const* bytes) {
   return {static_cast<__mmask8>(_mm512_test_epi64_mask(_mm512_cvtepu8_epi64(b), _mm512_set1_epi64(-1)))};
 }
 
-BAGNOLD_INLINE void store_records(Record* r, Records const& s) {
+namespace detail {
+
+/// store(k, row k) for eight records.
+template <class Store>
+BAGNOLD_INLINE void store_rows(Records const& s, Store const& store) {
   __m512d const xy0 = _mm512_unpacklo_pd((__m512d)s.x.v, (__m512d)s.y.v);   // x0 y0 x2 y2 ..
   __m512d const xy1 = _mm512_unpackhi_pd((__m512d)s.x.v, (__m512d)s.y.v);   // x1 y1 x3 y3 ..
   __m512d const v0 = _mm512_unpacklo_pd((__m512d)s.vx.v, (__m512d)s.vy.v);
@@ -126,7 +153,6 @@ BAGNOLD_INLINE void store_records(Record* r, Records const& s) {
   __m512i const high = _mm512_setr_epi64(4, 5, 12, 13, 6, 7, 14, 15);
   __m512d const r02 = _mm512_permutex2var_pd(xy0, low, v0), r46 = _mm512_permutex2var_pd(xy0, high, v0);
   __m512d const r13 = _mm512_permutex2var_pd(xy1, low, v1), r57 = _mm512_permutex2var_pd(xy1, high, v1);
-  auto const store = [&](int k, __m256d v) { _mm256_store_pd(&r[k].x, v); };
   store(0, _mm512_castpd512_pd256(r02));
   store(1, _mm512_castpd512_pd256(r13));
   store(2, _mm512_extractf64x4_pd(r02, 1));
@@ -135,6 +161,16 @@ BAGNOLD_INLINE void store_records(Record* r, Records const& s) {
   store(5, _mm512_castpd512_pd256(r57));
   store(6, _mm512_extractf64x4_pd(r46, 1));
   store(7, _mm512_extractf64x4_pd(r57, 1));
+}
+
+}  // namespace detail
+
+BAGNOLD_INLINE void store_records(Record* r, Records const& s) {
+  detail::store_rows(s, [&](int k, __m256d v) { _mm256_store_pd(&r[k].x, v); });
+}
+
+BAGNOLD_INLINE void store_records(Record* r, std::uint16_t const* index4, Records const& s) {
+  detail::store_rows(s, [&](int k, __m256d v) { _mm256_store_pd(&at(r, index4[k]).x, v); });
 }
 
 /// The force on a of eight pairs, and its opposite on b; one pair after the other.
@@ -205,6 +241,40 @@ BAGNOLD_INLINE Records load_differences(Record const* records, LocalPair const* 
   return r;
 }
 
+BAGNOLD_INLINE Records load_records(Record const* r, std::uint16_t const* index4) {
+  Records s;
+  for (int k = 0; k < width; ++k) {
+    Record const& from = at(r, index4[k]);
+    s.x.v[k] = from.x;
+    s.y.v[k] = from.y;
+    s.vx.v[k] = from.vx;
+    s.vy.v[k] = from.vy;
+  }
+  return s;
+}
+
+BAGNOLD_INLINE void store_records(Record* r, std::uint16_t const* index4, Records const& s) {
+  for (int k = 0; k < width; ++k) at(r, index4[k]) = {s.x.v[k], s.y.v[k], s.vx.v[k], s.vy.v[k]};
+}
+
+BAGNOLD_INLINE ForceComponents load_forces(TurningForce const* f, std::uint16_t const* index4) {
+  ForceComponents s;
+  for (int k = 0; k < width; ++k) {
+    TurningForce const& from = at(f, index4[k]);
+    s.x.v[k] = from.x;
+    s.y.v[k] = from.y;
+    s.turn.v[k] = from.turn;
+  }
+  return s;
+}
+
+BAGNOLD_INLINE void fly(Record* to, Record const* from, std::uint32_t count, double time) {
+  for (std::uint32_t i = 0; i < count; ++i) {
+    Record const r = from[i];
+    to[i] = {r.x + time * r.vx, r.y + time * r.vy, r.vx, r.vy};
+  }
+}
+
 BAGNOLD_INLINE ForceComponents load_forces(Force const* f) {
   ForceComponents s;
   for (int k = 0; k < width; ++k) {
@@ -272,6 +342,27 @@ BAGNOLD_INLINE int append(LocalPair* to, Mask mask, LocalPair const* pairs) {
 }
 
 #endif
+
+BAGNOLD_INLINE ForceComponents load_forces(Force const* f, std::uint16_t const* index4) {
+  ForceComponents s;
+  for (int k = 0; k < width; ++k) {
+    s.x.v[k] = at(f, index4[k]).x;
+    s.y.v[k] = at(f, index4[k]).y;
+  }
+  s.turn = 0.0;
+  return s;
+}
+
+/// The numbers of eight quadrupled indices.
+BAGNOLD_INLINE Pack load(double const* values, std::uint16_t const* index4) {
+  Pack p;
+  for (int k = 0; k < width; ++k) p.v[k] = at(values, index4[k]);
+  return p;
+}
+
+BAGNOLD_INLINE void store(double* values, std::uint16_t const* index4, Pack p) {
+  for (int k = 0; k < width; ++k) at(values, index4[k]) = p.v[k];
+}
 
 /// Which of eight bytes are zero.
 BAGNOLD_INLINE Mask zero(std::uint8_t const* bytes) { return Mask::of(~nonzero(bytes).lanes() & 0xffu); }

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
 
-namespace bagnold {
+#include "src/cli/machine.hpp"
 
-/// On what a run runs; none of it changes its bits.
-struct Machine {
-  std::string backend;  ///< "" chooses
-  int threads = 0;      ///< 0 chooses
-};
+namespace bagnold {
 
 struct RunOptions {
   std::filesystem::path scene_file;
@@ -29,6 +26,18 @@ struct ResumeOptions {
   bool quiet = false;
 };
 
+struct SweepOptions {
+  std::filesystem::path sweep_file;
+  std::filesystem::path folder;  ///< "": results/NAME of the sweep file
+  Machine machine;               ///< of each point; threads = 0: 1
+  int jobs = 0;                  ///< points at a time; 0: as many as the cores take
+  std::int64_t chain = 0;        ///< run this chain only, from 1; 0: all
+  bool collect = false;          ///< write the tables of what is there
+  bool emit_slurm = false;       ///< prepare the folder and write job scripts
+  bool quiet = false;
+  bool allow_unstable = false;
+};
+
 /// A line on stderr, quiet or not; nothing for no message.
 void warn(std::string const& message);
 
@@ -38,5 +47,11 @@ int run_command(RunOptions const& options);
 int resume_command(ResumeOptions const& options);
 int validate_command(RunOptions const& options);
 int info_command();
+
+/// 1 where points failed or, with `collect`, have no result yet; 0, 130 and 143 as the others.
+int sweep_command(SweepOptions const& options);
+
+/// Prints what a sweep file comes to: points, chains, steps, time.
+int validate_sweep_command(RunOptions const& options);
 
 }  // namespace bagnold

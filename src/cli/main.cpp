@@ -12,7 +12,7 @@ namespace {
 constexpr char const* units =
     "Units: length d_s (small diameter), time tau_e (elastic time), so that k_e = 1; strain rates in\n"
     "1/tau_e, stresses in m/tau_e^2.\n"
-    "Exit codes: 0 done, 2 bad input, 3 numerical failure, 4 input/output failure, 130 or 143\n"
+    "Exit codes: 0 done, 1 a sweep with failed points, 2 bad input, 3 numerical failure, 4 input/output failure, 130 or 143\n"
     "interrupted with a checkpoint written.";
 
 enum ExitCode { done = 0, bad_input = 2, numerical_failure = 3, file_failure = 4 };
@@ -35,6 +35,24 @@ void add_scene(CLI::App& command, bagnold::RunOptions& options) {
       ->required();
   command.add_option("--set", options.overrides, "table.key=value, over the scene; may be repeated")
       ->allow_extra_args(false);
+  command.add_flag("--allow-unstable", options.allow_unstable,
+                   "accept a time step (in tau_e) beyond the scheme's stability");
+}
+
+void add_sweep(CLI::App& command, bagnold::SweepOptions& options) {
+  command.add_option("FILE", options.sweep_file, "scene with a table [sweep] (see inputs/)")
+      ->required();
+  command.add_option("--out", options.folder, "folder for the points and tables [results/FILE]");
+  command.add_option("--jobs", options.jobs, "points at a time [default: cores / threads]")
+      ->check(CLI::Range(1, 4096));
+  auto* slurm = command.add_flag("--emit-slurm", options.emit_slurm,
+                                 "prepare the folder for Slurm and write job scripts; run nothing");
+  auto* chain = command.add_option("--chain", options.chain,
+                                   "run this chain of points only, from 1, and write no table");
+  auto* collect =
+      command.add_flag("--collect", options.collect, "write the tables of what is done; run nothing");
+  slurm->excludes(chain)->excludes(collect);
+  chain->excludes(collect);
   command.add_flag("--allow-unstable", options.allow_unstable,
                    "accept a time step (in tau_e) beyond the scheme's stability");
 }
@@ -68,6 +86,13 @@ int main(int argc, char** argv) try {
   resume_command->add_option("DIR", resume.folder, "folder of the run")->required();
   add_machine(*resume_command, resume.machine, resume.quiet);
 
+  bagnold::SweepOptions sweep;
+  auto* sweep_command =
+      app.add_subcommand("sweep", "run all points of a sweep file; the same command goes on with it");
+  sweep_command->footer(units);
+  add_sweep(*sweep_command, sweep);
+  add_machine(*sweep_command, sweep.machine, sweep.quiet);
+
   auto* info_command = app.add_subcommand("info", "version, git hash, Kokkos, backends, CPU");
   info_command->footer(units);
 
@@ -80,6 +105,7 @@ int main(int argc, char** argv) try {
   if (*run_command) return bagnold::run_command(run);
   if (*validate_command) return bagnold::validate_command(validate);
   if (*resume_command) return bagnold::resume_command(resume);
+  if (*sweep_command) return bagnold::sweep_command(sweep);
   if (*info_command) return bagnold::info_command();
   return bad_input;
 } catch (bagnold::InputError const& error) {

@@ -3,9 +3,11 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <vector>
@@ -26,6 +28,7 @@ int run_script(std::string const& python, char const* script, std::string const&
   pid_t const child = fork();
   if (child < 0) return 127;
   if (child == 0) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);  // no picture of a folder that another process may take over
     int const nowhere = open("/dev/null", O_WRONLY);
     dup2(ends[0], STDIN_FILENO);
     dup2(nowhere, STDOUT_FILENO);

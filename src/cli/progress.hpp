@@ -10,26 +10,29 @@
 namespace bagnold {
 
 /// Where a run stands, as a line on stdout: rewritten twice a second on a terminal, a plain line
-/// every half minute elsewhere.
+/// every half minute elsewhere. Steps are those of all replicas together. A sweep that started the run
+/// is told too.
 class Progress {
  public:
-  Progress(Scene const& scene, Plan const& plan, std::int64_t first_step, bool quiet);
+  Progress(Scene const& scene, Plan const& plan, std::int64_t first_steps, bool quiet);
 
-  void show(std::int64_t step);
-  void finish(std::int64_t step);
+  void show(std::int64_t steps);
+  void finish(std::int64_t steps);
 
  private:
   using Clock = std::chrono::steady_clock;
-  void print(std::int64_t step, Clock::time_point now);
+  void report(std::int64_t steps) const;
+  void print(std::int64_t steps, Clock::time_point now);
 
   double disks_;
   double strain_;
   std::int64_t steps_;
-  std::int64_t first_step_;
+  std::int64_t first_steps_;
   bool quiet_;
   bool terminal_;
   Clock::time_point start_;
   Clock::time_point shown_;
+  Clock::time_point reported_;  ///< to the sweep
 };
 
 }  // namespace bagnold

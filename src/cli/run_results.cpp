@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "src/cli/provenance.hpp"
 #include "src/config/keys.hpp"
@@ -41,28 +42,76 @@ double step_strain(Run const& run) { return run.plan.time_step * run.scene.shear
 
 /// Strain at the end of a window.
 double strain_at_end(Run const& run, std::size_t window) {
-  auto const end = std::min(static_cast<std::int64_t>(window + 1) * run.plan.window_steps,
-                            run.plan.steps);
+  auto const end =
+      std::min(static_cast<std::int64_t>(window + 1) * run.plan.window_steps, run.plan.steps);
   return step_strain(run) * static_cast<double>(end);
 }
 
+/// Windows of the replica that has most: all have as many once the run is done.
+std::size_t most_windows(Run const& run) {
+  std::size_t most = 0;
+  for (auto const& replica : run.replicas)
+    most = std::max(most, replica.measurement.windows.size());
+  return most;
+}
+
 std::size_t discarded(Run const& run) {
-  return std::min(static_cast<std::size_t>(run.plan.discarded_windows),
-                  run.measurement.windows.size());
+  return std::min(static_cast<std::size_t>(run.plan.discarded_windows), most_windows(run));
+}
+
+/// The values under one name in the records of all replicas: a number, or a row of R.
+io::Value record_of(Run const& run, std::map<std::string, double> Replica::*record,
+                    std::string const& name) {
+  std::vector<double> values;
+  for (auto const& replica : run.replicas) values.push_back((replica.*record).at(name));
+  if (values.size() == 1) return values.front();
+  return values;
+}
+
+std::vector<std::int64_t> seeds(Run const& run) {
+  std::vector<std::int64_t> list(run.replicas.size());
+  std::iota(list.begin(), list.end(), run.scene.disks.seed);
+  return list;
+}
+
+/// What observers found on the frames of all replicas.
+FrameResults on_frames(Run const& run) {
+  std::vector<Frames const*> frames;
+  for (auto const& replica : run.replicas) frames.push_back(&replica.measurement.frames);
+  return Frames::join(frames);
+}
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// A series of value(replica, window): NaN where a replica has not come to that window yet.
+template <class Value>
+io::Series series(Run const& run, std::string_view name, std::string_view unit,
+                  std::string_view meaning, Value const& value) {
+  io::Series made{std::string(name), std::string(unit), std::string(meaning), {}};
+  auto const windows = most_windows(run);
+  made.value.reserve(windows * run.replicas.size());
+  for (auto const& replica : run.replicas)
+    for (std::size_t w = 0; w < windows; ++w)
+      made.value.push_back(w < replica.measurement.windows.size() ? value(replica, w) : nan);
+  return made;
 }
 
 }  // namespace
 
+statistics::ReplicaEstimate estimate(Run const& run, statistics::Function const& f) {
+  std::vector<statistics::Windows const*> windows;
+  for (auto const& replica : run.replicas) windows.push_back(&replica.measurement.windows);
+  return statistics::estimate(windows, discarded(run), f);
+}
+
 std::vector<NamedEstimate> estimates(Run const& run) {
   std::vector<NamedEstimate> list;
   for (auto const& observable : observables(run.scene, run.box_length))
-    list.push_back({observable, statistics::estimate(run.measurement.windows, discarded(run),
-                                                     observable.value)});
+    list.push_back({observable, estimate(run, observable.value)});
   return list;
 }
 
 void write_result_file(RunFolder const& folder, Run const& run) {
-  auto const& windows = run.measurement.windows;
   io::Result result;
   Provenance const made = provenance();
   auto const& disks = run.scene.disks;
@@ -84,44 +133,82 @@ void write_result_file(RunFolder const& folder, Run const& run) {
                        {"time_step", run.plan.time_step},
                        {"steps", run.plan.steps},
                        {"window_steps", run.plan.window_steps}};
-  for (auto const& [name, value] : run.start_record) result.attributes.push_back({name, value});
-  for (auto const& [name, value] : run.engine) result.attributes.push_back({"engine_" + name, value});
+  Replica const& first = run.replicas.front();
+  if (run.replicas.size() > 1) result.attributes.push_back({"seeds", seeds(run)});
+  for (auto const& [name, value] : first.start_record)
+    result.attributes.push_back({name, record_of(run, &Replica::start_record, name)});
+  for (auto const& [name, value] : first.engine)
+    result.attributes.push_back({"engine_" + name, record_of(run, &Replica::engine, name)});
   result.discarded_windows = static_cast<std::int64_t>(discarded(run));
+  result.replicas = run.replicas.size();
 
-  io::Series strain{"strain", "1", "at the end of the window, from 0 at the start", {}};
-  io::Series time{"time", "tau_e", "at the end of the window", {}};
-  io::Series rate{"strain_rate", "1/tau_e", "gammadot", {}};
-  for (std::size_t w = 0; w < windows.size(); ++w) {
-    strain.value.push_back(strain_at_end(run, w));
-    time.value.push_back(run.initial_time + strain.value.back() / run.scene.shear.strain_rate);
-    rate.value.push_back(run.scene.shear.strain_rate);
-  }
-  io::Series weight{"evaluations", "1", "configurations evaluated in the window", windows.weight};
-  result.series = {strain, time, rate, weight};
-
-  for (auto const& observable : observables(run.scene, run.box_length)) {
-    io::Series series{std::string(observable.name), std::string(observable.unit),
-                      std::string(observable.meaning), {}};
-    for (std::size_t w = 0; w < windows.size(); ++w)
-      series.value.push_back(observable.value(windows.mean(w, w + 1)));
-    result.series.push_back(std::move(series));
-  }
-  auto found = run.measurement.frames.results();
+  double const rate = run.scene.shear.strain_rate;
+  auto const strain = [&](Replica const&, std::size_t w) { return strain_at_end(run, w); };
+  auto const time = [&](Replica const& replica, std::size_t w) {
+    return replica.initial_time + strain_at_end(run, w) / rate;
+  };
+  result.series = {
+      series(run, "strain", "1", "at the end of the window, from 0 at the start", strain),
+      series(run, "time", "tau_e", "at the end of the window", time),
+      series(run, "strain_rate", "1/tau_e", "gammadot",
+             [&](Replica const&, std::size_t) { return rate; }),
+      series(run, "evaluations", "1", "configurations evaluated in the window",
+             [](Replica const& replica, std::size_t w) {
+               return replica.measurement.windows.weight[w];
+             })};
+  for (auto const& observable : observables(run.scene, run.box_length))
+    result.series.push_back(series(run, observable.name, observable.unit, observable.meaning,
+                                   [&](Replica const& replica, std::size_t w) {
+                                     return observable.value(
+                                         replica.measurement.windows.mean(w, w + 1));
+                                   }));
+  auto found = on_frames(run);
   result.histograms = std::move(found.histograms);
   result.profiles = std::move(found.profiles);
   result.samples = std::move(found.samples);
   io::write_result(folder.result(), result);
 }
 
+namespace {
+
+/// What one name of the summary stands for.
+struct JsonEstimate {
+  std::string name;
+  statistics::ReplicaEstimate estimate;
+  double sample_strain;  ///< between its samples
+
+  Json json(statistics::Estimate const& of) const {
+    auto const& tau = of.correlation;
+    return {{"mean", number(of.mean)},
+            {"error", number(of.error)},
+            {"correlation_strain", tau ? number(*tau * sample_strain) : Json(nullptr)},
+            {"samples", of.samples}};
+  }
+};
+
+/// Each replica's own means and errors.
+Json replicas_json(Run const& run, std::vector<JsonEstimate> const& list) {
+  Json all = Json::array();
+  auto const seed = seeds(run);
+  for (std::size_t r = 0; r < seed.size(); ++r) {
+    Json one{{"seed", seed[r]}};
+    for (auto const& named : list)
+      one["observables"][named.name] = named.json(named.estimate.each[r]);
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
+}  // namespace
+
 void write_summary(RunFolder const& folder, Run const& run,
                    std::vector<NamedEstimate> const& list) {
   Provenance const made = provenance();
-  auto const& windows = run.measurement.windows;
   double const total = step_strain(run) * static_cast<double>(run.plan.steps);
-  double const first =
-      discarded(run) == 0 ? 0.0 : strain_at_end(run, discarded(run) - 1);
-  double const disk_steps =
-      static_cast<double>(run.plan.steps) * static_cast<double>(run.scene.disks.count);
+  double const first = discarded(run) == 0 ? 0.0 : strain_at_end(run, discarded(run) - 1);
+  double const disk_steps = static_cast<double>(run.plan.steps) *
+                            static_cast<double>(run.scene.disks.count) *
+                            static_cast<double>(run.replicas.size());
 
   Json summary;
   summary["schema"] = 1;
@@ -131,23 +218,18 @@ void write_summary(RunFolder const& folder, Run const& run,
   summary["steps"] = run.plan.steps;
   summary["wall_seconds"] = run.wall_seconds;
   summary["disk_steps_per_second"] =
-      number(run.wall_seconds > 0 ? disk_steps / run.wall_seconds
-                                  : std::numeric_limits<double>::quiet_NaN());
+      number(run.wall_seconds > 0 ? disk_steps / run.wall_seconds : nan);
   double const window_strain = step_strain(run) * static_cast<double>(run.plan.window_steps);
-  auto const put = [&](std::string const& name, statistics::Estimate const& estimate,
-                       double strain_between) {
-    auto const& tau = estimate.correlation;
-    summary["observables"][name] = {
-        {"mean", number(estimate.mean)},
-        {"error", number(estimate.error)},
-        {"correlation_strain", tau ? number(*tau * strain_between) : Json(nullptr)},
-        {"samples", estimate.samples}};
-  };
-  for (auto const& [observable, estimate] : list)
-    put(std::string(observable.name), estimate, window_strain);
   double const frame_strain = step_strain(run) * static_cast<double>(run.plan.frame_steps);
-  for (auto const& scalar : run.measurement.frames.results().scalars)
-    put(scalar.name, scalar.estimate, frame_strain);
+  if (run.replicas.size() > 1)
+    summary["errors_from"] = statistics::error_source(run.replicas.size());
+  std::vector<JsonEstimate> all;
+  for (auto const& [observable, estimate] : list)
+    all.push_back({std::string(observable.name), estimate, window_strain});
+  for (auto const& scalar : on_frames(run).scalars)
+    all.push_back({scalar.name, scalar.estimate, frame_strain});
+  for (auto const& one : all) summary["observables"][one.name] = one.json(one.estimate.all);
+  if (run.replicas.size() > 1) summary["replicas"] = replicas_json(run, all);
   RunFolder::write_text(folder.summary(), summary.dump(2) + "\n");
 }
 

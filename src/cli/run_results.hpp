@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,29 +11,38 @@
 #include "src/config/scene.hpp"
 #include "src/protocols/steady.hpp"
 #include "src/simulation/observables.hpp"
-#include "src/statistics/estimate.hpp"
+#include "src/statistics/replicas.hpp"
 
 namespace bagnold {
+
+/// One system of a run as the outputs see it.
+struct Replica {
+  double initial_time = 0.0;  ///< at step 0, [tau_e]
+  std::map<std::string, double> start_record;
+  std::map<std::string, double> engine;  ///< its counters and choices at the last checkpoint
+  std::optional<Numbers> saved_frames;   ///< of the checkpoint it goes on from; none: it begins
+  Measurement measurement;
+};
 
 /// A run as its outputs see it.
 struct Run {
   Scene scene;  ///< resolved
   Plan plan;
-  double box_length = 0.0;    ///< [d_s]
-  double initial_time = 0.0;  ///< at step 0, [tau_e]
-  std::map<std::string, double> start_record;
-  std::map<std::string, double> engine;  ///< its counters and choices at the last checkpoint
-  Measurement measurement;
+  double box_length = 0.0;  ///< [d_s]
+  std::vector<Replica> replicas;
   std::string backend;
   double wall_seconds = 0.0;  ///< of stepping, resumes included
 };
 
 struct NamedEstimate {
   Observable observable;
-  statistics::Estimate estimate;
+  statistics::ReplicaEstimate estimate;
 };
 
-/// Means and standard errors over the measured windows.
+/// Mean and standard error of a function of averages over the measured windows.
+statistics::ReplicaEstimate estimate(Run const& run, statistics::Function const& f);
+
+/// The same of all observables.
 std::vector<NamedEstimate> estimates(Run const& run);
 
 /// The windows so far as result.h5, whole. Throws FileError.

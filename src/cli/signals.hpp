@@ -4,7 +4,7 @@
 namespace bagnold {
 
 /// SIGUSR1 asks for a checkpoint; SIGINT and SIGTERM ask to stop with one; a second of these quits
-/// at once with 128 + its number.
+/// at once with 128 + its number, except in a point of a sweep.
 void catch_signals();
 
 /// Was a checkpoint asked for since the last call?

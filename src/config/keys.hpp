@@ -45,6 +45,8 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
   visit(Key{"disks.mass", "", "equal: m = 1 for all (P2); area: m = (pi/2) d^2 (P1)", required, 0,
             0, false, {"equal", "area"}}, disks.mass);
   visit(Key{"disks.seed", "", "of the random start", optional, 0, 9.2e18}, disks.seed);
+  visit(Key{"disks.replicas", "", "systems side by side, of the seeds seed .. seed + R - 1", optional,
+            1, 4096}, disks.replicas);
   visit(Key{"disks.damping_normal", "1/Q", "k_d^(n), model general only", optional, 0, 1e6},
         disks.damping_normal);
   visit(Key{"disks.damping_tangential", "1/Q", "k_d^(t), model general only", optional, 0, 1e6},
@@ -73,7 +75,7 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
   visit(Key{"integration.scheme", "", "P2 Eqs. 21-24", optional, 0, 0, false,
             {"modified-velocity-verlet"}}, integration.scheme);
   visit(Key{"integration.engine", "", "how the scheme is computed; none changes the physics", optional,
-            0, 0, false, {"auto", "reference", "contact-rich", "windowed"}}, integration.engine);
+            0, 0, false, {"auto", "reference", "dense", "contact-rich", "windowed"}}, integration.engine);
   visit(Key{"integration.time_step", "tau_e", "dt, or \"auto\": the papers' rules", optional, 0, 10,
             above}, integration.time_step);
   visit(Key{"integration.skin", "d_s", "neighbour list reaches this far beyond contact", optional,

@@ -30,6 +30,7 @@ double memory_of_frames(Scene const& scene, Plan const& plan) {
   double bytes = 0;
   if (scene.measure.profiles) bytes += frames * (8 + scene.box_length() / 1.5) * 2 * 21 * 8 * 5;
   if (scene.measure.fields) bytes += static_cast<double>(scene.disks.count) * 7 * 8 * 3;
+  if (plan.trajectory_steps > 0) bytes += 6 * 1024 * 1024;  // HDF5's cache of each dataset of its file
   return bytes;
 }
 
@@ -41,7 +42,7 @@ Plan make_plan(Scene const& scene) {
   plan.every = scene.measure.every;
   double const step_strain = plan.time_step * scene.shear.strain_rate;
   double const steps = round_up(scene.shear.strain / step_strain);
-  if (!(steps <= most_steps))
+  if (!(steps * static_cast<double>(scene.disks.replicas) <= most_steps))
     throw InputError(fmt::format(
         "shear.strain = {} takes {:.3g} steps (limit {:.0g}); raise shear.strain_rate = {} or lower "
         "shear.strain",
@@ -89,8 +90,9 @@ double memory_needed(Scene const& scene, Plan const& plan) {
   double const list = 4 + 1.125 * 4 * 7 * std::pow(1 + scene.integration.skin, 2) + 3 * 4;
   double const host = 3 * (16 + 16 + spin + 8) + 16;
   double const windows = static_cast<double>(plan.windows) * 16 * 8 * 6;
-  return static_cast<double>(scene.disks.count) * (views + list + host) + windows +
-         memory_of_frames(scene, plan) + 64e6;
+  double const system = static_cast<double>(scene.disks.count) * (views + list + host) + windows +
+                        memory_of_frames(scene, plan);
+  return static_cast<double>(scene.disks.replicas) * system + 64e6;
 }
 
 void check_feasible(Scene const& scene, Plan const& plan, bool allow_unstable) {
@@ -120,10 +122,13 @@ void check_feasible(Scene const& scene, Plan const& plan, bool allow_unstable) {
   double const needed = memory_needed(scene, plan);
   double const there = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
                        static_cast<double>(sysconf(_SC_PAGE_SIZE));
+  bool const alone = scene.disks.replicas == 1;
   if (needed > there)
     throw InputError(fmt::format(
-        "disks.count = {} needs about {:.1f} GiB of memory, this machine has {:.1f}; use fewer disks",
-        scene.disks.count, needed / 0x1p30, there / 0x1p30));
+        "disks.count = {}{} needs about {:.1f} GiB of memory, this machine has {:.1f}; use fewer disks{}",
+        scene.disks.count,
+        alone ? "" : fmt::format(" with disks.replicas = {}", scene.disks.replicas),
+        needed / 0x1p30, there / 0x1p30, alone ? "" : " or replicas"));
 }
 
 }  // namespace bagnold

@@ -20,6 +20,7 @@ struct Scene {
     double elasticity = 0;        ///< Q
     std::string mass;             ///< "equal" or "area"
     std::int64_t seed = 1;
+    std::int64_t replicas = 1;      ///< R: systems of the seeds seed .. seed + R - 1
     double damping_normal = 1;      ///< k_d^(n) Q, model general only
     double damping_tangential = 1;  ///< k_d^(t) Q, model general only
     double force_exponent = 2;      ///< alpha

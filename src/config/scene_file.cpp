@@ -6,33 +6,21 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <sstream>
-
-#define TOML_ASSERT(expression) static_cast<void>(0)
-#include <toml++/toml.h>
 
 #include "src/config/errors.hpp"
 #include "src/config/keys.hpp"
 #include "src/config/nearest_word.hpp"
+#include "src/config/toml_table.hpp"
 #include "src/config/toml_text.hpp"
 
 namespace bagnold {
 
 namespace {
 
-std::string describe(toml::node const& node) {
-  if (auto const* text = node.as_string()) return fmt::format("\"{}\"", text->get());
-  if (node.is_table()) return "a table";
-  if (node.is_array()) return "an array";
-  std::ostringstream out;
-  node.visit([&](auto const& value) { out << value; });
-  return out.str();
-}
-
 /// One scene text being read into a scene.
 class Reader {
  public:
-  /// `overrides`: which keys came from --set, and the text that set them.
+  /// `overrides`: which keys were put over the text, and where they were given.
   Reader(toml::table const& table, std::string origin,
          std::map<std::string, std::string> const& overrides)
       : table_(table), origin_(std::move(origin)), overrides_(overrides) {}
@@ -140,51 +128,45 @@ class Reader {
   std::vector<std::string> known_;
 };
 
-toml::table parse(std::string_view text, std::string const& origin) {
-  refuse_strange_bytes(text, origin);
-  try {
-    return toml::parse(text, origin);
-  } catch (toml::parse_error const& error) {
-    auto const at = error.source().begin;
+/// A word that is no TOML value is a string.
+void put_override(toml::table& scene, Override const& put) {
+  if (put.key.find_first_not_of(
+          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.-") != std::string::npos)
     throw InputError(
-        fmt::format("{}:{}:{}: {}", origin, at.line, at.column, error.description()));
+        fmt::format("{}: {} is no key; write --set table.key=value", put.origin, put.key));
+
+  toml::table parsed;
+  try {
+    parsed = parse_toml("value = " + put.value, put.origin);
+  } catch (InputError const&) {
+    if (put.value.empty() || put.value.find_first_of("\"'[]{}#=\n") != std::string::npos) throw;
+    refuse_strange_bytes("'" + put.value + "'", put.origin);
+    parsed.insert("value", put.value);
   }
+  if (parsed.size() != 1)
+    throw InputError(fmt::format("{}: one key and one value, please", put.origin));
+
+  auto const dot = put.key.find('.');
+  toml::node& node = *parsed.get("value");
+  if (dot == std::string::npos) {
+    scene.insert_or_assign(put.key, node);
+    return;
+  }
+  std::string const outer = put.key.substr(0, dot), inner = put.key.substr(dot + 1);
+  if (!scene.get_as<toml::table>(outer)) scene.insert_or_assign(outer, toml::table{});
+  scene.get_as<toml::table>(outer)->insert_or_assign(inner, node);
 }
 
-/// "table.key=value" with the value in TOML; a word that is no TOML value is a string.
-/// Returns the key.
-std::string put_override(toml::table& scene, std::string const& text) {
+/// "table.key=value" of the command line.
+Override from_command_line(std::string const& text) {
   auto const equals = text.find('=');
   std::string const origin = fmt::format("--set {}", text);
   if (equals == std::string::npos || equals == 0)
     throw InputError(fmt::format("{}: write --set table.key=value", origin));
-  std::string const name = text.substr(0, equals), value = text.substr(equals + 1);
-  if (name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.-") !=
-      std::string::npos)
-    throw InputError(fmt::format("{}: {} is no key; write --set table.key=value", origin, name));
-
-  toml::table parsed;
-  try {
-    parsed = parse("value = " + value, origin);
-  } catch (InputError const&) {
-    if (value.empty() || value.find_first_of("\"'[]{}#=\n") != std::string::npos) throw;
-    refuse_strange_bytes("'" + value + "'", origin);
-    parsed.insert("value", value);
-  }
-  if (parsed.size() != 1)
-    throw InputError(fmt::format("{}: one key and one value, please", origin));
-
-  auto const dot = name.find('.');
-  toml::node& node = *parsed.get("value");
-  if (dot == std::string::npos) {
-    scene.insert_or_assign(name, node);
-    return name;
-  }
-  std::string const outer = name.substr(0, dot), inner = name.substr(dot + 1);
-  if (!scene.get_as<toml::table>(outer)) scene.insert_or_assign(outer, toml::table{});
-  scene.get_as<toml::table>(outer)->insert_or_assign(inner, node);
-  return name;
+  return {text.substr(0, equals), text.substr(equals + 1), origin};
 }
+
+constexpr std::int64_t most_trajectories = 256;  // systems often allow 1024 open files
 
 void refuse_contradictions(Scene const& scene, std::string const& origin) {
   auto const refuse = [&](std::string const& message) {
@@ -212,10 +194,30 @@ void refuse_contradictions(Scene const& scene, std::string const& origin) {
                        scene.start.file));
   if (scene.shear.discard >= 1)
     refuse("shear.discard = 1 (must be below 1) would leave nothing to measure");
+  if (scene.output.trajectory_strain > 0 && disks.replicas > most_trajectories)
+    refuse(fmt::format("output.trajectory_strain = {} with disks.replicas = {} (must be at most {}: a "
+                       "file is open for each); run some of the seeds at a time, or set "
+                       "output.trajectory_strain = 0",
+                       scene.output.trajectory_strain, disks.replicas, most_trajectories));
   if (scene.measure.rotation && !scene.rotates())
     refuse(fmt::format("measure.rotation = true (disks of model \"{}\" do not rotate); use model "
                        "\"CD_rot\" or \"general\", or measure.rotation = false",
                        disks.model));
+}
+
+Scene scene_of(toml::table table, std::string const& origin, std::filesystem::path const& folder,
+               std::vector<Override> const& overrides) {
+  std::map<std::string, std::string> set;
+  for (auto const& put : overrides) {
+    put_override(table, put);
+    set[put.key] = put.origin;
+  }
+  Scene scene = Reader(table, origin, set).read();
+  refuse_contradictions(scene, origin);
+  if (!scene.start.file.empty())
+    scene.start.file =
+        std::filesystem::absolute(folder / scene.start.file).lexically_normal().string();
+  return scene;
 }
 
 }  // namespace
@@ -223,16 +225,22 @@ void refuse_contradictions(Scene const& scene, std::string const& origin) {
 Scene parse_scene(std::string_view text, std::string const& origin,
                   std::filesystem::path const& folder,
                   std::vector<std::string> const& overrides) {
-  toml::table table = parse(text, origin);
-  std::map<std::string, std::string> set;
-  for (auto const& text_of_one : overrides)
-    set[put_override(table, text_of_one)] = fmt::format("--set {}", text_of_one);
-  Scene scene = Reader(table, origin, set).read();
-  refuse_contradictions(scene, origin);
-  if (!scene.start.file.empty())
-    scene.start.file =
-        std::filesystem::absolute(folder / scene.start.file).lexically_normal().string();
-  return scene;
+  toml::table table = parse_toml(text, origin);
+  if (auto const* sweep = table.get("sweep"); sweep && sweep->is_table())
+    throw InputError(fmt::format("{}:{}:{}: [sweep] makes many scenes of this one; run them all with "
+                                 "`bagnold sweep {}`",
+                                 origin, sweep->source().begin.line, sweep->source().begin.column,
+                                 origin));
+  std::vector<Override> put;
+  for (auto const& one : overrides) put.push_back(from_command_line(one));
+  return scene_of(std::move(table), origin, folder, put);
+}
+
+Scene parse_point(std::string_view text, std::string const& origin,
+                  std::filesystem::path const& folder, std::vector<Override> const& values) {
+  toml::table table = parse_toml(text, origin);
+  table.erase("sweep");
+  return scene_of(std::move(table), origin, folder, values);
 }
 
 Scene read_scene(std::filesystem::path const& file, std::vector<std::string> const& overrides) {

@@ -23,4 +23,15 @@ Scene parse_scene(std::string_view text, std::string const& origin,
                   std::filesystem::path const& folder,
                   std::vector<std::string> const& overrides = {});
 
+/// A value put over a scene.
+struct Override {
+  std::string key;     ///< "table.key"
+  std::string value;   ///< in TOML
+  std::string origin;  ///< where it was given, for messages
+};
+
+/// The scene of one point of a sweep file: its text without the table [sweep], `values` over it.
+Scene parse_point(std::string_view text, std::string const& origin,
+                  std::filesystem::path const& folder, std::vector<Override> const& values);
+
 }  // namespace bagnold

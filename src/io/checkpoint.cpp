@@ -50,48 +50,107 @@ void adopt_whole_temporary(std::filesystem::path const& folder) {
   if (sealed(temporary_of(newest_of(folder)))) take_names(folder);
 }
 
+/// Where a system lies in the file: one alone at the root, several in groups of their own, because
+/// they pause at steps of their own, with numbers of windows that differ.
+std::string place_of(std::size_t system, std::size_t systems) {
+  return systems == 1 ? "" : fmt::format("/replicas/{}", system);
+}
+
+void put_system(Hdf5Writer& file, SystemCheckpoint const& system, std::string const& at,
+                double wall_seconds) {
+  put_states(file, {&system.state, 1}, at);
+
+  file.group(at + "/list");
+  file.dataset(at + "/list/position", flat(system.list_position), {system.state.count(), 2},
+               {{"unit", "d_s"}});
+  file.attribute(at + "/list", "step", system.list_step);
+  file.attribute(at + "/list", "builds", system.builds);
+
+  file.group(at + "/run");
+  file.attribute(at + "/run", "step", system.step);
+  file.attribute(at + "/run", "initial_offset", system.initial_offset);
+  file.attribute(at + "/run", "initial_time", system.initial_time);
+  file.attribute(at + "/run", "wall_seconds", wall_seconds);
+
+  auto const windows = at + "/windows";
+  file.group(windows);
+  auto const columns = static_cast<hsize_t>(system.columns);
+  file.dataset(windows + "/sums", system.window_sums, {system.window_weight.size(), columns});
+  file.dataset(windows + "/weight", system.window_weight, {system.window_weight.size()});
+  file.dataset(windows + "/open_sums", system.open_sums, {system.open_sums.size()});
+  file.attribute(windows, "columns", system.columns);
+  file.attribute(windows, "open_weight", system.open_weight);
+
+  file.group(at + "/engine");
+  for (auto const& [name, value] : system.engine) file.attribute(at + "/engine", name, value);
+
+  file.group(at + "/start_record");
+  for (auto const& [name, value] : system.start_record)
+    file.attribute(at + "/start_record", name, value);
+
+  file.group(at + "/frames");
+  for (auto const& [name, numbers] : system.frames) {
+    file.dataset(at + "/frames/" + name, numbers, {numbers.size()});
+    file.attribute(at + "/frames", name, static_cast<std::int64_t>(numbers.size()));
+  }
+}
+
+SystemCheckpoint get_system(Hdf5Reader const& file, std::string const& at) {
+  SystemCheckpoint system;
+  auto states = get_states(file, at);
+  if (states.size() != 1)
+    throw InputError(fmt::format("{}: {}/state holds {} states (must be one); the file is damaged",
+                                 file.name(), at, states.size()));
+  system.state = std::move(states.front());
+  system.list_position = file.pairs(at + "/list/position", {system.state.count()});
+  system.list_step = file.integer(at + "/list", "step");
+  system.builds = file.integer(at + "/list", "builds");
+
+  system.step = file.integer(at + "/run", "step");
+  system.initial_offset = file.number(at + "/run", "initial_offset");
+  system.initial_time = file.number(at + "/run", "initial_time");
+
+  auto const windows = at + "/windows";
+  system.columns = file.integer(windows, "columns");
+  system.window_weight = file.doubles(windows + "/weight", file.shape(windows + "/weight"));
+  system.window_sums = file.doubles(
+      windows + "/sums", {system.window_weight.size(), static_cast<hsize_t>(system.columns)});
+  system.open_sums = file.doubles(windows + "/open_sums", file.shape(windows + "/open_sums"));
+  system.open_weight = file.number(windows, "open_weight");
+
+  for (auto const& counter : file.attribute_names(at + "/engine"))
+    system.engine[counter] = file.number(at + "/engine", counter);
+
+  for (auto const& record : file.attribute_names(at + "/start_record"))
+    system.start_record[record] = file.number(at + "/start_record", record);
+
+  for (auto const& frames : file.attribute_names(at + "/frames"))
+    system.frames[frames] = file.doubles(
+        at + "/frames/" + frames, {static_cast<hsize_t>(file.integer(at + "/frames", frames))});
+  return system;
+}
+
 }  // namespace
+
+std::int64_t Checkpoint::steps() const {
+  std::int64_t sum = 0;
+  for (auto const& system : systems) sum += system.step;
+  return sum;
+}
 
 std::vector<std::byte> checkpoint_image(Checkpoint const& checkpoint) {
   Hdf5Writer file(Hashed::yes);
+  auto const count = checkpoint.systems.size();
   file.attribute("/", "format", "bagnold-checkpoint");
   file.attribute("/", "schema", schema);
+  if (count > 1) file.attribute("/", "replicas", static_cast<std::int64_t>(count));
   file.text("/scene", checkpoint.scene);
-  put_state(file, checkpoint.state);
-
-  file.group("/list");
-  file.dataset("/list/position", flat(checkpoint.list_position), {checkpoint.state.count(), 2},
-               {{"unit", "d_s"}});
-  file.attribute("/list", "step", checkpoint.list_step);
-  file.attribute("/list", "builds", checkpoint.builds);
-
-  file.group("/run");
-  file.attribute("/run", "step", checkpoint.step);
-  file.attribute("/run", "initial_offset", checkpoint.initial_offset);
-  file.attribute("/run", "initial_time", checkpoint.initial_time);
-  file.attribute("/run", "wall_seconds", checkpoint.wall_seconds);
-
-  file.group("/windows");
-  auto const columns = static_cast<hsize_t>(checkpoint.columns);
-  file.dataset("/windows/sums", checkpoint.window_sums, {checkpoint.window_weight.size(), columns});
-  file.dataset("/windows/weight", checkpoint.window_weight, {checkpoint.window_weight.size()});
-  file.dataset("/windows/open_sums", checkpoint.open_sums, {checkpoint.open_sums.size()});
-  file.attribute("/windows", "columns", checkpoint.columns);
-  file.attribute("/windows", "open_weight", checkpoint.open_weight);
-
-  file.group("/engine");
-  for (auto const& [name, value] : checkpoint.engine) file.attribute("/engine", name, value);
-
-  file.group("/start_record");
-  for (auto const& [name, value] : checkpoint.start_record)
-    file.attribute("/start_record", name, value);
-
-  file.group("/frames");
-  for (auto const& [name, numbers] : checkpoint.frames) {
-    file.dataset("/frames/" + name, numbers, {numbers.size()});
-    file.attribute("/frames", name, static_cast<std::int64_t>(numbers.size()));
+  if (count > 1) file.group("/replicas");
+  for (std::size_t r = 0; r < count; ++r) {
+    auto const at = place_of(r, count);
+    if (!at.empty()) file.group(at);
+    put_system(file, checkpoint.systems[r], at, checkpoint.wall_seconds);
   }
-
   auto image = file.image();
   add_seal(image);
   return image;
@@ -104,35 +163,18 @@ Checkpoint parse_checkpoint(std::string const& name, std::vector<std::byte> imag
   if (auto const found = file.integer("/", "schema"); found != schema)
     throw InputError(fmt::format("{}: schema = {} (must be {}): use the version that wrote it",
                                  name, found, schema));
+  std::int64_t const count =
+      file.has_attribute("/", "replicas") ? file.integer("/", "replicas") : 1;
+  if (count < 1)
+    throw InputError(
+        fmt::format("{}: replicas = {} (must be at least 1): the file is damaged", name, count));
   Checkpoint checkpoint;
   checkpoint.scene = file.text("/scene");
-  checkpoint.state = get_state(file);
-  checkpoint.list_position = file.pairs("/list/position", checkpoint.state.count());
-  checkpoint.list_step = file.integer("/list", "step");
-  checkpoint.builds = file.integer("/list", "builds");
-
-  checkpoint.step = file.integer("/run", "step");
-  checkpoint.initial_offset = file.number("/run", "initial_offset");
-  checkpoint.initial_time = file.number("/run", "initial_time");
-  checkpoint.wall_seconds = file.number("/run", "wall_seconds");
-
-  checkpoint.columns = file.integer("/windows", "columns");
-  auto const weight_shape = file.shape("/windows/weight");
-  checkpoint.window_weight = file.doubles("/windows/weight", weight_shape);
-  checkpoint.window_sums = file.doubles(
-      "/windows/sums", {checkpoint.window_weight.size(), static_cast<hsize_t>(checkpoint.columns)});
-  checkpoint.open_sums = file.doubles("/windows/open_sums", file.shape("/windows/open_sums"));
-  checkpoint.open_weight = file.number("/windows", "open_weight");
-
-  for (auto const& counter : file.attribute_names("/engine"))
-    checkpoint.engine[counter] = file.number("/engine", counter);
-
-  for (auto const& record : file.attribute_names("/start_record"))
-    checkpoint.start_record[record] = file.number("/start_record", record);
-
-  for (auto const& name : file.attribute_names("/frames"))
-    checkpoint.frames[name] = file.doubles(
-        "/frames/" + name, {static_cast<hsize_t>(file.integer("/frames", name))});
+  for (std::int64_t r = 0; r < count; ++r)
+    checkpoint.systems.push_back(
+        get_system(file, place_of(static_cast<std::size_t>(r), static_cast<std::size_t>(count))));
+  checkpoint.wall_seconds =
+      file.number(place_of(0, checkpoint.systems.size()) + "/run", "wall_seconds");
   return checkpoint;
 }
 
@@ -152,7 +194,7 @@ std::optional<Checkpoint> newest_checkpoint(std::filesystem::path const& folder,
     if (!std::filesystem::exists(path, ignored) && !ignored) continue;
     try {
       auto found = load(path);
-      if (!best || found.step > best->step) best = std::move(found);
+      if (!best || found.steps() > best->steps()) best = std::move(found);
     } catch (std::exception const& error) {
       if (remarks != nullptr) remarks->push_back(error.what());
     }

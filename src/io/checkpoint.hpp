@@ -14,10 +14,9 @@
 
 namespace bagnold::io {
 
-/// All that a run needs to go on bit for bit. Form of the file: SCHEMA.md.
-struct Checkpoint {
-  std::string scene;  ///< resolved, TOML
-  State state;        ///< as the engine holds it: positions may lie outside the box
+/// All that one system needs to go on bit for bit, and what was measured on it.
+struct SystemCheckpoint {
+  State state;  ///< as the engine holds it: positions may lie outside the box
   std::vector<std::array<double, 2>> list_position;  ///< [N], at the last list build, [d_s]
   std::int64_t list_step = 0;                        ///< step of that build
   std::int64_t step = 0;                             ///< steps done
@@ -30,9 +29,17 @@ struct Checkpoint {
   double open_weight = 0.0;
   std::map<std::string, double> start_record;  ///< e.g. relaxation iterations, remaining overlap
   std::map<std::string, std::vector<double>> frames;  ///< what observers of frames know
-  double wall_seconds = 0.0;                   ///< so far, [s]
-  std::int64_t builds = 0;                     ///< of the neighbour list, so far
-  std::map<std::string, double> engine;        ///< what else the engine needs: ages, bounds, counters
+  std::int64_t builds = 0;                            ///< of the neighbour list, so far
+  std::map<std::string, double> engine;  ///< what else the engine needs: ages, bounds, counters
+};
+
+/// All that a run needs to go on bit for bit. Form of the file: SCHEMA.md.
+struct Checkpoint {
+  std::string scene;                      ///< resolved, TOML
+  double wall_seconds = 0.0;              ///< so far, [s]
+  std::vector<SystemCheckpoint> systems;  ///< [R], one at least; each perhaps at a step of its own
+
+  std::int64_t steps() const;  ///< done by all systems together
 };
 
 /// The sealed file in memory.
@@ -48,9 +55,9 @@ Checkpoint parse_checkpoint(std::string const& name, std::vector<std::byte> imag
 /// failure the older two are untouched, and FileError says what to do.
 void write_checkpoint(std::filesystem::path const& folder, Checkpoint const& checkpoint);
 
-/// The checkpoint with most steps that verifies, a finished temporary included; nothing if none
-/// does. Never throws for a damaged file: `remarks` (if not null) gets one line for each that was
-/// rejected.
+/// The checkpoint with most steps, of all systems, that verifies, a finished temporary included;
+/// nothing if none does. Never throws for a damaged file: `remarks` (if not null) gets one line for
+/// each that was rejected.
 std::optional<Checkpoint> newest_checkpoint(std::filesystem::path const& folder,
                                             std::vector<std::string>* remarks);
 

@@ -143,6 +143,10 @@ H5mdFile::H5mdFile(std::filesystem::path path, TrajectoryHeader const& header)
   if (header.spins) spin_ = series("spin", H5T_IEEE_F64LE, {count_});
 }
 
+H5mdFile::~H5mdFile() {
+  quiet_hdf5();  // the members are closed on this thread
+}
+
 /// A time-dependent element: `value`, and `step` and `time`, which all elements share.
 Handle H5mdFile::series(std::string const& name, hid_t type, Shape const& frame_shape) {
   auto const at = fmt::format("{}/{}", group, name);
@@ -192,6 +196,7 @@ void H5mdFile::put(Handle const& set, hid_t type, void const* values) {
 }
 
 void H5mdFile::append(State const& state, std::int64_t step) {
+  quiet_hdf5();
   double const length = state.box_length;
   // floor, not round: a tilt of half a box stays as it is when it is written again
   double const tilt = state.offset - length * std::floor(state.offset / length + 0.5);
@@ -206,6 +211,7 @@ void H5mdFile::append(State const& state, std::int64_t step) {
 }
 
 void H5mdFile::close() {
+  quiet_hdf5();
   for (Handle* set : {&step_, &time_, &edges_, &position_, &velocity_, &spin_})
     *set = Handle(-1, H5Dclose);
   require(H5Fflush(file_.get(), H5F_SCOPE_LOCAL) >= 0, name_);

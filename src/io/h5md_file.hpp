@@ -24,10 +24,14 @@ struct TrajectoryHeader {
 /// 185, 1546 (2014)), frame by frame; SCHEMA.md tells what is in it.
 ///
 /// It is written as PATH.tmp, and has its name when close() has brought all of it to the disk: HDF5
-/// does not keep a file whole while it writes to it. Throws FileError.
+/// does not keep a file whole while it writes to it. Its calls may come from one thread after the
+/// other. Throws FileError.
 class H5mdFile {
  public:
   H5mdFile(std::filesystem::path path, TrajectoryHeader const& header);
+  ~H5mdFile();
+  H5mdFile(H5mdFile const&) = delete;
+  H5mdFile& operator=(H5mdFile const&) = delete;
 
   /// Disks of the state in the box.
   void append(State const& state, std::int64_t step);

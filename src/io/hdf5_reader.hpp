@@ -24,6 +24,7 @@ class Hdf5Reader {
   /// `name` is for messages. Hashed::yes: every dataset must carry a true `xxh3`.
   Hdf5Reader(std::string name, std::vector<std::byte> image, Hashed hashed = Hashed::no);
 
+  std::string const& name() const { return open_.name; }
   bool has(std::string const& path) const { return exists(open_, path); }
   Shape shape(std::string const& path) const;
 
@@ -31,8 +32,10 @@ class Hdf5Reader {
   std::vector<double> doubles(std::string const& path, Shape const& expected) const {
     return values<double>(path, expected);
   }
-  std::vector<std::array<double, 2>> pairs(std::string const& path, hsize_t count) const {
-    return values<std::array<double, 2>>(path, {count, 2});
+  /// Rows of two: `expected` is the shape without that last axis.
+  std::vector<std::array<double, 2>> pairs(std::string const& path, Shape expected) const {
+    expected.push_back(2);
+    return values<std::array<double, 2>>(path, expected);
   }
   std::vector<std::int64_t> integers(std::string const& path, Shape const& expected) const {
     return values<std::int64_t>(path, expected);

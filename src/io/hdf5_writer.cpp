@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <stdexcept>
 
@@ -29,7 +30,8 @@ Handle create_in_memory() {
   H5Pset_libver_bounds(access.get(), H5F_LIBVER_EARLIEST, H5F_LIBVER_V18);
   Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
   H5Pset_obj_track_times(creation.get(), false);
-  Handle file(H5Fcreate("memory", H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose);
+  Handle file(H5Fcreate(name_in_memory().c_str(), H5F_ACC_TRUNC, creation.get(), access.get()),
+              H5Fclose);
   require(file.valid(), "the root");
   return file;
 }
@@ -107,25 +109,40 @@ void Hdf5Writer::text(std::string const& path, std::string const& value,
         std::as_bytes(std::span(value.c_str(), value.size() + 1)), attributes);
 }
 
+void Hdf5Writer::texts(std::string const& path, std::span<std::string const> values) {
+  std::size_t longest = 0;
+  for (auto const& value : values) longest = std::max(longest, value.size());
+  std::string filled;
+  for (auto const& value : values) filled += value + std::string(longest + 1 - value.size(), '\0');
+  auto const type = text_type(longest + 1);
+  write(path, type.get(), plain_space(path, values.size(), {values.size()}),
+        std::as_bytes(std::span(filled)), {});
+}
+
 void Hdf5Writer::attribute(std::string const& path, std::string const& name, Value const& value) {
   auto const where = path + "@" + name;
-  auto const put = [&](hid_t type, void const* data) {
-    Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  auto const put = [&](hid_t type, void const* data, Handle const& space) {
     Handle made(H5Acreate_by_name(file_.get(), path.c_str(), name.c_str(), type, space.get(),
                                   H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
                 H5Aclose);
     require(made.valid(), where);
     require(H5Awrite(made.get(), type, data) >= 0, where);
   };
+  auto const scalar = [] { return Handle(H5Screate(H5S_SCALAR), H5Sclose); };
+  auto const row = [&](std::size_t length) { return plain_space(where, length, {length}); };
   if (auto const* number = std::get_if<double>(&value)) {
-    put(H5T_IEEE_F64LE, number);
+    put(H5T_IEEE_F64LE, number, scalar());
   } else if (auto const* integer = std::get_if<std::int64_t>(&value)) {
-    put(H5T_STD_I64LE, integer);
+    put(H5T_STD_I64LE, integer, scalar());
+  } else if (auto const* numbers = std::get_if<std::vector<double>>(&value)) {
+    put(H5T_IEEE_F64LE, numbers->data(), row(numbers->size()));
+  } else if (auto const* integers = std::get_if<std::vector<std::int64_t>>(&value)) {
+    put(H5T_STD_I64LE, integers->data(), row(integers->size()));
   } else {
     // variable length: h5py then gives str, not bytes
     auto const type = text_type(H5T_VARIABLE);
     char const* const text = std::get<std::string>(value).c_str();
-    put(type.get(), &text);
+    put(type.get(), &text, scalar());
   }
 }
 

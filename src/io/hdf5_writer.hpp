@@ -14,8 +14,9 @@
 
 namespace bagnold::io {
 
-/// What an attribute holds.
-using Value = std::variant<std::string, double, std::int64_t>;
+/// What an attribute holds: one value, or several of one kind, at most 64 KiB of them.
+using Value =
+    std::variant<std::string, double, std::int64_t, std::vector<double>, std::vector<std::int64_t>>;
 using Attributes = std::vector<std::pair<std::string, Value>>;
 
 /// Rows of two as HDF5 wants them.
@@ -43,6 +44,8 @@ class Hdf5Writer {
                Attributes const& attributes = {});
   /// One text of any length, UTF-8.
   void text(std::string const& path, std::string const& value, Attributes const& attributes = {});
+  /// Texts of any length, UTF-8, as one dataset [n]: each filled up with zeros to the longest.
+  void texts(std::string const& path, std::span<std::string const> values);
   void attribute(std::string const& path, std::string const& name, Value const& value);
 
   /// The file as it would be on the disk.

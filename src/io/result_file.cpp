@@ -47,9 +47,12 @@ void write_result(std::filesystem::path const& path, Result const& result) {
   for (auto const& [name, value] : result.attributes) file.attribute("/", name, value);
   file.group("/series");
   file.attribute("/series", "discarded_windows", result.discarded_windows);
-  for (auto const& series : result.series)
-    file.dataset("/series/" + series.name, series.value, {series.value.size()},
+  for (auto const& series : result.series) {
+    Shape shape{series.value.size() / result.replicas};
+    if (result.replicas > 1) shape.insert(shape.begin(), result.replicas);
+    file.dataset("/series/" + series.name, series.value, shape,
                  {{"unit", series.unit}, {"description", series.description}});
+  }
   put_all(file, "/histograms", result.histograms);
   put_all(file, "/profiles", result.profiles);
   put_all(file, "/samples", result.samples);

@@ -11,12 +11,12 @@
 
 namespace bagnold::io {
 
-/// One value a window.
+/// One value a window, of each replica.
 struct Series {
-  std::string name;         ///< of the dataset
-  std::string unit;         ///< e.g. "1/tau_e"; "1" for pure numbers
-  std::string description;  ///< one sentence
-  std::vector<double> value;
+  std::string name;           ///< of the dataset
+  std::string unit;           ///< e.g. "1/tau_e"; "1" for pure numbers
+  std::string description;    ///< one sentence
+  std::vector<double> value;  ///< [R][n]
 };
 
 /// What `result.h5` holds, see SCHEMA.md.
@@ -24,6 +24,7 @@ struct Result {
   Attributes attributes;  ///< of the file root: provenance and the resolved scene
   std::vector<Series> series;
   std::int64_t discarded_windows = 0;  ///< first windows that no average uses
+  std::size_t replicas = 1;            ///< R; where it is 1 the series have no such axis
   std::vector<statistics::Histogram> histograms = {};
   std::vector<statistics::Profile> profiles = {};
   std::vector<statistics::Samples> samples = {};

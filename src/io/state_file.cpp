@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <span>
+#include <stdexcept>
+#include <utility>
 
 #include "src/config/errors.hpp"
 #include "src/io/atomic_file.hpp"
@@ -18,8 +20,6 @@ class StateCheck {
   explicit StateCheck(std::string file) : file_(std::move(file)) {}
 
   void operator()(State const& state) const {
-    if (state.count() < 2)
-      fail("number of disks", static_cast<double>(state.count()), "at least 2");
     one("/state@box_length", state.box_length, above_zero);
     one("/state@offset", state.offset, finite);
     one("/state@time", state.time, finite);
@@ -56,37 +56,96 @@ class StateCheck {
 
 }  // namespace
 
-void put_state(Hdf5Writer& file, State const& state) {
-  hsize_t const count = state.count();
-  file.group("/state");
-  file.dataset("/state/position", flat(state.position), {count, 2}, {{"unit", "d_s"}});
-  file.dataset("/state/velocity", flat(state.velocity), {count, 2},
+namespace {
+
+/// One field of all states, end to end.
+template <class Row>
+std::vector<Row> joined(std::span<State const> states, std::vector<Row> State::*field) {
+  std::vector<Row> all;
+  all.reserve(states.size() * (states.front().*field).size());
+  for (State const& state : states)
+    all.insert(all.end(), (state.*field).begin(), (state.*field).end());
+  return all;
+}
+
+/// The inverse. A single state takes the values as they are, without a copy.
+template <class Row>
+void deal_out(std::vector<Row> values, std::span<State> states, std::vector<Row> State::*field) {
+  if (states.size() == 1) {
+    states.front().*field = std::move(values);
+    return;
+  }
+  auto begin = values.begin();
+  for (State& state : states) {
+    auto const end = begin + static_cast<std::ptrdiff_t>(values.size() / states.size());
+    (state.*field).assign(begin, end);
+    begin = end;
+  }
+}
+
+/// What states in one file have in common.
+bool same_clock(State const& a, State const& b) {
+  return a.box_length == b.box_length && a.offset == b.offset && a.time == b.time &&
+         a.strain_rate == b.strain_rate && a.count() == b.count() && a.spin.size() == b.spin.size();
+}
+
+}  // namespace
+
+void put_states(Hdf5Writer& file, std::span<State const> states, std::string const& at) {
+  for (State const& state : states.subspan(1))
+    if (!same_clock(state, states.front()))
+      throw std::logic_error("states of one file must have box, offset, time and rate in common");
+  Shape shape{states.front().count()};  // [N], or [R][N]
+  if (states.size() > 1) shape.insert(shape.begin(), states.size());
+  auto rows = shape;
+  rows.push_back(2);
+  auto const group = at + "/state";
+  file.group(group);
+  file.dataset(group + "/position", flat(joined(states, &State::position)), rows,
+               {{"unit", "d_s"}});
+  file.dataset(group + "/velocity", flat(joined(states, &State::velocity)), rows,
                {{"unit", "d_s/tau_e"}, {"frame", "laboratory"}});
-  if (!state.spin.empty()) file.dataset("/state/spin", state.spin, {count}, {{"unit", "1/tau_e"}});
-  file.dataset("/state/diameter", state.diameter, {count}, {{"unit", "d_s"}});
-  file.attribute("/state", "box_length", state.box_length);
-  file.attribute("/state", "offset", state.offset);
-  file.attribute("/state", "time", state.time);
-  if (state.strain_rate) file.attribute("/state", "strain_rate", *state.strain_rate);
+  if (!states.front().spin.empty())
+    file.dataset(group + "/spin", joined(states, &State::spin), shape, {{"unit", "1/tau_e"}});
+  file.dataset(group + "/diameter", joined(states, &State::diameter), shape, {{"unit", "d_s"}});
+  State const& state = states.front();
+  file.attribute(group, "box_length", state.box_length);
+  file.attribute(group, "offset", state.offset);
+  file.attribute(group, "time", state.time);
+  if (state.strain_rate) file.attribute(group, "strain_rate", *state.strain_rate);
 }
 
-State get_state(Hdf5Reader const& file, std::optional<std::size_t> expected_count) {
-  auto const shape = file.shape("/state/position");
-  hsize_t const count = expected_count.value_or(shape.empty() ? 0 : shape.front());
-  State state;
-  state.position = file.pairs("/state/position", count);
-  state.velocity = file.pairs("/state/velocity", count);
-  if (file.has("/state/spin")) state.spin = file.doubles("/state/spin", {count});
-  state.diameter = file.doubles("/state/diameter", {count});
-  state.box_length = file.number("/state", "box_length");
-  state.offset = file.number("/state", "offset");
-  state.time = file.number("/state", "time");
-  if (file.has_attribute("/state", "strain_rate"))
-    state.strain_rate = file.number("/state", "strain_rate");
-  return state;
+std::vector<State> get_states(Hdf5Reader const& file, std::string const& at,
+                              std::optional<std::size_t> expected_count) {
+  auto const group = at + "/state";
+  auto shape = file.shape(group + "/position");
+  if (shape.size() == 3)
+    shape.pop_back();
+  else
+    shape = {shape.empty() ? 0 : shape.front()};
+  if (expected_count) shape.back() = *expected_count;
+  auto position = file.pairs(group + "/position", shape);
+  if (shape.back() < 2)  // before anything is done R times
+    throw InputError(fmt::format(
+        "{}: number of disks = {} (must be at least 2); correct the file or make it again",
+        file.name(), shape.back()));
+  State common;
+  common.box_length = file.number(group, "box_length");
+  common.offset = file.number(group, "offset");
+  common.time = file.number(group, "time");
+  if (file.has_attribute(group, "strain_rate"))
+    common.strain_rate = file.number(group, "strain_rate");
+  std::vector<State> states(position.size() / shape.back(), common);
+  deal_out(std::move(position), states, &State::position);
+  deal_out(file.pairs(group + "/velocity", shape), states, &State::velocity);
+  if (file.has(group + "/spin"))
+    deal_out(file.doubles(group + "/spin", shape), states, &State::spin);
+  deal_out(file.doubles(group + "/diameter", shape), states, &State::diameter);
+  return states;
 }
 
-State read_state(std::filesystem::path const& path, std::optional<std::size_t> expected_count) {
+std::vector<State> read_states(std::filesystem::path const& path,
+                               std::optional<std::size_t> expected_count) {
   std::error_code reason;
   auto const kind = std::filesystem::status(path, reason).type();
   // none: nothing is known, for want of permission; read_file then says so
@@ -94,14 +153,19 @@ State read_state(std::filesystem::path const& path, std::optional<std::size_t> e
     throw InputError(fmt::format(
         "state file {} {}; check start.file", path.string(),
         kind == std::filesystem::file_type::not_found ? "is not there" : "is not a file"));
-  auto state = get_state(Hdf5Reader(path.string(), read_file(path)), expected_count);
-  StateCheck{path.string()}(state);
-  return state;
+  auto states = get_states(Hdf5Reader(path.string(), read_file(path)), "", expected_count);
+  if (states.empty())
+    throw InputError(
+        fmt::format("{}: /state/position holds no state (must hold at least one); make "
+                    "the file again",
+                    path.string()));
+  for (State const& state : states) StateCheck{path.string()}(state);
+  return states;
 }
 
-void write_state(std::filesystem::path const& path, State const& state) {
+void write_states(std::filesystem::path const& path, std::span<State const> states) {
   Hdf5Writer file;
-  put_state(file, state);
+  put_states(file, states);
   replace_file(path, file.image());
 }
 

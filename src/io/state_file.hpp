@@ -4,6 +4,9 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "src/io/hdf5_reader.hpp"
 #include "src/io/hdf5_writer.hpp"
@@ -11,22 +14,26 @@
 
 namespace bagnold::io {
 
-/// Reads a state from the group `/state` of an HDF5 file, see SCHEMA.md. Numbers of any width come
-/// as doubles, where that loses nothing. InputError where the file is missing, is not of that form,
-/// or its state is impossible: shapes differ, N < 2, a value is not finite, a length is not above
-/// 0; with `expected_count`, another N is refused before memory is taken. FileError where it cannot
-/// be read. Whether it agrees with the scene is not seen here.
-State read_state(std::filesystem::path const& path,
-                 std::optional<std::size_t> expected_count = std::nullopt);
+/// Reads the states in the group `/state` of an HDF5 file, see SCHEMA.md: one, or R where the
+/// datasets have a leading axis. Numbers of any width come as doubles, where that loses nothing.
+/// InputError where the file is missing, is not of that form, or a state is impossible: shapes
+/// differ, R < 1, N < 2, a value is not finite, a length is not above 0; with `expected_count`,
+/// another N is refused before memory is taken. FileError where it cannot be read. Whether it
+/// agrees with the scene is not seen here.
+std::vector<State> read_states(std::filesystem::path const& path,
+                               std::optional<std::size_t> expected_count = std::nullopt);
 
-/// Replaces the file as a whole. FileError where it cannot be written. The state is not checked:
-/// one that went wrong is written to be looked at.
-void write_state(std::filesystem::path const& path, State const& state);
+/// Replaces the file as a whole: R states of equal N, box, offset, time and rate, with a leading
+/// axis R where there are several. FileError where it cannot be written. The states are not
+/// checked: one that went wrong is written to be looked at.
+void write_states(std::filesystem::path const& path, std::span<State const> states);
 
-/// The group `/state`, as state files and checkpoints hold it.
-void put_state(Hdf5Writer& file, State const& state);
+/// The group `state` in the group `at` ("": the root), as state files and checkpoints hold it.
+/// Throws std::logic_error for states that cannot share a file.
+void put_states(Hdf5Writer& file, std::span<State const> states, std::string const& at = "");
 
 /// Its inverse, bit for bit; checks types and shapes but no value.
-State get_state(Hdf5Reader const& file, std::optional<std::size_t> expected_count = std::nullopt);
+std::vector<State> get_states(Hdf5Reader const& file, std::string const& at = "",
+                              std::optional<std::size_t> expected_count = std::nullopt);
 
 }  // namespace bagnold::io

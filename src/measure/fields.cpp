@@ -5,8 +5,8 @@
 
 namespace bagnold {
 
-Fields::Fields(Scene const& scene)
-    : rate_(scene.shear.strain_rate),
+Fields::Fields(double strain_rate)
+    : rate_(strain_rate),
       packing_fraction_(even_edges(0.0, 1.2, 240)),
       strain_rate_(sinh_edges(1.0, 12.0, 240)) {}
 
@@ -37,19 +37,16 @@ void Fields::load(Numbers const& numbers) {
   frame_ = numbers.at("fields_frame");
 }
 
-void Fields::join(FrameObserver const& other) {
-  auto const& of = dynamic_cast<Fields const&>(other);
-  packing_fraction_.add(of.packing_fraction_);
-  strain_rate_.add(of.strain_rate_);
-  if (!last_.empty()) return;  // one system is pictured
-  last_ = of.last_;
-  frame_ = of.frame_;
-}
-
-void Fields::report(FrameResults& results) const {
-  results.histograms.push_back(packing_fraction_.histogram(
+void Fields::report(std::vector<FrameObserver const*> const& systems, FrameResults& results) const {
+  Fields all(rate_);
+  for (auto const* system : systems) {
+    auto const& of = dynamic_cast<Fields const&>(*system);
+    all.packing_fraction_.add(of.packing_fraction_);
+    all.strain_rate_.add(of.strain_rate_);
+  }
+  results.histograms.push_back(all.packing_fraction_.histogram(
       "local_phi", "1", "packing fraction within 4 d_s of a disk, P2 Fig. 27"));
-  results.histograms.push_back(strain_rate_.histogram(
+  results.histograms.push_back(all.strain_rate_.histogram(
       "local_gammadot", "1", "strain rate within 4 d_s of a disk over gammadot, P2 Fig. 27"));
   results.samples.push_back(
       {"fields",

@@ -1,24 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "src/config/scene.hpp"
 #include "src/measure/counts.hpp"
 #include "src/measure/frame_observer.hpp"
 
 namespace bagnold {
 
 /// Local packing fraction and strain rate of the disks: histograms over all frames, and the fields
-/// of the last one, for a picture.
+/// of the last one, for a picture; of several systems, of the first.
 class Fields final : public FrameObserver {
  public:
-  /// The box is least_box_for_fields() wide at least.
-  explicit Fields(Scene const& scene);
+  /// strain_rate: [1/tau_e]. The box is least_box_for_fields() wide at least.
+  explicit Fields(double strain_rate);
 
   void add(Frame const& frame) override;
   void save(Numbers& numbers) override;
   void load(Numbers const& numbers) override;
-  void join(FrameObserver const& other) override;
-  void report(FrameResults& results) const override;
+  void report(std::vector<FrameObserver const*> const& systems,
+              FrameResults& results) const override;
 
  private:
   double rate_;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "src/state/state.hpp"
-#include "src/statistics/estimate.hpp"
+#include "src/statistics/replicas.hpp"
 #include "src/statistics/tables.hpp"
 
 namespace bagnold {
@@ -22,12 +22,12 @@ struct Frame {
 /// What observers know, by name, as a checkpoint keeps it.
 using Numbers = std::map<std::string, std::vector<double>>;
 
-/// A mean over frames.
+/// A mean over the frames of all systems.
 struct FrameScalar {
   std::string name;
   std::string unit;
   std::string meaning;
-  statistics::Estimate estimate;  ///< its windows are frames
+  statistics::ReplicaEstimate estimate;  ///< its windows are frames
 };
 
 /// What observers found.
@@ -52,11 +52,10 @@ class FrameObserver {
   /// The inverse, before the first frame of a resumed run.
   virtual void load(Numbers const& numbers) = 0;
 
-  /// Takes in what another of its kind saw of another system.
-  virtual void join(FrameObserver const& other) = 0;
-
-  /// Adds what it found so far.
-  virtual void report(FrameResults& results) const = 0;
+  /// Adds what has been found so far. systems: observers of its kind, [R], of each system one,
+  /// itself the first; errors are those of statistics/replicas.hpp.
+  virtual void report(std::vector<FrameObserver const*> const& systems,
+                      FrameResults& results) const = 0;
 
   /// A run begins that is not resumed; its last frame has been shown; all its results are written.
   virtual void begin() {}

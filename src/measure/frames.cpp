@@ -43,11 +43,6 @@ void Frames::tidy() {
   for (auto const& w : watched_) w.observer->tidy();
 }
 
-void Frames::join(Frames const& other) {
-  for (std::size_t k = 0; k < watched_.size(); ++k)
-    watched_[k].observer->join(*other.watched_[k].observer);
-}
-
 Numbers Frames::save() {
   Numbers numbers;
   for (auto const& w : watched_) w.observer->save(numbers);
@@ -58,9 +53,13 @@ void Frames::load(Numbers const& numbers) {
   for (auto const& w : watched_) w.observer->load(numbers);
 }
 
-FrameResults Frames::results() const {
+FrameResults Frames::join(std::vector<Frames const*> const& systems) {
   FrameResults results;
-  for (auto const& w : watched_) w.observer->report(results);
+  for (std::size_t k = 0; k < systems.front()->watched_.size(); ++k) {
+    std::vector<FrameObserver const*> of_each;
+    for (Frames const* frames : systems) of_each.push_back(frames->watched_[k].observer.get());
+    of_each.front()->report(of_each, results);
+  }
   return results;
 }
 

@@ -38,9 +38,8 @@ class Frames {
   void finish();
   void tidy();
 
-  /// Takes in what the same observers saw of another system.
-  void join(Frames const& other);
-  FrameResults results() const;
+  /// What the same observers found on the frames of several systems, [R], one at least.
+  static FrameResults join(std::vector<Frames const*> const& systems);
 
  private:
   struct Watched {

@@ -17,7 +17,7 @@ Frames make_frames(Scene const& scene, Plan const& plan, State const& start,
     frames.watch(std::move(observer), plan.frame_steps, first);
   };
   if (scene.measure.profiles) measure(std::make_unique<Profiles>(scene, start.box_length));
-  if (scene.measure.fields) measure(std::make_unique<Fields>(scene));
+  if (scene.measure.fields) measure(std::make_unique<Fields>(scene.shear.strain_rate));
   if (scene.measure.rotation) measure(std::make_unique<Rotation>());
   if (plan.trajectory_steps > 0) {
     io::TrajectoryHeader header{version, start.diameter, {}, scene.rotates()};

@@ -58,6 +58,12 @@ statistics::Windows frames_of_three(Slices const& slices, std::size_t b,
   return three;
 }
 
+std::vector<statistics::Windows const*> addresses(std::vector<statistics::Windows> const& all) {
+  std::vector<statistics::Windows const*> list;
+  for (auto const& one : all) list.push_back(&one);
+  return list;
+}
+
 double or_nan(std::optional<double> const& value) {
   return value.value_or(std::numeric_limits<double>::quiet_NaN());
 }
@@ -92,17 +98,8 @@ void Profiles::load(Numbers const& numbers) {
   plain_.weight = aligned_.weight = std::vector<double>(band_position_.size() / 2, 1.0);
 }
 
-void Profiles::join(FrameObserver const& other) {
-  auto const& of = dynamic_cast<Profiles const&>(other);
-  for (std::size_t f = 0; f < of.plain_.size(); ++f) {
-    plain_.push_back(of.plain_.row(f), 1.0);
-    aligned_.push_back(of.aligned_.row(f), 1.0);
-  }
-  band_position_.insert(band_position_.end(), of.band_position_.begin(), of.band_position_.end());
-}
-
-void Profiles::report_profiles(statistics::Windows const& frames, std::string const& suffix,
-                               FrameResults& results) const {
+void Profiles::report_profiles(std::vector<statistics::Windows const*> const& frames,
+                               std::string const& suffix, FrameResults& results) const {
   double const rate = scene_.shear.strain_rate;
   auto const first = results.profiles.size();
   auto const quantities = profile_quantities(slices_, rate, scene_.rotates());
@@ -114,9 +111,10 @@ void Profiles::report_profiles(statistics::Windows const& frames, std::string co
                                 {},
                                 {}});
   for (std::size_t b = 0; b < slices_.n; ++b) {
-    auto const three = frames_of_three(slices_, b, frames);
+    std::vector<statistics::Windows> three;
+    for (auto const* system : frames) three.push_back(frames_of_three(slices_, b, *system));
     for (std::size_t q = 0; q < quantities.size(); ++q) {
-      auto const estimate = statistics::estimate(three, 0, quantities[q].value);
+      auto const estimate = statistics::estimate(addresses(three), 0, quantities[q].value).all;
       auto& profile = results.profiles[first + q];
       profile.y.push_back(slices_.middle(b));
       profile.value.push_back(or_nan(estimate.mean) +
@@ -126,19 +124,28 @@ void Profiles::report_profiles(statistics::Windows const& frames, std::string co
   }
 }
 
-void Profiles::report(FrameResults& results) const {
-  report_profiles(plain_, "", results);
-  report_profiles(aligned_, "_aligned", results);
+void Profiles::report(std::vector<FrameObserver const*> const& systems,
+                      FrameResults& results) const {
+  std::vector<statistics::Windows const*> plain, aligned;
+  std::vector<double> bands;
+  for (auto const* system : systems) {
+    auto const& of = dynamic_cast<Profiles const&>(*system);
+    plain.push_back(&of.plain_);
+    aligned.push_back(&of.aligned_);
+    bands.insert(bands.end(), of.band_position_.begin(), of.band_position_.end());
+  }
+  report_profiles(plain, "", results);
+  report_profiles(aligned, "_aligned", results);
   results.samples.push_back({"band_position",
                              "centre of the band that shears fastest, in each frame averaged",
                              {"strain [1]", "y [d_s]"},
-                             band_position_});
+                             bands});
 
   double const rate = scene_.shear.strain_rate;
   auto const quantities = profile_quantities(slices_, rate, scene_.rotates());
   auto const share = [&](std::string_view name, double level, double sign) {
     auto const quantity = *std::ranges::find(quantities, name, &ProfileQuantity::name);
-    return statistics::estimate(aligned_, 0, [=, this](Averages all) {
+    return statistics::estimate(aligned, 0, [=, this](Averages all) {
       auto values = profile(slices_, quantity, all);
       for (double& value : values) value *= sign;
       return share_below(values, sign * level);

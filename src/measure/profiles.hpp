@@ -24,12 +24,13 @@ class Profiles final : public FrameObserver {
   void add(Frame const& frame) override;
   void save(Numbers& numbers) override;
   void load(Numbers const& numbers) override;
-  void join(FrameObserver const& other) override;
-  void report(FrameResults& results) const override;
+  void report(std::vector<FrameObserver const*> const& systems,
+              FrameResults& results) const override;
 
  private:
-  void report_profiles(statistics::Windows const& frames, std::string const& suffix,
-                       FrameResults& results) const;
+  /// frames: [R]
+  void report_profiles(std::vector<statistics::Windows const*> const& frames,
+                       std::string const& suffix, FrameResults& results) const;
 
   Scene scene_;
   Slices slices_;

@@ -12,13 +12,12 @@ void Rotation::save(Numbers& numbers) { numbers["rotation"] = counts_.numbers();
 
 void Rotation::load(Numbers const& numbers) { counts_.restore(numbers.at("rotation")); }
 
-void Rotation::join(FrameObserver const& other) {
-  counts_.add(dynamic_cast<Rotation const&>(other).counts_);
-}
-
-void Rotation::report(FrameResults& results) const {
+void Rotation::report(std::vector<FrameObserver const*> const& systems,
+                      FrameResults& results) const {
+  auto all = Rotation().counts_;
+  for (auto const* system : systems) all.add(dynamic_cast<Rotation const&>(*system).counts_);
   results.histograms.push_back(
-      counts_.histogram("rotation", "1", "thetadot/gammadot over disks and frames"));
+      all.histogram("rotation", "1", "thetadot/gammadot over disks and frames"));
 }
 
 }  // namespace bagnold

@@ -13,8 +13,8 @@ class Rotation final : public FrameObserver {
   void add(Frame const& frame) override;
   void save(Numbers& numbers) override;
   void load(Numbers const& numbers) override;
-  void join(FrameObserver const& other) override;
-  void report(FrameResults& results) const override;
+  void report(std::vector<FrameObserver const*> const& systems,
+              FrameResults& results) const override;
 
  private:
   Counts counts_{sinh_edges(-0.5, 12.0, 240)};  // 0.05 wide at the centre, out to 8e4

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <mutex>
 #include <span>
 
 #include "src/config/errors.hpp"
@@ -12,6 +13,13 @@
 namespace bagnold {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+/// Held where HDF5 is used while systems are worked on: not every build of it bears two threads.
+std::mutex one_at_a_time;
+
+}  // namespace
 
 Trajectory::Trajectory(fs::path file, io::TrajectoryHeader header)
     : file_(std::move(file)), header_(std::move(header)) {}
@@ -23,6 +31,7 @@ fs::path Trajectory::part(std::size_t number) const {
 }
 
 void Trajectory::add(Frame const& frame) {
+  std::lock_guard const lock(one_at_a_time);
   if (!open_) {
     std::error_code error;
     fs::create_directories(folder(), error);

@@ -21,12 +21,12 @@ class Trajectory final : public FrameObserver {
   /// file: NAME.h5md.
   Trajectory(std::filesystem::path file, io::TrajectoryHeader header);
 
+  /// Those of several systems may be called by threads of their own.
   void add(Frame const& frame) override;
   void save(Numbers& numbers) override;
   /// FileError where a part that the checkpoint counts is gone.
   void load(Numbers const& numbers) override;
-  void join(FrameObserver const&) override {}
-  void report(FrameResults&) const override {}
+  void report(std::vector<FrameObserver const*> const&, FrameResults&) const override {}
 
   /// Drops what an earlier run left.
   void begin() override;

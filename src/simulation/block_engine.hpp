@@ -7,12 +7,14 @@
 
 #include "kernels/blocks/build_blocks.hpp"
 #include "kernels/blocks/prune.hpp"
+#include "kernels/dynamics/dense_step.hpp"
 #include "kernels/neighbors/verlet_list.hpp"
 #include "kernels/observables/block_sums.hpp"
 #include "src/simulation/clock.hpp"
 #include "src/simulation/device_copy.hpp"
 #include "src/simulation/failure.hpp"
 #include "src/simulation/in_box.hpp"
+#include "src/simulation/pruned_list.hpp"
 #include "src/simulation/simulation.hpp"
 #include "src/simulation/window_choice.hpp"
 #include "src/simulation/windowed_steps.hpp"
@@ -20,7 +22,7 @@
 namespace bagnold {
 
 /// How an engine goes from step to step.
-enum class Stepping { automatic, contact_rich, windowed };
+enum class Stepping { automatic, dense, contact_rich, windowed };
 
 /// The papers' scheme on blocks of neighbouring disks, pairs and disks a pack at a time: step by step
 /// where contacts are many, in windows where most disks fly free.
@@ -57,7 +59,7 @@ class BlockEngine final : public Simulation {
       for_each_memory([&](char const* name, auto& value) {
         value = static_cast<std::decay_t<decltype(value)>>(engine.at(name));
       });
-      prune_all();
+      fill_inner();
     }
   }
 
@@ -97,6 +99,9 @@ class BlockEngine final : public Simulation {
  private:
   using Step = BlockStep<Law, Repulsion>;
   using Force = typename Step::Force;
+  struct alignas(64) DenseScratch {
+    std::byte bytes[sizeof(simd::Record) + sizeof(Force)];
+  };
 
   std::size_t count() const { return diameter_.size(); }
   ShearedBox box_at(std::int64_t step) const {
@@ -107,9 +112,15 @@ class BlockEngine final : public Simulation {
   template <class Visit>
   void for_each_memory(Visit const& visit) {
     visit("outer_drift", outer_drift_);
-    visit("prune_step", prune_step_);
-    visit("inner_drift", inner_drift_);
-    visit("inner_margin", margin_);
+    visit("prune_step", inner_.step);
+    visit("inner_drift", inner_.drift);
+    visit("inner_margin", inner_.margin);
+    visit("near_pairs", near_pairs_);
+    visit("touching", touching_);
+    visit("dense", dense_);
+    visit("steps_dense", steps_dense_);
+    visit("pairs_evaluated", pairs_evaluated_);
+    visit("prunings", prunings_);
     visit("in_windows", in_windows_);
     visit("window_allowance", windowed_.allowance);
     visit("window_usual_stray", windowed_.usual);
@@ -152,9 +163,7 @@ class BlockEngine final : public Simulation {
 
   /// Z, contacts across edges of blocks counted twice.
   Real contacts_per_disk() const {
-    std::uint64_t touching = 0;
-    for (std::uint32_t b = 0; b < kernels_.blocks.count; ++b) touching += reports_(b).touching;
-    return 2 * static_cast<Real>(touching) / static_cast<Real>(count());
+    return 2 * static_cast<Real>(touching_) / static_cast<Real>(count());
   }
 
   /// Windows end at multiples of their length, so that it does not matter where a run is interrupted.
@@ -234,24 +243,41 @@ class BlockEngine final : public Simulation {
 
   void do_step() {
     auto const box = box_at(step_), next_box = box_at(step_ + 1);
-    for_blocks([&](std::uint32_t b, Force* force) { kernels_.predict(b, box, force); });
-    for_blocks([&](std::uint32_t b, Force* force) {
-      reports_(b) = kernels_.correct(b, next_box, force, [](auto&&...) {});
-    });
+    auto const& blocks = kernels_.blocks;
+    if (dense_) {
+      for_blocks([&](std::uint32_t b, Force* force) { dense_step_.predict(kernels_, b, box, force); });
+      loop_.template with_scratch<DenseScratch>(
+          blocks.count, blocks.most_local, [&](std::uint32_t b, DenseScratch* scratch) {
+            auto* const moved = reinterpret_cast<simd::Record*>(scratch);
+            auto* const force = reinterpret_cast<Force*>(moved + blocks.most_local);
+            reports_(b) = dense_step_.correct(kernels_, b, next_box, force, moved);
+          });
+      ++steps_dense_;
+    } else {
+      for_blocks([&](std::uint32_t b, Force* force) { kernels_.predict(b, box, force); });
+      for_blocks([&](std::uint32_t b, Force* force) {
+        reports_(b) = kernels_.correct(b, next_box, force, [](auto&&...) {});
+      });
+    }
     ++step_;
     Real fastest2 = 0, overlap = 0, poison = 0;
+    std::uint64_t touching = 0;
     for (std::uint32_t b = 0; b < kernels_.blocks.count; ++b) {
       fastest2 = std::max(fastest2, reports_(b).fastest2);
       overlap = std::max(overlap, reports_(b).largest_overlap);
       poison += reports_(b).poison;
+      touching += reports_(b).touching;
     }
+    touching_ = touching;
     if (poison != 0 || overlap > largest_relative_overlap) fail();
     Real const before = fastest_;
     fastest_ = std::sqrt(fastest2);
+    if (dense_) fastest_ = std::max(fastest_, before * step_strain_factor());  // of those in flight
     // |dw| of a step; the second factor: the mean flow at the new place, not the old one.
     Real const moved = clock_.time_step * (before + fastest_) / 2 * step_strain_factor();
     outer_drift_ += moved;
-    inner_drift_ += moved;
+    inner_.drift += moved;
+    pairs_evaluated_ += 2 * static_cast<std::int64_t>(near_pairs_);
   }
 
   Real step_strain_factor() const {
@@ -275,7 +301,7 @@ class BlockEngine final : public Simulation {
       outer_drift_ = farthest();
       if (!holds_next(list_step_, 1.25 * outer_drift_, skin_)) rebuild();
     }
-    if (!holds_next(prune_step_, inner_drift_, margin_)) prune();
+    if (!holds_next(inner_.step, inner_.drift, inner_.margin)) prune();
   }
 
   void rebuild() {
@@ -308,22 +334,26 @@ class BlockEngine final : public Simulation {
                      to_device<Space>("blocks::species", species), kernels_.table,
                      box_at(list_step_), skin_, block_size);
     auto const& blocks = kernels_.blocks;
+    // Named with the space: without it OpenMP would fill them, which threads of replicas cannot ask of it.
+    auto const named = [&](char const* label) {
+      return Kokkos::view_alloc(space_, std::string(label));
+    };
     auto const slots = blocks.slots;
     if (kernels_.species.extent(0) < slots) {
       auto const room = slots + slots / 16;
       kernels_.now = kernels_.trial = {};
       at_build_ = {};
-      kernels_.species = Blocks::Array<Species>("state::species", room);
-      kernels_.now.record = Blocks::Array<simd::Record>("state::record", room);
-      kernels_.trial.record = Blocks::Array<simd::Record>("dynamics::trial_record", room);
+      kernels_.species = Blocks::Array<Species>(named("state::species"), room);
+      kernels_.now.record = Blocks::Array<simd::Record>(named("state::record"), room);
+      kernels_.trial.record = Blocks::Array<simd::Record>(named("dynamics::trial_record"), room);
       if constexpr (rotates) {
-        kernels_.now.spin = Blocks::Array<double>("state::spin", room);
-        kernels_.trial.spin = Blocks::Array<double>("dynamics::trial_spin", room);
+        kernels_.now.spin = Blocks::Array<double>(named("state::spin"), room);
+        kernels_.trial.spin = Blocks::Array<double>(named("dynamics::trial_spin"), room);
       }
-      at_build_ = Blocks::Array<Vec2<Real>>("neighbors::at_build", room);
+      at_build_ = Blocks::Array<Vec2<Real>>(named("neighbors::at_build"), room);
     }
-    reports_ = Blocks::Array<BlockReport>("dynamics::reports", blocks.count);
-    sums_ = Blocks::Array<Sums<rotates>>("observables::block_sums", blocks.count);
+    reports_ = Blocks::Array<BlockReport>(named("dynamics::reports"), blocks.count);
+    sums_ = Blocks::Array<Sums<rotates>>(named("observables::block_sums"), blocks.count);
     windowed_.rearranged(kernels_);
 
     for (std::uint32_t b = 0; b < blocks.count; ++b) make_inert(blocks.block(b));
@@ -349,41 +379,56 @@ class BlockEngine final : public Simulation {
     }
   }
 
+  /// Takes the inner list anew, and chooses between dense and contact-rich steps.
   void prune() {
-    margin_ = best_margin();
-    prune_step_ = step_;
-    inner_drift_ = 0;
-    if (!holds_next(prune_step_, inner_drift_, margin_)) margin_ = skin_;
-    prune_all();
+    if (dense_) fastest_ = fastest();
+    inner_.margin = best_margin(use_of_inner(), inner_.margin, skin_);
+    inner_.step = step_;
+    inner_.drift = 0;
+    if (!holds_next(inner_.step, inner_.drift, inner_.margin)) inner_.margin = skin_;
+    fill_inner();
+    ++prunings_;
+    near_pairs_ = 0;
+    for (std::uint32_t b = 0; b < kernels_.blocks.count; ++b)
+      for (auto const n : kernels_.blocks.block(b).near[inner_list]) near_pairs_ += n;
+    choose_dense();
+    if (dense_) dense_step_.resize(space_, kernels_.blocks);
   }
 
-  /// Where a step costs least: a pruning costs c_o for each outer pair and lasts margin/(2 dt u) steps,
-  /// u being the largest peculiar speed; a step costs c_i for each inner pair, of which a share
-  /// proportional to the margin does not touch. So margin^2 = 2 dt u c_o n_outer margin/(c_i n_idle).
-  Real best_margin() const {
-    constexpr Real outer_cost = 2, inner_cost = 25, fewest_steps = 4;
-    Real const per_step = 2 * clock_.time_step * fastest_;
-    std::uint64_t outer = 0, inner = 0, touching = 0;
+  void choose_dense() {
+    constexpr Real enter_below = 0.3, leave_above = 0.36;  // contacts per disk
+    if (stepping_ == Stepping::automatic)
+      dense_ = contacts_per_disk() < (dense_ ? leave_above : enter_below);
+    else
+      dense_ = stepping_ == Stepping::dense;
+  }
+
+  ListUse use_of_inner() const {
+    ListUse use;
     for (std::uint32_t b = 0; b < kernels_.blocks.count; ++b) {
       Block const& block = kernels_.blocks.block(b);
-      outer += block.pairs[pair_classes] - block.pairs[0];
-      for (auto const n : block.inner) inner += n;
-      touching += reports_(b).touching;
+      use.wider += block.pairs[pair_classes] - block.pairs[0];
     }
-    if (inner == 0) return std::min(skin_, margin_ == 0 ? first_margin : margin_);
-    Real const idle = inner > touching ? static_cast<Real>(inner - touching) : 1;
-    Real const best = std::sqrt(per_step * margin_ * outer_cost / inner_cost *
-                                static_cast<Real>(outer) / idle);
-    return std::clamp(best, std::min(skin_, fewest_steps * per_step), skin_);
+    use.kept = near_pairs_;
+    use.wanted = touching_;
+    use.per_step = 2 * clock_.time_step * fastest_;
+    if (dense_) {  // a pair that does not touch costs less, and near pairs are few
+      use.step_cost = 6;
+      use.fewest_steps = 12;
+    }
+    return use;
   }
 
-  void prune_all() {
+  void fill_inner() {
+    auto& blocks = kernels_.blocks;
     auto const box = box_at(step_);
-    loop_(kernels_.blocks.count, [&](std::uint32_t b) {
-      Block& block = kernels_.blocks.block(b);
-      refresh_halo(kernels_.blocks, block, kernels_.now, box);
-      prune_block(kernels_.blocks, block, kernels_.now.record.data() + block.first, margin_);
+    loop_(blocks.count, [&](std::uint32_t b) {
+      Block& block = blocks.block(b);
+      refresh_halo(blocks, block, kernels_.now, box);
+      prune_block(blocks, block, inner_list, kernels_.now.record.data() + block.first,
+                  inner_.margin);
     });
+    if (dense_) dense_step_.resize(space_, blocks);
   }
 
   /// Largest |w| at a later step if all disks fly straight until then, [d_s].
@@ -408,7 +453,10 @@ class BlockEngine final : public Simulation {
 
   /// Largest |v - gammadot y x^|, [d_s / tau_e].
   Real fastest() const {
-    return std::sqrt(largest_of([&](std::size_t i) { return speed2(i); }));
+    Real fastest2 = 0;
+    for (std::uint32_t b = 0; b < kernels_.blocks.count; ++b)
+      fastest2 = std::max(fastest2, fastest2_of(kernels_.blocks.block(b), kernels_.now, clock_.strain_rate));
+    return std::sqrt(fastest2);
   }
 
   std::size_t fastest_disk() const {
@@ -460,8 +508,8 @@ class BlockEngine final : public Simulation {
       Block const& block = blocks.block(b);
       auto const* record = kernels_.trial.record.data() + block.first;
       for (int c = 0; c < pair_classes; ++c)
-        for (std::uint32_t k = 0; k < block.inner[c]; ++k) {
-          auto const pair = blocks.inner(block.pairs[c] + k);
+        for (std::uint32_t k = 0; k < block.near[inner_list][c]; ++k) {
+          auto const pair = blocks.near[inner_list](block.pairs[c] + k);
           auto const &p = record[pair.a()], &q = record[pair.b()];
           Real const overlap = 1 - std::hypot(p.x - q.x, p.y - q.y) / class_distance(c);
           if (overlap > found.first) found = {overlap, block.first + std::min(pair.a(), pair.b())};
@@ -492,8 +540,6 @@ class BlockEngine final : public Simulation {
     return state;
   }
 
-  static constexpr Real first_margin = 0.015;  ///< of the first inner list, [d_s]
-
   Space space_{};
   BlockLoop<Space> loop_;
   Stepping stepping_;
@@ -501,15 +547,17 @@ class BlockEngine final : public Simulation {
   Real skin_;
   std::int64_t step_ = 0;
   std::int64_t list_step_ = 0;
-  std::int64_t prune_step_ = 0;
   std::int64_t builds_ = 0;
   Real outer_drift_ = 0;  ///< at least the largest |w| since the build, [d_s]
-  Real inner_drift_ = 0;  ///< since the pruning
-  Real margin_ = 0;       ///< of the inner list, [d_s]
+  PrunedList inner_;
+  std::uint64_t near_pairs_ = 0;  ///< in the inner list when it was pruned
+  std::uint64_t touching_ = 0;    ///< pairs at the last step done by itself, those across edges twice
+  bool dense_ = false;            ///< dense steps, until the next pruning
   Real fastest_ = 0;      ///< largest peculiar speed now, [d_s / tau_e]
   std::vector<double> diameter_;
 
   Step kernels_;
+  DenseStep<Law, Repulsion> dense_step_;
   Blocks::Array<Vec2<Real>> at_build_;
   Blocks::Array<BlockReport> reports_;
   Blocks::Array<Sums<rotates>> sums_;
@@ -525,6 +573,9 @@ class BlockEngine final : public Simulation {
   Real enter_below_ = 0.3;   ///< contacts per disk
   std::int64_t steps_one_by_one_ = 0;
   std::int64_t windows_refused_ = 0;
+  std::int64_t pairs_evaluated_ = 0;
+  std::int64_t prunings_ = 0;
+  std::int64_t steps_dense_ = 0;
 };
 
 }  // namespace bagnold

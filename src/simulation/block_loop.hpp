@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <string>
 
+#include "kernels/core/side_by_side.hpp"
+
 namespace bagnold {
 
 /// Runs a body for each of some blocks on the threads of a host space, with scratch of the thread.
@@ -16,7 +18,7 @@ class BlockLoop {
   template <class Body>
   void operator()(std::uint32_t count, Body const& body) const {
     if (count == 1) return body(0);  // no thread is worth waking
-    Kokkos::parallel_for("simulation::BlockLoop", Policy(space_, 0, count),
+    side_by_side::parallel_for("simulation::BlockLoop", Policy(space_, 0, count),
                          [&](std::int64_t b) { body(static_cast<std::uint32_t>(b)); });
   }
 

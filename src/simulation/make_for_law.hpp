@@ -36,6 +36,7 @@ std::unique_ptr<Simulation> make_on_backend(Scene const& scene, Snapshot const& 
       if (engine != "reference")
         return make_engine(std::type_identity<BlockEngine<Law, Repulsion, Space>>{},
                            engine == "contact-rich" ? Stepping::contact_rich
+                           : engine == "dense"      ? Stepping::dense
                            : engine == "windowed"   ? Stepping::windowed
                                                     : Stepping::automatic);
     return make_engine(std::type_identity<ReferenceEngine<Law, Repulsion, Space>>{});

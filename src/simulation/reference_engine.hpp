@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "kernels/core/side_by_side.hpp"
 #include "kernels/dynamics/modified_velocity_verlet.hpp"
 #include "kernels/dynamics/relaxation.hpp"
 #include "kernels/observables/sums.hpp"
@@ -96,14 +97,14 @@ class ReferenceEngine final : public Simulation {
   }
 
   void do_step() {
-    Kokkos::parallel_for("dynamics::Predict", Policy(space_, 0, count()),
+    side_by_side::parallel_for("dynamics::Predict", Policy(space_, 0, count()),
                          Predict<Law, Repulsion, Space>{forces_at(step_, position_, motion_),
                                                         clock_.time_step, trial_position_,
                                                         trial_motion_});
     double const strain = clock_.strain_between(list_step_, step_ + 1);
     double const next_strain = clock_.strain_between(list_step_, step_ + 2);
     Real largest2 = 0;
-    Kokkos::parallel_reduce(
+    side_by_side::parallel_reduce(
         "dynamics::Correct", Policy(space_, 0, count()),
         Correct<Law, Repulsion, Space>{forces_at(step_ + 1, trial_position_, trial_motion_),
                                        clock_.time_step, position_, motion_, list_.at_build,
@@ -118,7 +119,7 @@ class ReferenceEngine final : public Simulation {
   /// Take the disks into the box, build the list, and see that the next step stays within it.
   void renew_list() {
     list_step_ = step_;
-    Kokkos::parallel_for("dynamics::WrapDisks", Policy(space_, 0, count()),
+    side_by_side::parallel_for("dynamics::WrapDisks", Policy(space_, 0, count()),
                          WrapDisks{box_at(step_), position_, motion_});
     if (list_.at_build.extent(0) == 0) list_.at_build = Positions("neighbors::at_build", count());
     Kokkos::deep_copy(space_, list_.at_build, position_);
@@ -127,7 +128,7 @@ class ReferenceEngine final : public Simulation {
 
     Kokkos::MaxLoc<Real, std::int64_t>::value_type farthest{};
     double const strain = clock_.strain_between(step_, step_ + 1);
-    Kokkos::parallel_reduce("dynamics::NextStep", Policy(space_, 0, count()),
+    side_by_side::parallel_reduce("dynamics::NextStep", Policy(space_, 0, count()),
                             NextStep{position_, motion_, clock_.time_step, strain},
                             Kokkos::MaxLoc<Real, std::int64_t>(farthest));
     if (!list_holds(std::abs(strain), farthest.val, list_.skin))
@@ -136,7 +137,7 @@ class ReferenceEngine final : public Simulation {
   }
 
   Sums<rotates> measure() {
-    Kokkos::parallel_for(
+    side_by_side::parallel_for(
         "observables::MeasureBlock", Policy(space_, 0, blocks()),
         MeasureBlock<Law, Repulsion, Space>{forces_at(step_, position_, motion_), block_sums_});
     Sums<rotates> total;
@@ -148,7 +149,7 @@ class ReferenceEngine final : public Simulation {
   [[noreturn]] void fail() const {
     failure::check_finite(clock_, step_, raw_state());
     Kokkos::MaxLoc<Real, std::int64_t>::value_type deepest{};
-    Kokkos::parallel_reduce(
+    side_by_side::parallel_reduce(
         "dynamics::LargestOverlap", Policy(space_, 0, count()),
         LargestOverlap<Law, Repulsion, Space>{forces_at(step_, position_, motion_)},
         Kokkos::MaxLoc<Real, std::int64_t>(deepest));

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "src/simulation/sampling.hpp"
@@ -23,6 +24,15 @@ struct Snapshot {
   std::int64_t list_builds = 0;                      ///< so far
   std::map<std::string, double> engine;              ///< what else the engine needs
 };
+
+/// A system at step 0, without a list.
+inline Snapshot first_snapshot(State state) {
+  Snapshot snapshot;
+  snapshot.initial_offset = state.offset;
+  snapshot.initial_time = state.time;
+  snapshot.state = std::move(state);
+  return snapshot;
+}
 
 /// One sheared system under one law, on some backend.
 class Simulation {

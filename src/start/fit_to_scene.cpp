@@ -33,14 +33,33 @@ void refuse_disagreement(State const& state, Scene const& scene) {
                        state.count()));
   double const length = scene.box_length();
   if (!(std::abs(state.box_length - length) <= 1e-9 * length))
-    refuse(fmt::format("box_length = {} but disks.count and disks.packing_fraction = {} give {} "
-                       "(must agree to 1e-9)",
-                       state.box_length, scene.disks.packing_fraction, length));
+    refuse(
+        fmt::format("box_length = {} but disks.count and disks.packing_fraction = {} give {} "
+                    "(must agree to 1e-9)",
+                    state.box_length, scene.disks.packing_fraction, length));
 }
 
-}  // namespace
+void refuse_other_number(std::vector<State> const& states, Scene const& scene) {
+  auto const replicas = static_cast<std::size_t>(scene.disks.replicas);
+  auto const refuse = [&](std::string const& what) {
+    throw InputError(fmt::format("{}: {}", scene.start.file, what));
+  };
+  if (states.size() != replicas)
+    refuse(fmt::format(
+        "holds {} state{}, disks.replicas = {} (each replica needs a state of its own, and each "
+        "state a replica); set disks.replicas = {}{}",
+        states.size(), states.size() == 1 ? "" : "s", replicas, states.size(),
+        replicas == 1 ? "" : ", or give a state file with as many"));
+  for (std::size_t a = 0; a < states.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      if (states[a].position == states[b].position && states[a].velocity == states[b].velocity)
+        refuse(
+            fmt::format("states {} and {} (from 0) are the same (must differ, or their replicas "
+                        "run alike); make one of them anew, with another seed",
+                        b, a));
+}
 
-StartedState fit_to_scene(State state, Scene const& scene) {
+StartedState fit_one(State state, Scene const& scene) {
   refuse_disagreement(state, scene);
   StartedState started;
   double const made_at = state.strain_rate.value_or(scene.shear.strain_rate);
@@ -52,9 +71,10 @@ StartedState fit_to_scene(State state, Scene const& scene) {
   }
   if (scene.start.rescale && made_at != scene.shear.strain_rate) {
     if (!(made_at > 0))
-      throw InputError(fmt::format("{}: strain_rate = {} (must be positive to scale velocities); "
-                                   "set start.rescale = false",
-                                   scene.start.file, made_at));
+      throw InputError(
+          fmt::format("{}: strain_rate = {} (must be positive to scale velocities); "
+                      "set start.rescale = false",
+                      scene.start.file, made_at));
     double const ratio = scene.shear.strain_rate / made_at;
     for (auto& v : state.velocity) v = {v[0] * ratio, v[1] * ratio};
     for (auto& spin : state.spin) spin *= ratio;
@@ -62,6 +82,15 @@ StartedState fit_to_scene(State state, Scene const& scene) {
   }
   state.strain_rate = scene.shear.strain_rate;
   started.state = std::move(state);
+  return started;
+}
+
+}  // namespace
+
+std::vector<StartedState> fit_to_scene(std::vector<State> states, Scene const& scene) {
+  refuse_other_number(states, scene);
+  std::vector<StartedState> started;
+  for (State& state : states) started.push_back(fit_one(std::move(state), scene));
   return started;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "kernels/core/side_by_side.hpp"
 #include "kernels/dynamics/relaxation.hpp"
 #include "src/simulation/device_copy.hpp"
 
@@ -27,7 +28,7 @@ class Relaxer {
 
   void iterate() {
     Real largest2 = 0;
-    Kokkos::parallel_reduce("start::Relax", policy(),
+    side_by_side::parallel_reduce("start::Relax", policy(),
                             Relax<Space>{forces(), motion_, next_position_, list_.at_build},
                             Kokkos::Max<Real>(largest2));
     std::swap(position_, next_position_);
@@ -37,7 +38,7 @@ class Relaxer {
   double largest_overlap() const {
     using Overlap = LargestOverlap<NoDissipation, HarmonicRepulsion, Space>;
     typename Overlap::Value deepest{};
-    Kokkos::parallel_reduce("start::LargestOverlap", policy(), Overlap{forces()},
+    side_by_side::parallel_reduce("start::LargestOverlap", policy(), Overlap{forces()},
                             Kokkos::MaxLoc<Real, std::int64_t>(deepest));
     return std::max(0.0, deepest.val);
   }
@@ -58,7 +59,7 @@ class Relaxer {
   }
 
   void renew_list() {
-    Kokkos::parallel_for("start::wrap", policy(), WrapDisks{box_, position_});
+    side_by_side::parallel_for("start::wrap", policy(), WrapDisks{box_, position_});
     Kokkos::deep_copy(list_.at_build, position_);
     build_list(Space{}, list_, species_, table_, box_);
   }
@@ -102,7 +103,7 @@ Relaxation relax_on(State& state, double overlap, std::int64_t iterations, doubl
 Relaxation relax_overlaps(State& state, double overlap, std::int64_t iterations, double skin) {
 #ifdef KOKKOS_ENABLE_SERIAL
   constexpr std::size_t worth_threads = 8192;  // fewer disks wait for each other more than they move
-  if (state.count() < worth_threads)
+  if (state.count() < worth_threads || Kokkos::DefaultHostExecutionSpace().concurrency() == 1)
     return relax_on<Kokkos::Serial>(state, overlap, iterations, skin);
 #endif
   return relax_on<Kokkos::DefaultHostExecutionSpace>(state, overlap, iterations, skin);

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "src/config/scene.hpp"
 #include "src/state/state.hpp"
@@ -17,14 +18,17 @@ struct StartedState {
 };
 
 /// Random positions (Philox keyed by seed, counted by disk: independent of backend and threads),
-/// overlaps relaxed, then v = gammadot y x^ and thetadot = -gammadot/2. Disks 0 .. N/2 - 1 are small.
+/// overlaps relaxed, then v = gammadot y x^ and thetadot = -gammadot/2. Disks 0 .. N/2 - 1 are
+/// small.
 ///
 /// Above jamming overlaps remain: recorded as `start_overlap`. Throws NumericalError above 5%.
 /// Kokkos must run.
 StartedState random_start(Scene const& scene);
 
-/// A state from a file, taken as it is; throws InputError where it disagrees with the scene.
-/// Made at another strain rate, its velocities and spins are scaled (P2 Eqs. 40-41).
-StartedState fit_to_scene(State state, Scene const& scene);
+/// The states of a file, taken as they are, one for each of the scene's replicas; throws InputError
+/// where they disagree with the scene, are more or fewer than its replicas, or two are the same:
+/// those would run alike, and errors over replicas would be too small. Made at another strain rate,
+/// their velocities and spins are scaled (P2 Eqs. 40-41).
+std::vector<StartedState> fit_to_scene(std::vector<State> states, Scene const& scene);
 
 }  // namespace bagnold

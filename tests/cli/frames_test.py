@@ -2,6 +2,8 @@
 """Profiles, fields, rotation and trajectories in the files of a run, killed or not."""
 
 import json
+import re
+import resource
 import signal
 import subprocess
 import sys
@@ -12,7 +14,7 @@ import xml.etree.ElementTree
 import h5py
 import numpy as np
 
-from bagnold import CliTest, read_summary, seconds_to_strain
+from bagnold import PROGRAM, CliTest, environment, read_summary, seconds_to_strain
 
 MEASURED = {"measure__profiles": True, "measure__rotation": True, "measure__fields": True,
             "disks__count": 128, "disks__packing_fraction": 0.82}
@@ -224,11 +226,94 @@ print(json.dumps([len(universe.atoms), frames]))
                 np.testing.assert_allclose(frame, expected, rtol=1e-5, atol=1e-5)
 
 
+class ReplicasTest(CliTest):
+    CHANGES = {**MEASURED, "shear__strain": 1.0, "measure__frame_strain": 2.0**-6,
+               "output__trajectory_strain": 2.0**-5}
+    SEEDS = (5, 6, 7)
+
+    def run_seeds(self):
+        """Three replicas, and each of their seeds alone."""
+        out = self.run_new("out", "--threads", 2, disks__seed=5, disks__replicas=3, **self.CHANGES)
+        return out, [self.run_new(f"seed{seed}", disks__seed=seed, **self.CHANGES)
+                     for seed in self.SEEDS]
+
+    def test_are_their_seeds_together(self):
+        out, alone = self.run_seeds()
+        for seed, one in zip(self.SEEDS, alone):
+            self.assertEqual((out / f"trajectory_{seed}.h5md").read_bytes(),
+                             (one / "trajectory.h5md").read_bytes())
+            self.assertIn(f"trajectory_{seed}.h5md:", (out / f"trajectory_{seed}.xdmf").read_text())
+        self.assertEqual(len(list(out.glob("trajectory*"))), 6)
+        with h5py.File(out / "result.h5") as file:
+            each = [h5py.File(one / "result.h5") for one in alone]
+
+            def of_each(path):
+                return np.array([one[path][()] for one in each])
+
+            for name in ("phi", "p_el", "sigma_dis", "phi_aligned"):  # no ratios of averages
+                profile, values = file[f"profiles/{name}"], of_each(f"profiles/{name}/value")
+                np.testing.assert_allclose(profile["value"], values.mean(axis=0), rtol=1e-9)
+                np.testing.assert_allclose(profile["error"],
+                                           values.std(axis=0, ddof=1) / np.sqrt(3), rtol=1e-6)
+            for name in ("rotation", "local_phi", "local_gammadot"):  # as many values in each
+                np.testing.assert_allclose(file[f"histograms/{name}/density"][()],
+                                           of_each(f"histograms/{name}/density").mean(axis=0))
+            np.testing.assert_array_equal(file["samples/fields"][()], each[0]["samples/fields"][()])
+            np.testing.assert_array_equal(file["samples/band_position"][()],
+                                          np.concatenate(of_each("samples/band_position")))
+
+    def test_band_fractions(self):
+        out, alone = self.run_seeds()
+        summary = read_summary(out)
+        for replica, one in zip(summary["replicas"], alone):
+            self.assertEqual(replica["observables"], read_summary(one)["observables"])
+        for name in ("band_fraction_phi", "band_fraction_gammadot"):
+            found = summary["observables"][name]
+            self.assertEqual(found["samples"], 3 * 33)
+            self.assertTrue(0 < found["mean"] < 1)
+            self.assertTrue(0 < found["error"] < 1)
+
+    def test_force_takes_the_old_trajectories_away(self):
+        out, _ = self.folder / "out", self.run_new("out", disks__replicas=3, **self.CHANGES)
+        (out / "trajectory_2.parts").mkdir()
+        (out / "trajectory_of_mine.h5md").write_text("kept")
+        (out / "scene.toml").unlink()
+        self.run_scene(self.scene(), out, "--quiet", "--force")
+        self.assertEqual([path.name for path in out.glob("trajectory*")],
+                         ["trajectory_of_mine.h5md"])
+
+    def test_trajectories_of_too_many_are_refused(self):
+        self.refused(self.scene(disks__replicas=257, output__trajectory_strain=0.5),
+                     "output.trajectory_strain = 0.5", "disks.replicas = 257", "256")
+
+    def test_size_of_all_is_told(self):
+        def megabytes(**changes):
+            path = self.scene(output__trajectory_strain=2.0**-7, **changes)
+            return float(re.search(r"frames, ([\d.e+-]+) MB", self.bagnold("validate", path).stdout)[1])
+
+        self.assertAlmostEqual(megabytes(disks__replicas=10) / megabytes(), 10, delta=0.1)
+
+    def test_a_full_disk_is_told_without_noise(self):
+        """HDF5 keeps its errors, and whether it prints them, for each thread."""
+        def limit():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (300000, 300000))
+
+        path = self.scene(disks__count=1024, disks__replicas=3, output__trajectory_strain=2.0**-9)
+        result = subprocess.run([PROGRAM, "run", path, "--out", self.folder / "out", "--threads", "2"],
+                                text=True, timeout=100, capture_output=True, preexec_fn=limit,
+                                env=environment())
+        self.assertNotIn("HDF5-DIAG", result.stderr)
+        self.assert_clean_error(result, 4, "trajectory_")
+
+
 class KilledTest(CliTest):
     def test_kill_and_resume_change_nothing(self):
-        for engine, model in (("contact-rich", "CD_rot"), ("windowed", "CD_rot")):
+        for engine in ("contact-rich", "windowed"):
             with self.subTest(engine=engine):
-                self.check_killed(engine, model)
+                self.check_killed(engine, 1)
+
+    def test_of_replicas(self):
+        self.check_killed("contact-rich", 2, disks__replicas=2)
 
     def checkpoint_stamp(self, out):
         try:
@@ -237,16 +322,17 @@ class KilledTest(CliTest):
         except FileNotFoundError:
             return None
 
-    def check_killed(self, engine, model):
-        changes = {**MEASURED, "disks__model": model, "integration__engine": engine,
-                   "output__checkpoint_minutes": 0.0005, "shear__discard": 0.25}
+    def check_killed(self, engine, threads, **more):
+        changes = {**MEASURED, "disks__model": "CD_rot", "integration__engine": engine,
+                   "output__checkpoint_minutes": 0.0005, "shear__discard": 0.25, **more}
         strain = seconds_to_strain(self, 1.5, shear__strain=1.0, **changes)
         path = self.scene(shear__strain=float(strain), output__sample_strain=float(strain / 64),
                           measure__frame_strain=float(strain / 50),
                           output__trajectory_strain=float(strain / 37), **changes)
         whole, cut = self.folder / f"whole-{engine}", self.folder / f"cut-{engine}"
-        self.run_scene(path, whole, "--quiet", "--threads", 1)
-        process, kills = self.start("run", path, "--out", cut, "--quiet", "--threads", 1), 0
+        options = ("--quiet", "--threads", threads)
+        self.run_scene(path, whole, *options)
+        process, kills = self.start("run", path, "--out", cut, *map(str, options)), 0
         stamp = None
         for pause in (0.0, 0.03, 0.1, 0.002, 0.06, 0.3, 0.01):
             new = lambda: self.checkpoint_stamp(cut) not in (None, stamp)  # noqa: B023
@@ -258,19 +344,21 @@ class KilledTest(CliTest):
                 break
             kills += 1
             stamp = self.checkpoint_stamp(cut)
-            for part in sorted((cut / "trajectory.parts").glob("*.h5md")):
+            for part in sorted(cut.glob("trajectory*.parts/*.h5md")):
                 with h5py.File(part, "r") as file:  # whole, after a kill at any moment
                     self.assertGreater(len(file["particles/trajectory/position/step"]), 0)
-            process = self.start("resume", cut, "--quiet", "--threads", 1)
+            process = self.start("resume", cut, *map(str, options))
         code, output = self.finish(process)
         self.assertEqual(code, 0, output)
         self.assertGreater(kills, 0)
         self.assert_same_results(whole, cut)
         self.assertEqual(tables(whole), tables(cut))
         self.assertGreater(len(tables(whole)), 60)
-        for name in ("trajectory.h5md", "trajectory.xdmf"):
+        written = sorted(path.name for path in whole.glob("trajectory*"))
+        self.assertEqual(written, sorted(path.name for path in cut.glob("trajectory*")))
+        self.assertEqual(len(written), 2 * more.get("disks__replicas", 1))
+        for name in written:
             self.assertEqual((whole / name).read_bytes(), (cut / name).read_bytes(), name)
-        self.assertFalse((cut / "trajectory.parts").exists())
 
     def test_killed_right_at_the_end(self):
         out = self.run_new("done", output__trajectory_strain=2.0**-5)

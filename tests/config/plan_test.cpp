@@ -159,6 +159,33 @@ TEST(Feasible, MoreMemoryThanThereIsIsRefused) {
       << message;
 }
 
+TEST(Feasible, ReplicasTakeMemoryEach) {
+  Scene scene = minimal_scene();
+  scene.disks.count = 1'000'000;
+  Plan const plan = make_plan(scene);
+  double const one = memory_needed(scene, plan);
+  double const shared = 64e6;  // the program itself
+  scene.disks.replicas = 7;
+  EXPECT_NEAR(memory_needed(scene, plan), 7 * (one - shared) + shared, 1);
+  scene.disks.count = 1'000'000'000;
+  scene.disks.replicas = 4096;
+  std::string const message = feasibility(scene);
+  EXPECT_TRUE(has(message, "disks.count = 1000000000 with disks.replicas = 4096 needs about") &&
+              has(message, "or replicas"))
+      << message;
+}
+
+/// The steps of all replicas are counted together.
+TEST(Plan, ReplicasHaveTheStepsOfOneEach) {
+  Scene scene = scene_of(20.0, 1e-4, 0.05, 1e-2, 0.5);
+  scene.disks.replicas = 4096;
+  EXPECT_EQ(make_plan(scene).steps, 4'000'000);
+  scene = scene_of(1e9, 1e-4, 0.01, 1e5, 0.5);
+  EXPECT_NO_THROW(make_plan(scene));  // 1e15 steps
+  scene.disks.replicas = 5;
+  EXPECT_TRUE(has(refusal_of([&] { make_plan(scene); }), "steps"));
+}
+
 /// Positions and velocities now and at the trial step, lists and a host copy: no run does with less
 /// than 150 bytes a disk, and none should be told that it takes 10 kB.
 TEST(Feasible, MemoryGrowsWithDisksAndWindows) {

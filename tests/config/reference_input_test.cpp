@@ -5,7 +5,9 @@
 #include <sstream>
 #include <tuple>
 
+#include "src/config/plan.hpp"
 #include "src/simulation/laws.hpp"
+#include "src/sweep/sweep.hpp"
 #include "tests/config/scenes.hpp"
 
 namespace bagnold {
@@ -85,11 +87,18 @@ TEST(ReferenceInput, RequiredAreTheSevenKeysOfTheContract) {
                                       "shear.strain"}));
 }
 
+void check_feasible_here(Scene const& scene, Plan const& plan) {
+  check_feasible(scene, plan, /*allow_unstable=*/false);
+}
+
 TEST(Inputs, AllParse) {
   int files = 0;
   for (auto const& entry : std::filesystem::recursive_directory_iterator(inputs)) {
     if (entry.path().extension() != ".toml") continue;
-    EXPECT_NO_THROW(read_scene(entry.path())) << entry.path();
+    if (sweep::is_sweep(text_of(entry.path()), "input"))
+      EXPECT_NO_THROW(sweep::read_sweep(entry.path(), check_feasible_here)) << entry.path();
+    else
+      EXPECT_NO_THROW(read_scene(entry.path())) << entry.path();
     ++files;
   }
   EXPECT_GE(files, 2);

@@ -46,9 +46,9 @@ TEST(CheckpointCrash, KilledAtAnyMomentOneVerifies) {
 
     auto const found = newest_checkpoint(folder.path(), nullptr);
     ASSERT_TRUE(found.has_value());
-    EXPECT_GE(found->step, last);
-    EXPECT_TRUE(same(*found, some_checkpoint(disks, found->step)));
-    last = found->step;
+    EXPECT_GE(found->steps(), last);
+    EXPECT_TRUE(same(*found, some_checkpoint(disks, found->steps())));
+    last = found->steps();
   }
   EXPECT_GT(last, 5) << "hardly anything was written between the kills";
 }
@@ -93,11 +93,11 @@ TEST(CheckpointCrash, AFullDiskLeavesTheOldOnes) {
   }
   EXPECT_FALSE(std::filesystem::exists(small / "checkpoint.h5.tmp"));
   EXPECT_EQ(read_file(small / "checkpoint.h5"), before);
-  EXPECT_EQ(newest_checkpoint(small, nullptr).value().step, 2);
-  EXPECT_THROW(write_state(small / "state.h5", some_state(20000)), FileError);
+  EXPECT_EQ(newest_checkpoint(small, nullptr).value().steps(), 2);
+  EXPECT_THROW(write_states(small / "state.h5", std::vector{some_state(20000)}), FileError);
   EXPECT_FALSE(std::filesystem::exists(small / "state.h5"));
   write_checkpoint(small, some_checkpoint(500, 4));
-  EXPECT_EQ(newest_checkpoint(small, nullptr).value().step, 4);
+  EXPECT_EQ(newest_checkpoint(small, nullptr).value().steps(), 4);
 }
 
 }  // namespace

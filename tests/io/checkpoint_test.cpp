@@ -9,6 +9,7 @@
 
 #include "src/config/errors.hpp"
 #include "src/io/atomic_file.hpp"
+#include "src/io/hdf5_writer.hpp"
 #include "src/io/seal.hpp"
 #include "tests/io/equal.hpp"
 #include "tests/io/folder.hpp"
@@ -20,29 +21,58 @@ namespace {
 /// -1 if none verifies.
 std::int64_t step_of_newest(TestFolder const& folder, std::vector<std::string>* remarks = nullptr) {
   auto const found = newest_checkpoint(folder.path(), remarks);
-  return found ? found->step : -1;
+  return found ? found->steps() : -1;
 }
 
 TEST(Checkpoint, EveryBitComesBack) {
   auto checkpoint = some_checkpoint(10, 1000);
-  checkpoint.state.position[1] = {-0.0, 5e-324};
-  checkpoint.state.velocity[2] = {NAN, std::numeric_limits<double>::infinity()};
-  checkpoint.list_position[0][0] = -0.0;
-  checkpoint.initial_offset = -0.0;
-  checkpoint.open_weight = 5e-324;
-  checkpoint.step = (std::int64_t{1} << 53) + 1;
+  checkpoint.systems[0].state.position[1] = {-0.0, 5e-324};
+  checkpoint.systems[0].state.velocity[2] = {NAN, std::numeric_limits<double>::infinity()};
+  checkpoint.systems[0].list_position[0][0] = -0.0;
+  checkpoint.systems[0].initial_offset = -0.0;
+  checkpoint.systems[0].open_weight = 5e-324;
+  checkpoint.systems[0].step = (std::int64_t{1} << 53) + 1;
   EXPECT_TRUE(same(parse_checkpoint("x", checkpoint_image(checkpoint)), checkpoint));
 }
 
-TEST(Checkpoint, WithoutSpinsWindowsOrRecords) {
+TEST(Checkpoint, WithoutSpinsWindowsRecordsOrFrames) {
   auto checkpoint = some_checkpoint(4, 0);
-  checkpoint.state.spin.clear();
-  checkpoint.state.strain_rate.reset();
-  checkpoint.window_sums.clear();
-  checkpoint.window_weight.clear();
-  checkpoint.open_sums.clear();
-  checkpoint.start_record.clear();
+  checkpoint.systems[0].state.spin.clear();
+  checkpoint.systems[0].state.strain_rate.reset();
+  checkpoint.systems[0].window_sums.clear();
+  checkpoint.systems[0].window_weight.clear();
+  checkpoint.systems[0].open_sums.clear();
+  checkpoint.systems[0].start_record.clear();
+  checkpoint.systems[0].frames.clear();
   EXPECT_TRUE(same(parse_checkpoint("x", checkpoint_image(checkpoint)), checkpoint));
+}
+
+TEST(Checkpoint, ReplicasAtStepsOfTheirOwn) {
+  auto checkpoint = some_checkpoint(10, 1000);
+  for (std::int64_t const step : {2000, 500}) checkpoint.systems.push_back(some_system(10, step));
+  auto& third = checkpoint.systems[2];
+  third.window_weight.push_back(4.0);
+  third.window_sums.insert(third.window_sums.end(), {7.0, 8.0, 9.0});
+  third.engine["another"] = 1.0;
+  EXPECT_EQ(checkpoint.steps(), 3500);
+  auto const back = parse_checkpoint("x", checkpoint_image(checkpoint));
+  ASSERT_EQ(back.systems.size(), 3u);
+  EXPECT_TRUE(same(back, checkpoint));
+  EXPECT_FALSE(same(back, some_checkpoint(10, 1000)));
+}
+
+TEST(Checkpoint, ImpossibleNumbersOfReplicasAreRefused) {
+  for (std::int64_t const replicas : {std::int64_t{0}, std::int64_t{-1}, std::int64_t{3},
+                                      std::numeric_limits<std::int64_t>::max()}) {
+    Hdf5Writer file(Hashed::yes);
+    file.attribute("/", "format", "bagnold-checkpoint");
+    file.attribute("/", "schema", std::int64_t{3});
+    file.attribute("/", "replicas", replicas);
+    file.text("/scene", "");
+    auto image = file.image();
+    add_seal(image);
+    EXPECT_THROW(parse_checkpoint("x", image), InputError) << replicas;
+  }
 }
 
 TEST(Checkpoint, AMillionDisks) {
@@ -52,20 +82,20 @@ TEST(Checkpoint, AMillionDisks) {
 
 TEST(Checkpoint, ManyWindowsAndRecords) {
   auto checkpoint = some_checkpoint(4, 9);
-  checkpoint.window_weight.assign(200000, 2.5);
-  checkpoint.window_sums.assign(600000, 0.1);
+  checkpoint.systems[0].window_weight.assign(200000, 2.5);
+  checkpoint.systems[0].window_sums.assign(600000, 0.1);
   for (int index = 0; index < 300; ++index)
-    checkpoint.start_record["record " + std::to_string(index)] = index;
+    checkpoint.systems[0].start_record["record " + std::to_string(index)] = index;
   checkpoint.scene.assign(300000, '#');
   EXPECT_TRUE(same(parse_checkpoint("x", checkpoint_image(checkpoint)), checkpoint));
 }
 
 TEST(Checkpoint, PartsThatDisagreeAreNeverWritten) {
   auto checkpoint = some_checkpoint(4, 9);
-  checkpoint.list_position.pop_back();
+  checkpoint.systems[0].list_position.pop_back();
   EXPECT_THROW(checkpoint_image(checkpoint), std::logic_error);
   checkpoint = some_checkpoint(4, 9);
-  checkpoint.columns = 4;
+  checkpoint.systems[0].columns = 4;
   EXPECT_THROW(checkpoint_image(checkpoint), std::logic_error);
 }
 
@@ -93,7 +123,7 @@ TEST(Checkpoint, ASealThatWasMadeAgainDoesNotHideAChangedValue) {
   auto const checkpoint = some_checkpoint(4, 3);
   auto image = checkpoint_image(checkpoint);
   ASSERT_EQ(remove_seal(image), "");
-  auto const raw = std::as_bytes(std::span(checkpoint.state.velocity));
+  auto const raw = std::as_bytes(std::span(checkpoint.systems[0].state.velocity));
   auto const found = std::search(image.begin(), image.end(), raw.begin(), raw.end());
   ASSERT_NE(found, image.end());
   found[9] ^= std::byte{1};

@@ -30,17 +30,32 @@ inline bool same(State const& a, State const& b) {
          same(a.strain_rate.value_or(0.0), b.strain_rate.value_or(0.0));
 }
 
-inline bool same(Checkpoint const& a, Checkpoint const& b) {
+inline bool same(std::vector<State> const& a, std::vector<State> const& b) {
+  bool equal = a.size() == b.size();
+  for (std::size_t r = 0; equal && r < a.size(); ++r) equal = same(a[r], b[r]);
+  return equal;
+}
+
+inline bool same(SystemCheckpoint const& a, SystemCheckpoint const& b) {
   bool records = a.start_record.size() == b.start_record.size();
   for (auto const& [name, value] : a.start_record)
     records = records && b.start_record.contains(name) && same(value, b.start_record.at(name));
-  return records && a.scene == b.scene && same(a.state, b.state) &&
-         same(a.list_position, b.list_position) && a.list_step == b.list_step && a.step == b.step &&
+  bool frames = a.frames.size() == b.frames.size();
+  for (auto const& [name, numbers] : a.frames)
+    frames = frames && b.frames.contains(name) && same(numbers, b.frames.at(name));
+  return records && frames && same(a.state, b.state) && same(a.list_position, b.list_position) &&
+         a.list_step == b.list_step && a.step == b.step &&
          same(a.initial_offset, b.initial_offset) && same(a.initial_time, b.initial_time) &&
          same(a.window_sums, b.window_sums) && a.columns == b.columns &&
          same(a.window_weight, b.window_weight) && same(a.open_sums, b.open_sums) &&
-         same(a.open_weight, b.open_weight) && same(a.wall_seconds, b.wall_seconds) &&
-         a.builds == b.builds && a.engine == b.engine;
+         same(a.open_weight, b.open_weight) && a.builds == b.builds && a.engine == b.engine;
+}
+
+inline bool same(Checkpoint const& a, Checkpoint const& b) {
+  bool equal = a.systems.size() == b.systems.size();
+  for (std::size_t r = 0; equal && r < a.systems.size(); ++r)
+    equal = same(a.systems[r], b.systems[r]);
+  return equal && a.scene == b.scene && same(a.wall_seconds, b.wall_seconds);
 }
 
 }  // namespace bagnold::io

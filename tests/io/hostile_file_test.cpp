@@ -22,13 +22,13 @@ class HostileFile : public testing::Test {
 
   /// What read_state says of the spoilt file; empty if it accepts it.
   std::string message(Spoil const& spoil) {
-    write_state(path_, some_state(disks));
+    write_states(path_, std::vector{some_state(disks)});
     quiet_hdf5();
     hid_t const file = H5Fopen(path_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
     spoil(file);
     EXPECT_GE(H5Fclose(file), 0);
     try {
-      read_state(path_);
+      read_states(path_);
     } catch (InputError const& error) {
       return error.what();
     }
@@ -120,6 +120,36 @@ TEST_F(HostileFile, HugeDeclaredSizes) {
                  "256 MiB");
 }
 
+/// A leading axis that promises many states of nothing costs nothing.
+TEST_F(HostileFile, LeadingAxis) {
+  hsize_t const huge = hsize_t{1} << 39;
+  EXPECT_NE(message_of_dataset(H5T_IEEE_F64LE, {huge, 0, 2}).find("number of disks = 0"),
+            std::string::npos);
+  EXPECT_NE(message_of_dataset(H5T_IEEE_F64LE, {huge, 1, 2}).find("declares"), std::string::npos);
+  expect_refused(message_of_dataset(H5T_IEEE_F64LE, {huge, disks, 0}), "has the shape");
+  EXPECT_NE(message_of_dataset(H5T_IEEE_F64LE, {0, disks, 2})
+                .find("/state/velocity has the shape [8][2] (must be [0][8][2])"),
+            std::string::npos);
+  expect_refused(message_of_dataset(H5T_IEEE_F64LE, {1, 1, disks, 2}), "but 0 are stored");
+  expect_refused(message_of_dataset(H5T_IEEE_F64LE, {0, 1, disks, 2}), "has the shape");
+}
+
+TEST_F(HostileFile, OneStateMoreInOneDataset) {
+  auto const message = this->message([](hid_t file) {
+    H5Ldelete(file, "/state/velocity", H5P_DEFAULT);
+    hsize_t const shape[] = {2, disks, 2};
+    Handle space(H5Screate_simple(3, shape, nullptr), H5Sclose);
+    Handle made(H5Dcreate2(file, "/state/velocity", H5T_IEEE_F64LE, space.get(), H5P_DEFAULT,
+                           H5P_DEFAULT, H5P_DEFAULT),
+                H5Dclose);
+    std::vector<double> const zeros(2 * disks * 2, 0.0);
+    H5Dwrite(made.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, zeros.data());
+  });
+  EXPECT_NE(message.find("/state/velocity has the shape [2][8][2] (must be [8][2])"),
+            std::string::npos)
+      << message;
+}
+
 TEST_F(HostileFile, Filters) {
   auto const filtered = [](auto set) {
     return [=](hid_t creation) {
@@ -177,11 +207,11 @@ TEST_F(HostileFile, ShapesThatDisagree) {
 }
 
 TEST_F(HostileFile, TruncatedAnywhere) {
-  write_state(path_, some_state(disks));
+  write_states(path_, std::vector{some_state(disks)});
   auto const whole = read_file(path_);
   for (std::size_t length = 0; length < whole.size(); length += 13) {
     std::vector const cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length));
-    EXPECT_THROW((void)get_state(Hdf5Reader("cut", cut)), InputError) << length;
+    EXPECT_THROW((void)get_states(Hdf5Reader("cut", cut)), InputError) << length;
   }
 }
 
@@ -190,7 +220,7 @@ TEST_F(HostileFile, ChangedBytesAreReadOrRefused) {
   GTEST_SKIP() << "HDF5 1.10.8 itself reads past damaged attributes (in H5Aexists_by_name)";
 #endif
   // a value may change unseen, since state files are made by hand too; nothing else may happen
-  write_state(path_, some_state(disks));
+  write_states(path_, std::vector{some_state(disks)});
   auto const whole = read_file(path_);
   EXPECT_EQ(in_child([&] {
               ::alarm(60);
@@ -200,7 +230,7 @@ TEST_F(HostileFile, ChangedBytesAreReadOrRefused) {
                 for (int change = 0; change <= trial % 3; ++change)
                   spoilt[random() % spoilt.size()] = static_cast<std::byte>(random());
                 try {
-                  (void)get_state(Hdf5Reader("spoilt", std::move(spoilt)));
+                  (void)get_states(Hdf5Reader("spoilt", std::move(spoilt)));
                 } catch (InputError const&) {
                 }
               }

@@ -20,21 +20,69 @@ TEST(StateFile, RoundTripKeepsEveryBit) {
   auto state = some_state(10);
   state.position[3][1] = -0.0;
   state.velocity[2][0] = 5e-324;
-  write_state(folder / "state.h5", state);
-  EXPECT_TRUE(same(read_state(folder / "state.h5"), state));
-  EXPECT_TRUE(same(read_state(folder / "state.h5", 10), state));
+  write_states(folder / "state.h5", {&state, 1});
+  EXPECT_TRUE(same(read_states(folder / "state.h5"), {state}));
+  EXPECT_TRUE(same(read_states(folder / "state.h5", 10), {state}));
 
   state.spin.clear();
   state.strain_rate.reset();
-  write_state(folder / "state.h5", state);
-  EXPECT_TRUE(same(read_state(folder / "state.h5"), state));
+  write_states(folder / "state.h5", {&state, 1});
+  EXPECT_TRUE(same(read_states(folder / "state.h5"), {state}));
 }
 
 TEST(StateFile, AMillionDisks) {
   TestFolder folder;
   auto const state = some_state(1'000'000);
-  write_state(folder / "state.h5", state);
-  EXPECT_TRUE(same(read_state(folder / "state.h5"), state));
+  write_states(folder / "state.h5", {&state, 1});
+  EXPECT_TRUE(same(read_states(folder / "state.h5"), {state}));
+}
+
+/// States that may share a file: same box, offset, time, rate and N.
+std::vector<State> some_states(std::size_t replicas, std::size_t count) {
+  std::vector<State> states;
+  for (std::size_t r = 0; r < replicas; ++r)
+    states.push_back(some_state(count, static_cast<unsigned>(r + 1)));
+  return states;
+}
+
+TEST(StateFile, SeveralStatesHaveALeadingAxis) {
+  TestFolder folder;
+  auto states = some_states(3, 10);
+  states[1].position[3][1] = -0.0;
+  write_states(folder / "state.h5", states);
+  EXPECT_TRUE(same(read_states(folder / "state.h5"), states));
+  EXPECT_TRUE(same(read_states(folder / "state.h5", 10), states));
+  EXPECT_THROW(read_states(folder / "state.h5", 12), InputError);
+  {
+    Hdf5Reader const file("state.h5", read_file(folder / "state.h5"));
+    EXPECT_EQ(file.shape("/state/position"), (Shape{3, 10, 2}));
+    EXPECT_EQ(file.shape("/state/spin"), (Shape{3, 10}));
+    EXPECT_EQ(file.shape("/state/diameter"), (Shape{3, 10}));
+  }
+  for (auto& state : states) state.spin.clear();
+  for (auto& state : states) state.strain_rate.reset();
+  write_states(folder / "state.h5", states);
+  EXPECT_TRUE(same(read_states(folder / "state.h5"), states));
+}
+
+TEST(StateFile, StatesThatDisagreeAreNeverWritten) {
+  TestFolder folder;
+  for (auto const& spoil : std::vector<std::function<void(State&)>>{
+           [](State& s) { s.box_length += 1; }, [](State& s) { s.offset += 1; },
+           [](State& s) { s.time += 1; }, [](State& s) { s.strain_rate.reset(); },
+           [](State& s) { s.spin.clear(); }, [](State& s) { s = some_state(6, 9); }}) {
+    auto states = some_states(2, 4);
+    spoil(states[1]);
+    EXPECT_THROW(write_states(folder / "s.h5", states), std::logic_error);
+  }
+}
+
+TEST(StateFile, ImpossibleValuesOfAnyStateAreRefused) {
+  TestFolder folder;
+  auto states = some_states(3, 4);
+  states[2].velocity[1][0] = NAN;
+  write_states(folder / "s.h5", states);
+  EXPECT_THROW(read_states(folder / "s.h5"), InputError);
 }
 
 TEST(StateFile, ImpossibleValuesAreRefusedByName) {
@@ -42,9 +90,9 @@ TEST(StateFile, ImpossibleValuesAreRefusedByName) {
   auto const refused = [&](std::function<void(State&)> spoil, std::string const& part) {
     auto state = some_state(4);
     spoil(state);
-    write_state(folder / "s.h5", state);
+    write_states(folder / "s.h5", {&state, 1});
     try {
-      read_state(folder / "s.h5");
+      read_states(folder / "s.h5");
     } catch (InputError const& error) {
       return std::string(error.what()).find(part) != std::string::npos ? std::string("refused")
                                                                        : error.what();
@@ -66,24 +114,24 @@ TEST(StateFile, ImpossibleValuesAreRefusedByName) {
 
 TEST(StateFile, CountIsComparedWithTheScenes) {
   TestFolder folder;
-  write_state(folder / "s.h5", some_state(4));
-  EXPECT_THROW(read_state(folder / "s.h5", 6), InputError);
+  write_states(folder / "s.h5", std::vector{some_state(4)});
+  EXPECT_THROW(read_states(folder / "s.h5", 6), InputError);
 }
 
 TEST(StateFile, MissingAndForeignFilesAreInputErrors) {
   TestFolder folder;
-  EXPECT_THROW(read_state(folder / "none.h5"), InputError);
-  EXPECT_THROW(read_state(folder.path()), InputError);
+  EXPECT_THROW(read_states(folder / "none.h5"), InputError);
+  EXPECT_THROW(read_states(folder.path()), InputError);
   replace_file(folder / "text", bytes_of("position,velocity\n1,2\n"));
-  EXPECT_THROW(read_state(folder / "text"), InputError);
+  EXPECT_THROW(read_states(folder / "text"), InputError);
   replace_file(folder / "empty", {});
-  EXPECT_THROW(read_state(folder / "empty"), InputError);
+  EXPECT_THROW(read_states(folder / "empty"), InputError);
 }
 
 TEST(StateFile, H5pyReadsWhatIsWritten) {
   if (!have_h5py()) GTEST_SKIP() << "no h5py";
   TestFolder folder;
-  write_state(folder / "state.h5", some_state(6));
+  write_states(folder / "state.h5", std::vector{some_state(6)});
   EXPECT_EQ(
       run_python("import h5py; s = h5py.File(\"" + (folder / "state.h5").string() +
                  "\")[\"state\"]\n"
@@ -113,7 +161,7 @@ TEST(StateFile, ReadsWhatH5pyWrites) {
                        "g.attrs[\"box_length\"] = np.float32(8); g.attrs[\"offset\"] = 0\n"
                        "g.attrs[\"time\"] = np.array([2.5])"),
             0);
-  auto const state = read_state(folder / "s.h5");
+  auto const state = read_states(folder / "s.h5").front();
   EXPECT_EQ(state.count(), 500u);
   EXPECT_EQ(state.position[499][1], 999 / 4.0);
   EXPECT_EQ(state.velocity[499][0], 998.0);

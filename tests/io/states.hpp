@@ -26,26 +26,34 @@ inline State some_state(std::size_t count, unsigned seed = 1) {
   return state;
 }
 
-/// A checkpoint with every field set.
-inline Checkpoint some_checkpoint(std::size_t count, std::int64_t step) {
+/// A system with every field set.
+inline SystemCheckpoint some_system(std::size_t count, std::int64_t step) {
   auto const seed = static_cast<unsigned>(step);
+  SystemCheckpoint system;
+  system.state = some_state(count, seed);
+  system.list_position = some_state(count, seed + 1).position;
+  system.list_step = step - 7;
+  system.step = step;
+  system.initial_offset = 0.3;
+  system.initial_time = 11.0;
+  system.window_sums = {1.0, 2.0, 3.0, 4.0, 5.0, 1.0 / 7.0};
+  system.columns = 3;
+  system.window_weight = {10.0, 11.0};
+  system.open_sums = {0.5, 0.25, 0.125};
+  system.open_weight = 3.0;
+  system.start_record = {{"iterations", 12.0}, {"overlap", 1e-9}};
+  system.frames = {{"profiles", {0.1 * static_cast<double>(step), -0.0, 5e-324}}, {"fields", {}}};
+  system.builds = 42;
+  system.engine = {{"margin", 0.015}, {"prune_step", 117.0}};
+  return system;
+}
+
+/// A checkpoint of one system with every field set.
+inline Checkpoint some_checkpoint(std::size_t count, std::int64_t step) {
   Checkpoint checkpoint;
   checkpoint.scene = "title = \"a test, \u03c6 = 0.82\"\n";
-  checkpoint.state = some_state(count, seed);
-  checkpoint.list_position = some_state(count, seed + 1).position;
-  checkpoint.list_step = step - 7;
-  checkpoint.step = step;
-  checkpoint.initial_offset = 0.3;
-  checkpoint.initial_time = 11.0;
-  checkpoint.window_sums = {1.0, 2.0, 3.0, 4.0, 5.0, 1.0 / 7.0};
-  checkpoint.columns = 3;
-  checkpoint.window_weight = {10.0, 11.0};
-  checkpoint.open_sums = {0.5, 0.25, 0.125};
-  checkpoint.open_weight = 3.0;
-  checkpoint.start_record = {{"iterations", 12.0}, {"overlap", 1e-9}};
   checkpoint.wall_seconds = 1.5;
-  checkpoint.builds = 42;
-  checkpoint.engine = {{"margin", 0.015}, {"prune_step", 117.0}};
+  checkpoint.systems = {some_system(count, step)};
   return checkpoint;
 }
 

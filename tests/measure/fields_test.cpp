@@ -81,16 +81,14 @@ TEST(LocalFields, OfLinearFlowAcrossTheEdges) {
 }
 
 TEST(Fields, HistogramsAndLastFrame) {
-  Scene scene = test::plain_scene("CD_rot", rate);
-  scene.disks.count = 400;
-  Fields fields(scene), resumed(scene);
+  Fields fields(rate), resumed(rate);
   State const state = test::square_lattice(20, 1.3, rate);
   fields.add({state, 7, 0.25});
   Numbers numbers;
   fields.save(numbers);
   resumed.load(numbers);
   FrameResults results;
-  resumed.report(results);
+  resumed.report({&resumed}, results);
   auto const& phi = test::named(results.histograms, "local_phi");
   double const expected = local_fields(state).packing_fraction[0];
   for (std::size_t b = 0; b < phi.density.size(); ++b)

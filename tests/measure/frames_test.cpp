@@ -31,8 +31,7 @@ class Steps final : public FrameObserver {
   }
   void save(Numbers&) override {}
   void load(Numbers const&) override {}
-  void join(FrameObserver const&) override {}
-  void report(FrameResults&) const override {}
+  void report(std::vector<FrameObserver const*> const&, FrameResults&) const override {}
 
  private:
   std::vector<std::int64_t>& seen_;

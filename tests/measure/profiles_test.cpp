@@ -49,7 +49,7 @@ FrameResults profiles_of(std::vector<State> const& states) {
   Profiles profiles(scene, L);
   for (auto const& state : states) profiles.add({state, 0, 0.0});
   FrameResults results;
-  profiles.report(results);
+  profiles.report({&profiles}, results);
   return results;
 }
 
@@ -59,7 +59,7 @@ TEST(Profiles, OfLinearFlow) {
     State const state = test::square_lattice(48, 1.25, rate);
     profiles.add({state, 0, 0.0});
     FrameResults found;
-    profiles.report(found);
+    profiles.report({&profiles}, found);
     return found;
   }();
   auto const& v_x = test::named(results.profiles, "v_x");
@@ -84,7 +84,7 @@ TEST(Profiles, OfAHandMadeBand) {
     EXPECT_NEAR(phi.value[b], h < 0 ? dense / 2 : dense, 1e-12) << phi.y[b];
   }
   auto const value = [&](char const* name) {
-    return *test::named(results.scalars, name).estimate.mean;
+    return *test::named(results.scalars, name).estimate.all.mean;
   };
   EXPECT_NEAR(value("band_fraction_phi"), share, 1.0 / 40);
   EXPECT_NEAR(value("band_fraction_gammadot"), share, 1.0 / 40);
@@ -102,8 +102,9 @@ TEST(Profiles, FollowABandThatDrifts) {
     if (std::abs(h) < 3) continue;
     EXPECT_NEAR(aligned.value[b], h < 0 ? fast_rate : slow_rate, 1e-5);
   }
-  EXPECT_NEAR(*test::named(results.scalars, "band_fraction_phi").estimate.mean, share, 0.03);
-  EXPECT_NEAR(*test::named(results.scalars, "band_fraction_gammadot").estimate.mean, share, 0.03);
+  EXPECT_NEAR(*test::named(results.scalars, "band_fraction_phi").estimate.all.mean, share, 0.03);
+  EXPECT_NEAR(*test::named(results.scalars, "band_fraction_gammadot").estimate.all.mean, share,
+              0.03);
   auto const& place = test::named(results.samples, "band_position").rows;
   for (int f = 0; f < 40; ++f)
     EXPECT_NEAR(test::around(place[static_cast<std::size_t>(2 * f + 1)], 1.5 * f, L), 0.0, 0.4);
@@ -137,8 +138,8 @@ TEST(Profiles, GoOnFromWhatWasSaved) {
     }
   }
   FrameResults one, two;
-  straight.report(one);
-  second.report(two);
+  straight.report({&straight}, one);
+  second.report({&second}, two);
   ASSERT_EQ(one.profiles.size(), two.profiles.size());
   for (std::size_t k = 0; k < one.profiles.size(); ++k)
     EXPECT_EQ(one.profiles[k].value, two.profiles[k].value) << one.profiles[k].name;

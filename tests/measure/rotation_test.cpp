@@ -18,7 +18,7 @@ TEST(Rotation, DensityOfKnownSpins) {
   rotation.load(numbers);
   rotation.add({state, 1, 0.1});
   FrameResults results;
-  rotation.report(results);
+  rotation.report({&rotation}, results);
   auto const& h = test::named(results.histograms, "rotation");
   auto const share = [&](double value) {
     for (std::size_t b = 0; b < h.density.size(); ++b)

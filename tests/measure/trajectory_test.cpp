@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
 #include "src/config/errors.hpp"
 #include "src/io/atomic_file.hpp"
 #include "tests/io/folder.hpp"
@@ -103,6 +108,28 @@ TEST_F(TrajectoryTest, PartsCanBeReadAtOnce) {
   int frames = 0;
   io::for_each_frame(file("t.parts/000000.h5md"), [&](auto const&, auto) { ++frames; });
   EXPECT_EQ(frames, 2);
+}
+
+TEST_F(TrajectoryTest, SystemsAreWrittenByThreadsOfTheirOwn) {
+  write_straight();
+  auto const of = [&](int k) { return file(("t" + std::to_string(k) + ".h5md").c_str()); };
+  std::vector<std::thread> threads;
+  for (int k = 0; k < 4; ++k)
+    threads.emplace_back([&, k] {
+      Trajectory trajectory(of(k), header());
+      add(trajectory, 0, 12);
+      Numbers numbers;
+      static std::mutex checkpoints;  // the program writes them while no system is worked on
+      std::lock_guard const lock(checkpoints);
+      trajectory.save(numbers);
+    });
+  for (auto& thread : threads) thread.join();
+  for (int k = 0; k < 4; ++k) {
+    Trajectory trajectory(of(k), header());
+    trajectory.load({{"trajectory_parts", {1.0}}});
+    trajectory.finish();
+    EXPECT_EQ(io::read_file(of(k)), io::read_file(file("whole.h5md"))) << k;
+  }
 }
 
 TEST_F(TrajectoryTest, AMissingPartIsTold) {

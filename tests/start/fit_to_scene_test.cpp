@@ -42,12 +42,17 @@ State some_state() {
   return state;
 }
 
+/// Of a scene without replicas.
+StartedState fit(State state, Scene const& scene) {
+  return fit_to_scene({std::move(state)}, scene).front();
+}
+
 /// The message with which a spoilt state is refused as bad input; "accepted" if it is not.
 std::string refusal(std::function<void(State&)> const& spoil, Scene scene = scene_of("CD_rot")) {
   State state = some_state();
   spoil(state);
   try {
-    fit_to_scene(state, scene);
+    fit(state, scene);
   } catch (InputError const& error) {
     return error.what();
   }
@@ -64,7 +69,7 @@ std::string refusal(std::function<void(State&)> const& spoil, Scene scene = scen
 
 TEST(FitToScene, KeepsEveryBitAtTheSameRate) {
   for (auto const* model : {"CD_rot", "general"}) {
-    auto const started = fit_to_scene(some_state(), scene_of(model));
+    auto const started = fit(some_state(), scene_of(model));
     State const expected = some_state();
     EXPECT_EQ(started.state.position, expected.position);
     EXPECT_EQ(started.state.velocity, expected.velocity);
@@ -82,7 +87,7 @@ TEST(FitToScene, KeepsEveryBitAtTheSameRate) {
 TEST(FitToScene, ScalesToAnotherRate) {
   State state = some_state();
   state.strain_rate = 6e-3;
-  auto const started = fit_to_scene(state, scene_of("CD_rot"));
+  auto const started = fit(state, scene_of("CD_rot"));
   for (std::size_t i = 0; i < state.count(); ++i) {
     for (int a = 0; a < 2; ++a)
       EXPECT_DOUBLE_EQ(started.state.velocity[i][a], state.velocity[i][a] / 2);
@@ -99,7 +104,7 @@ TEST(FitToScene, RescalingCanBeTurnedOff) {
   for (double const rate : {6e-3, -1.0, 0.0}) {
     State state = some_state();
     state.strain_rate = rate;
-    auto const started = fit_to_scene(state, scene);
+    auto const started = fit(state, scene);
     EXPECT_EQ(started.state.velocity, state.velocity);
     EXPECT_EQ(started.state.spin, state.spin);
     EXPECT_EQ(started.state.strain_rate, 3e-3);
@@ -110,7 +115,7 @@ TEST(FitToScene, RescalingCanBeTurnedOff) {
 TEST(FitToScene, AStateWithoutARateIsKept) {
   State state = some_state();
   state.strain_rate.reset();
-  auto const started = fit_to_scene(state, scene_of("CD_rot"));
+  auto const started = fit(state, scene_of("CD_rot"));
   EXPECT_EQ(started.state.velocity, state.velocity);
   EXPECT_EQ(started.state.spin, state.spin);
   EXPECT_EQ(started.state.strain_rate, 3e-3);
@@ -119,18 +124,18 @@ TEST(FitToScene, AStateWithoutARateIsKept) {
 TEST(FitToScene, MissingSpinsAreThoseOfTheFlowAndRecorded) {
   State state = some_state();
   state.spin.clear();
-  auto started = fit_to_scene(state, scene_of("CD_rot"));
+  auto started = fit(state, scene_of("CD_rot"));
   EXPECT_EQ(started.state.spin, std::vector<double>(20, -1.5e-3));
   EXPECT_EQ(started.record.at("start_spins_assumed"), 1);
   state.strain_rate = 6e-3;  // scaled with the velocities: those of the new flow
-  started = fit_to_scene(state, scene_of("CD_rot"));
+  started = fit(state, scene_of("CD_rot"));
   ASSERT_EQ(started.state.spin.size(), 20u);
   for (double const spin : started.state.spin) EXPECT_DOUBLE_EQ(spin, -1.5e-3);
 }
 
 TEST(FitToScene, SpinsAreDroppedWhereTheLawHasNone) {
   for (auto const* model : {"CD", "CD_n"}) {
-    auto const started = fit_to_scene(some_state(), scene_of(model));
+    auto const started = fit(some_state(), scene_of(model));
     EXPECT_TRUE(started.state.spin.empty());
     EXPECT_TRUE(started.record.empty());
   }
@@ -159,12 +164,59 @@ TEST(FitToScene, DisagreementsAreRefusedByName) {
                       {"/folder/state.h5", "strain_rate = ", "start.rescale"}));
 }
 
+/// States that differ, as the last ones of replicas do.
+std::vector<State> some_states(std::size_t count) {
+  std::vector<State> states(count, some_state());
+  for (std::size_t r = 0; r < count; ++r) states[r].position[3][0] += 1e-3 * static_cast<double>(r);
+  return states;
+}
+
+std::string refusal_of_states(std::vector<State> const& states, std::int64_t replicas) {
+  Scene scene = scene_of("CD_rot");
+  scene.disks.replicas = replicas;
+  try {
+    fit_to_scene(states, scene);
+  } catch (InputError const& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(FitToScene, EachReplicaNeedsAStateOfItsOwn) {
+  EXPECT_EQ(refusal_of_states(some_states(3), 3), "accepted");
+  EXPECT_TRUE(names(
+      refusal_of_states(some_states(1), 3),
+      {"/folder/state.h5", "holds 1 state,", "disks.replicas = 3", "set disks.replicas = 1"}));
+  EXPECT_TRUE(names(refusal_of_states(some_states(3), 1),
+                    {"holds 3 states", "disks.replicas = 1", "set disks.replicas = 3"}));
+  EXPECT_TRUE(names(refusal_of_states(some_states(2), 3), {"holds 2 states"}));
+  auto states = some_states(3);
+  states[2] = states[0];
+  EXPECT_TRUE(names(refusal_of_states(states, 3), {"states 0 and 2", "the same", "seed"}));
+  states[2].velocity[0][0] += 1;
+  EXPECT_EQ(refusal_of_states(states, 3), "accepted");
+}
+
+TEST(FitToScene, EachStateIsFitted) {
+  Scene scene = scene_of("CD_rot");
+  scene.disks.replicas = 2;
+  auto states = some_states(2);
+  states[1].strain_rate = 6e-3;
+  auto const started = fit_to_scene(states, scene);
+  ASSERT_EQ(started.size(), 2u);
+  EXPECT_EQ(started[0].state.velocity[1], states[0].velocity[1]);
+  EXPECT_EQ(started[1].state.velocity[1][0], states[1].velocity[1][0] / 2);
+  EXPECT_EQ(started[1].state.position, states[1].position);
+  states[1].diameter[2] = 1.2;
+  EXPECT_TRUE(names(refusal_of_states(states, 2), {"diameter[2]"}));
+}
+
 /// Diameters and box to 1e-9: what the file says of the box is used.
 TEST(FitToScene, SmallDisagreementsAreNone) {
   EXPECT_EQ(refusal([](State& s) { s.diameter[1] = 1 + 1e-10; }), "accepted");
   State state = some_state();
   state.box_length *= 1 + 5e-10;
-  EXPECT_EQ(fit_to_scene(state, scene_of("CD")).state.box_length, state.box_length);
+  EXPECT_EQ(fit(state, scene_of("CD")).state.box_length, state.box_length);
 }
 
 }  // namespace

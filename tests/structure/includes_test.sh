@@ -25,6 +25,7 @@ src/simulation       src/config src/state src/statistics kernels
 src/measure          src/config src/state src/statistics src/simulation src/io kernels
 src/protocols        src/config src/state src/statistics src/simulation src/measure
 src/io               src/config src/state src/statistics
+src/sweep            src/config src/state src/io
 src/start            src/config src/state src/statistics src/simulation src/io kernels
 src/analysis         src/config src/state src/statistics src/simulation src/io
 src/cli              src kernels
@@ -37,6 +38,7 @@ src/state            hdf5|H5|toml|CLI|nlohmann
 src/statistics       Kokkos|hdf5|H5|toml|CLI|nlohmann
 src/protocols        Kokkos|hdf5|H5|toml|CLI
 src/io               Kokkos
+src/sweep            Kokkos
 "
 
 mapfile -t files < <(find kernels src -type f \( -name '*.hpp' -o -name '*.cpp' \) | sort)
@@ -86,6 +88,6 @@ awk -v allowed="$allowed" -v forbidden="$forbidden" '
     first = $0
     if (!launch) sub(/.*parallel_(for|reduce|scan)\(/, "", first)
     launch = first ~ /^[ \t]*$/
-    if (!launch && first !~ /^[ \t]*"[a-z_]+::/) complain("a kernel needs a label, \"module::What\"")
+    if (!launch && first !~ /^[ \t]*("[a-z_]+::|label,|std::string const& label,)/) complain("a kernel needs a label, \"module::What\"")
   }
   END { exit wrong }' "${files[@]}"

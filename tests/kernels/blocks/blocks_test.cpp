@@ -119,7 +119,7 @@ TEST(Blocks, PruningLeavesTheNearPairsInTheirOrder) {
     Block& block = blocks.block(b);
     refresh_halo(blocks, block, state, box);
     auto const* record = state.record.data() + block.first;
-    prune_block(blocks, block, record, margin);
+    prune_block(blocks, block, inner_list, record, margin);
     for (int c = 0; c < pair_classes; ++c) {
       std::vector<std::uint32_t> expected, kept;
       auto const name = [](simd::LocalPair p) { return p.a() << 16 | p.b(); };
@@ -128,8 +128,8 @@ TEST(Blocks, PruningLeavesTheNearPairsInTheirOrder) {
         auto const &u = record[p.a()], &v = record[p.b()];
         if (std::hypot(u.x - v.x, u.y - v.y) < class_distance(c) + margin) expected.push_back(name(p));
       }
-      for (std::uint32_t k = 0; k < block.inner[c]; ++k)
-        kept.push_back(name(blocks.inner(block.pairs[c] + k)));
+      for (std::uint32_t k = 0; k < block.near[inner_list][c]; ++k)
+        kept.push_back(name(blocks.near[inner_list](block.pairs[c] + k)));
       EXPECT_EQ(kept, expected);
       EXPECT_GT(kept.size(), 10u);
       EXPECT_LT(kept.size(), block.pairs[c + 1] - block.pairs[c]);

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/cli/checked_sweep.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "src/cli/commands.hpp"
+#include "src/io/state_file.hpp"
+#include "src/start/start.hpp"
+
+namespace bagnold {
+
+sweep::Sweep read_checked_sweep(std::filesystem::path const& file, bool allow_unstable) {
+  auto const sweep = sweep::read_sweep(file, [&](Scene const& scene, Plan const& plan) {
+    check_feasible(scene, plan, allow_unstable);
+    bool const later =
+        !scene.start.file.empty() && !std::filesystem::path(scene.start.file).is_absolute();
+    if (scene.start.kind == "state" && !later)
+      fit_to_scene(io::read_states(scene.start.file), scene);
+  });
+  auto const worth_a_word = [](auto const& point) { return !plan_warning(point.plan).empty(); };
+  auto const first = std::ranges::find_if(sweep.points, worth_a_word);
+  if (first != sweep.points.end())
+    warn(fmt::format("{} of {} points, the first is {}: {}",
+                     std::ranges::count_if(sweep.points, worth_a_word), sweep.points.size(),
+                     first->name, plan_warning(first->plan)));
+  return sweep;
+}
+
+}  // namespace bagnold

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/cli/machine.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "src/config/errors.hpp"
+#include "src/simulation/make_simulation.hpp"
+
+namespace bagnold {
+
+namespace {
+
+bool has(std::string const& backend) {
+  auto const all = backend_names();
+  return std::find(all.begin(), all.end(), backend) != all.end();
+}
+
+std::int64_t cores() { return std::max(1u, std::thread::hardware_concurrency()); }
+
+Machine choose_for_replicas(Machine machine, std::int64_t replicas) {
+  if (!machine.backend.empty() && machine.backend != "serial")
+    throw InputError(
+        fmt::format("--backend {}: disks.replicas = {} (must be 1 there: replicas run side by "
+                    "side, each on the "
+                    "serial backend); leave --backend out",
+                    machine.backend, replicas));
+  if (!has("serial"))
+    throw InputError(fmt::format(
+        "disks.replicas = {} (must be 1: this build lacks the serial backend, on which replicas "
+        "run); build Kokkos with Kokkos_ENABLE_SERIAL",
+        replicas));
+  machine.backend = "serial";
+  auto const wanted = machine.threads == 0 ? cores() : machine.threads;
+  machine.threads = static_cast<int>(std::min(wanted, replicas));
+  return machine;
+}
+
+}  // namespace
+
+Machine choose(Machine machine, Scene const& scene) {
+  if (!machine.backend.empty() && !has(machine.backend))
+    throw InputError(fmt::format("--backend {}: not in this build (has: {})", machine.backend,
+                                 fmt::join(backend_names(), ", ")));
+  if (scene.disks.replicas > 1) return choose_for_replicas(machine, scene.disks.replicas);
+  if (machine.threads == 0)
+    machine.threads =
+        static_cast<int>(std::clamp<std::int64_t>(scene.disks.count / 4096, 1, cores()));
+  if (machine.backend.empty())
+    machine.backend = machine.threads > 1 && has("openmp") ? "openmp" : backend_names().front();
+  if (machine.backend == "serial") machine.threads = 1;
+  return machine;
+}
+
+}  // namespace bagnold

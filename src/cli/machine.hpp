@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "kernels/core/kokkos_compat.hpp"
+#include "src/config/scene.hpp"
+
+namespace bagnold {
+
+/// On what a run runs; none of it changes its bits.
+struct Machine {
+  std::string backend;  ///< "" chooses
+  int threads = 0;      ///< 0 chooses
+};
+
+/// Threads and backend where the user left them open. One system: a thread for every 4096 disks, as
+/// far as there are cores (fewer wait for each other more than they work); one thread runs on
+/// Serial. Replicas: one a thread on Serial, as many threads as there are cores. Throws InputError
+/// for a backend that the build does not have or that cannot run replicas.
+Machine choose(Machine machine, Scene const& scene);
+
+/// Kokkos, running. Replicas bring their own threads, each a system's only one.
+class KokkosScope {
+ public:
+  KokkosScope(Machine const& machine, Scene const& scene) {
+    initialize_kokkos(scene.disks.replicas > 1 ? 1 : machine.threads);
+  }
+  ~KokkosScope() { Kokkos::finalize(); }
+  KokkosScope(KokkosScope const&) = delete;
+  KokkosScope& operator=(KokkosScope const&) = delete;
+};
+
+}  // namespace bagnold

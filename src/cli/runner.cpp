@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/cli/runner.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "src/cli/commands.hpp"
+#include "src/cli/plot.hpp"
+#include "src/cli/progress.hpp"
+#include "src/cli/provenance.hpp"
+#include "src/cli/signals.hpp"
+#include "src/config/errors.hpp"
+#include "src/config/scene_file.hpp"
+#include "src/io/state_file.hpp"
+#include "src/measure/make_frames.hpp"
+#include "src/simulation/make_simulation.hpp"
+#include "src/start/start.hpp"
+
+namespace bagnold {
+
+namespace {
+
+/// A NumericalError with the replica it came from, on its way to the thread that writes files.
+struct ReplicaFailure {
+  std::size_t replica;
+  std::string reason;
+  std::optional<State> state;  ///< none where there was no start
+};
+
+}  // namespace
+
+Runner::Runner(RunFolder const& folder, Run run, Machine const& machine, bool quiet)
+    : folder_(folder),
+      run_(std::move(run)),
+      machine_(machine),
+      quiet_(quiet),
+      simulations_(run_.replicas.size()),
+      steps_(run_.replicas.size()),
+      wall_before_(run_.wall_seconds) {}
+
+void Runner::start(std::vector<std::optional<Snapshot>> snapshots) {
+  SideBySide all;
+  all.further = [&](std::size_t r, auto const&) {
+    make(r, std::move(snapshots[r]));
+    return true;
+  };
+  work(all);
+}
+
+void Runner::make(std::size_t r, std::optional<Snapshot> snapshot) {
+  Replica& replica = run_.replicas[r];
+  if (!snapshot) {
+    Scene scene = run_.scene;
+    scene.disks.seed = seed(r);
+    StartedState started;
+    try {
+      started = random_start(scene);
+    } catch (NumericalError const& error) {
+      throw ReplicaFailure{r, error.what(), {}};
+    }
+    replica.start_record = std::move(started.record);
+    snapshot = first_snapshot(std::move(started.state));
+  }
+  replica.initial_time = snapshot->initial_time;
+  if (r == 0) run_.box_length = snapshot->state.box_length;
+  try {
+    simulations_[r] = make_simulation(run_.scene, *snapshot, machine_.backend);
+  } catch (NumericalError const& error) {
+    throw ReplicaFailure{r, error.what(), snapshot->state};
+  }
+  replica.measurement.windows.columns = static_cast<std::size_t>(simulations_[r]->columns());
+  watch(r, snapshot->state);
+  steps_[r] = simulations_[r]->step();
+}
+
+void Runner::watch(std::size_t r, State const& start) {
+  Replica& replica = run_.replicas[r];
+  Frames& frames = replica.measurement.frames;
+  auto const file =
+      folder_.trajectory(run_.replicas.size() > 1 ? std::optional(seed(r)) : std::nullopt);
+  frames = make_frames(run_.scene, run_.plan, start, file, provenance().version);
+  if (replica.saved_frames)
+    frames.load(*std::exchange(replica.saved_frames, {}));
+  else
+    frames.begin();
+}
+
+std::int64_t Runner::seed(std::size_t r) const {
+  return run_.scene.disks.seed + static_cast<std::int64_t>(r);
+}
+
+int Runner::run(Protocol const& protocol) {
+  started_ = checkpointed_ = SteadyClock::now();
+  Progress progress(run_.scene, run_.plan, steps(), quiet_);
+  SideBySide all;
+  all.further = [&](std::size_t r, std::function<bool()> const& go_on) {
+    Simulation& simulation = *simulations_[r];
+    try {
+      return protocol(simulation, run_.replicas[r].measurement, [&] {
+        steps_[r] = simulation.step();
+        return go_on();
+      });
+    } catch (NumericalError const& error) {
+      throw ReplicaFailure{r, error.what(), simulation.state()};
+    }
+  };
+  all.wish = [&] {
+    progress.show(steps());
+    return wish();
+  };
+  all.held = [&] { checkpoint(); };
+  bool const finished = work(all);
+  progress.finish(steps());
+  checkpoint();
+  if (!finished && steps() < steps_wanted()) return interrupted();
+  finish();
+  return 0;
+}
+
+bool Runner::work(SideBySide& all) {
+  all.systems = run_.replicas.size();
+  all.threads = all.systems > 1 ? machine_.threads : 1;
+  try {
+    return bagnold::run(all);
+  } catch (ReplicaFailure const& failure) {
+    std::string message = failure.reason;
+    if (all.systems > 1)
+      message = fmt::format("replica {} (seed {}): {}", failure.replica + 1, seed(failure.replica),
+                            message);
+    if (failure.state) {
+      io::write_states(folder_.failed_state(), {&*failure.state, 1});
+      message += fmt::format("; the state is in {}", folder_.failed_state().string());
+    }
+    throw NumericalError(message);
+  }
+}
+
+std::int64_t Runner::steps() const {
+  std::int64_t sum = 0;
+  for (auto const& one : steps_) sum += one;
+  return sum;
+}
+
+std::int64_t Runner::steps_wanted() const { return run_.plan.steps * run_.scene.disks.replicas; }
+
+SideBySide::Wish Runner::wish() const {
+  if (stop_signal() != 0) return SideBySide::Wish::stop;
+  std::chrono::duration<double> const since = SteadyClock::now() - checkpointed_;
+  bool const due = since.count() > 60 * run_.scene.output.checkpoint_minutes;
+  return checkpoint_requested() || due ? SideBySide::Wish::hold : SideBySide::Wish::go_on;
+}
+
+io::SystemCheckpoint Runner::checkpoint_of(std::size_t r) {
+  Replica& replica = run_.replicas[r];
+  Snapshot snapshot = simulations_[r]->snapshot();
+  io::SystemCheckpoint c;
+  c.state = std::move(snapshot.state);
+  c.list_position = std::move(snapshot.list_position);
+  c.list_step = snapshot.list_step;
+  c.step = snapshot.step;
+  c.initial_offset = snapshot.initial_offset;
+  c.initial_time = snapshot.initial_time;
+  c.builds = snapshot.list_builds;
+  c.engine = replica.engine = std::move(snapshot.engine);
+  c.columns = simulations_[r]->columns();
+  auto& [windows, open, frames] = replica.measurement;
+  c.window_sums = windows.sums;
+  c.window_weight = windows.weight;
+  if (!open.sums.empty()) {  // one at most: an engine stops where it has caught up
+    c.open_sums = open.sums.front().sums;
+    c.open_weight = open.sums.front().weight;
+  }
+  c.start_record = replica.start_record;
+  c.frames = frames.save();
+  return c;
+}
+
+void Runner::checkpoint() {
+  std::chrono::duration<double> const stepping = SteadyClock::now() - started_;
+  run_.wall_seconds = wall_before_ + stepping.count();
+  io::Checkpoint c;
+  c.scene = write_scene(run_.scene);
+  c.wall_seconds = run_.wall_seconds;
+  for (std::size_t r = 0; r < simulations_.size(); ++r) c.systems.push_back(checkpoint_of(r));
+  io::write_checkpoint(folder_.path(), c);
+  write_result_file(folder_, run_);
+  checkpointed_ = SteadyClock::now();
+}
+
+int Runner::interrupted() const {
+  fmt::print(stderr, "bagnold: stopped at step {} of {}{}; `bagnold resume {}` goes on\n", steps(),
+             steps_wanted(), simulations_.size() > 1 ? ", all replicas together" : "",
+             folder_.path().string());
+  return 128 + stop_signal();
+}
+
+void Runner::finish() {
+  for (auto& replica : run_.replicas) replica.measurement.frames.finish();
+  std::vector<State> states;
+  for (auto const& simulation : simulations_) states.push_back(simulation->state());
+  io::write_states(folder_.state(), states);
+  auto const list = estimates(run_);
+  write_summary(folder_, run_, list);
+  for (auto& replica : run_.replicas) replica.measurement.frames.tidy();
+  if (run_.scene.output.plot) {  // shows the summary's errors
+    warn(draw_plot(folder_.result(), folder_.picture()));
+    if (run_.scene.measure.profiles || run_.scene.measure.fields)
+      warn(draw_frames(folder_.result(), folder_.path()));
+  }
+  if (quiet_) return;
+  print_table(run_, list);
+  fmt::print("\nresults in {}\n", folder_.path().string());
+}
+
+}  // namespace bagnold

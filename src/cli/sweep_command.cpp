@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <thread>
+
+#include "src/cli/checked_sweep.hpp"
+#include "src/cli/commands.hpp"
+#include "src/cli/provenance.hpp"
+#include "src/cli/run_folder.hpp"
+#include "src/cli/signals.hpp"
+#include "src/config/errors.hpp"
+#include "src/sweep/results.hpp"
+#include "src/sweep/scheduler.hpp"
+#include "src/sweep/slurm.hpp"
+
+namespace bagnold {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+int threads_of(SweepOptions const& options) { return std::max(1, options.machine.threads); }
+
+std::size_t jobs_of(SweepOptions const& options) {
+  auto const cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  int const jobs = options.jobs > 0 ? options.jobs : cores / threads_of(options);
+  return static_cast<std::size_t>(std::max(1, jobs));
+}
+
+std::vector<std::string> point_options(SweepOptions const& options) {
+  std::vector<std::string> words{"--threads", fmt::format("{}", threads_of(options))};
+  if (!options.machine.backend.empty())
+    words.insert(words.end(), {"--backend", options.machine.backend});
+  return words;
+}
+
+fs::path this_program() { return fs::read_symlink("/proc/self/exe"); }
+
+/// Runs chains, says what failed; returns the exit code.
+int run_chains(sweep::Sweep const& sweep, sweep::SweepFolder const& folder,
+               SweepOptions const& options, std::vector<std::size_t> const& chains) {
+  sweep::ProgressLine line(sweep, options.quiet);
+  sweep::Work const work{
+      {this_program().string(), "resume"}, point_options(options), jobs_of(options), [] {
+        return stop_signal() != 0;
+      }};
+  auto const failures = sweep::Scheduler(sweep, folder, work, line).run(chains);
+  for (auto const& failure : failures)
+    fmt::print(stderr, "bagnold: {} failed with exit code {}: {}; see {}\n",
+               sweep.points[failure.point].name, failure.exit_code, failure.reason,
+               folder.log(failure.point).string());
+  if (stop_signal() == 0) return failures.empty() ? 0 : 1;
+  fmt::print(stderr, "bagnold: sweep stopped; the same command goes on\n");
+  return 128 + stop_signal();
+}
+
+/// Writes sweep.csv and sweep.h5; returns 1 where a point has no result.
+int write_tables(sweep::Sweep const& sweep, sweep::SweepFolder const& folder, bool quiet) {
+  auto const results = sweep::read_results(sweep, folder);
+  Provenance const made = provenance();
+  sweep::write_csv(folder.path() / "sweep.csv", sweep, results);
+  sweep::write_hdf5(folder.path() / "sweep.h5", sweep, results,
+                    {{"bagnold_version", made.version}, {"git", made.git}});
+  auto const done = std::ranges::count(results.status, "done");
+  auto const points = std::ssize(sweep.points);
+  if (!quiet)
+    fmt::print("table of {} points in {}\n", points, (folder.path() / "sweep.csv").string());
+  if (done == points) return 0;
+  fmt::print(stderr,
+             "bagnold: {} of {} points have no result: their rows are empty; the same sweep "
+             "without --collect tries them again\n",
+             points - done, points);
+  return 1;
+}
+
+int emit_slurm(sweep::Sweep const& sweep, sweep::SweepFolder const& folder,
+               SweepOptions const& options) {
+  std::string words;
+  for (auto const& word : point_options(options))
+    words += fmt::format(" {}", sweep::shell_word(word));
+  if (options.allow_unstable) words += " --allow-unstable";
+  sweep::SlurmJob const job{this_program(), fs::absolute(options.sweep_file), folder.path(), words,
+                            threads_of(options)};
+  fs::create_directories(folder.path() / "slurm");
+  auto const points = folder.path() / "points.slurm", collect = folder.path() / "collect.slurm";
+  RunFolder::write_text(points, sweep::slurm_array(sweep, job));
+  RunFolder::write_text(collect, sweep::slurm_collect(job));
+  fmt::print(
+      "{} points in {} chains; submit them with\n\n"
+      "  job=$(sbatch --parsable {})\n"
+      "  sbatch --dependency=afterany:$job {}\n",
+      sweep.points.size(), sweep.chains.size(), sweep::shell_word(points.string()),
+      sweep::shell_word(collect.string()));
+  return 0;
+}
+
+}  // namespace
+
+int sweep_command(SweepOptions const& options) {
+  auto const sweep = read_checked_sweep(options.sweep_file, options.allow_unstable);
+  auto const name =
+      options.folder.empty() ? fs::path("results") / options.sweep_file.stem() : options.folder;
+  catch_signals();
+  if (options.chain != 0) {
+    auto const chains = std::ssize(sweep.chains);
+    if (options.chain < 1 || options.chain > chains)
+      throw InputError(fmt::format("--chain {} (must be from 1 to {}, the chains of {})",
+                                   options.chain, chains, sweep.origin));
+    auto const folder = sweep::SweepFolder::join(name, sweep);
+    return run_chains(sweep, folder, options, {static_cast<std::size_t>(options.chain - 1)});
+  }
+  auto const folder = sweep::SweepFolder::make(name, sweep);
+  if (options.emit_slurm) return emit_slurm(sweep, folder, options);
+  if (options.collect) return write_tables(sweep, folder, options.quiet);
+  std::vector<std::size_t> chains(sweep.chains.size());
+  std::iota(chains.begin(), chains.end(), std::size_t{0});
+  int const status = run_chains(sweep, folder, options, chains);
+  return status > 128 ? status : std::max(status, write_tables(sweep, folder, options.quiet));
+}
+
+}  // namespace bagnold

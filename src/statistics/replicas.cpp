@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/statistics/replicas.hpp"
+
+#include <cmath>
+
+namespace bagnold::statistics {
+namespace {
+
+/// One row a replica: what its windows from `first` on add up to. Replicas without any are left
+/// out.
+Windows totals(std::vector<Windows const*> const& replicas, std::size_t first) {
+  Windows table{replicas.front()->columns, {}, {}};
+  for (Windows const* windows : replicas) {
+    std::vector<double> sums(windows->columns, 0.0);
+    double weight = 0.0;
+    for (std::size_t w = first; w < windows->size(); ++w) {
+      for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += windows->row(w)[k];
+      weight += windows->weight[w];
+    }
+    if (weight > 0.0) table.push_back(sums, weight);
+  }
+  return table;
+}
+
+void add_error_of_scatter(Estimate& all, Jackknife& jackknife, std::size_t replicas) {
+  double const error = jackknife.error(1);
+  if (!std::isfinite(error)) {
+    all.remark = "undefined without one of the replicas: run longer for an error";
+    return;
+  }
+  all.error = error;
+  all.blocks = replicas;
+}
+
+void add_combined_error(Estimate& all, std::vector<Estimate> const& each, Windows const& total) {
+  double squares = 0.0, weights = 0.0;
+  for (std::size_t r = 0; r < each.size(); ++r) {
+    if (!each[r].error) {
+      all.remark = each[r].remark;
+      return;
+    }
+    squares += std::pow(total.weight[r] * *each[r].error, 2);
+    weights += total.weight[r];
+    all.blocks += each[r].blocks;
+  }
+  all.error = std::sqrt(squares) / weights;
+}
+
+std::optional<double> mean_correlation(std::vector<Estimate> const& each) {
+  double sum = 0.0;
+  int known = 0;
+  for (auto const& one : each)
+    if (one.correlation) {
+      sum += *one.correlation;
+      ++known;
+    }
+  return known > 0 ? std::optional(sum / known) : std::nullopt;
+}
+
+}  // namespace
+
+ReplicaEstimate estimate(std::vector<Windows const*> const& replicas, std::size_t first,
+                         Function const& f) {
+  ReplicaEstimate result;
+  for (Windows const* windows : replicas) result.each.push_back(estimate(*windows, first, f));
+  Estimate& all = result.all;
+  if (replicas.size() == 1) {
+    all = result.each.front();
+    return result;
+  }
+  for (auto const& one : result.each) all.samples += one.samples;
+  all.correlation = mean_correlation(result.each);
+  Windows const total = totals(replicas, first);
+  if (total.size() < replicas.size()) {
+    all.remark = "no window was measured: run longer";
+    return result;
+  }
+  Jackknife jackknife(total, 0, f);
+  if (!std::isfinite(jackknife.value())) {
+    all.remark = "undefined: the averages give no finite value";
+    return result;
+  }
+  all.mean = jackknife.value();
+  if (replicas.size() >= fewest_replicas)
+    add_error_of_scatter(all, jackknife, replicas.size());
+  else
+    add_combined_error(all, result.each, total);
+  return result;
+}
+
+std::string_view error_source(std::size_t replicas) {
+  if (replicas == 1) return "blocks of windows";
+  return replicas < fewest_replicas ? "blocks of windows in each replica, combined"
+                                    : "jackknife over replicas";
+}
+
+}  // namespace bagnold::statistics

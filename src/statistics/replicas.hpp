@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "src/statistics/estimate.hpp"
+
+namespace bagnold::statistics {
+
+/// A quantity over R independent systems, and of each alone.
+struct ReplicaEstimate {
+  Estimate all;
+  std::vector<Estimate> each;  ///< [R]
+};
+
+/// Fewest replicas whose scatter gives the error.
+inline constexpr std::size_t fewest_replicas = 3;
+
+/// f of the averages over all windows from `first` on of all replicas, and its error.
+///
+/// From R = 3 on the error is the jackknife that leaves out one replica at a time (jackknife.hpp, a
+/// block being all windows of a replica):
+///
+///     error^2 = (R-1)/R sum_r (f_{-r} - mean)^2     for equal weights.
+///
+/// It knows nothing of correlation times, and so is right for runs too short for an error of their
+/// own, and where each sits in a state that the others do not share. It is itself uncertain by
+/// 1/sqrt(2 (R - 1)), half of it at R = 3; `blocks` is R.
+///
+/// For R = 2, whose one difference tells next to nothing, the errors of estimate() are combined:
+/// error = [(M_1 e_1)^2 + (M_2 e_2)^2]^(1/2) / (M_1 + M_2), M the weights. R = 1 is estimate().
+/// The correlation time is the mean of those of the replicas that have one.
+ReplicaEstimate estimate(std::vector<Windows const*> const& replicas, std::size_t first,
+                         Function const& f);
+
+/// How estimate() comes by the error for R replicas, in words.
+std::string_view error_source(std::size_t replicas);
+
+}  // namespace bagnold::statistics

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/sweep/results.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "src/config/errors.hpp"
+#include "src/io/atomic_file.hpp"
+
+namespace bagnold::sweep {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+double number(Json const& object, char const* name) {
+  auto const found = object.find(name);
+  return found != object.end() && found->is_number() ? found->get<double>() : nothing;
+}
+
+Json observables(std::filesystem::path const& summary) {
+  auto const bytes = io::read_file(summary);
+  auto const* text = reinterpret_cast<char const*>(bytes.data());
+  Json const all = Json::parse(text, text + bytes.size(), nullptr, /*allow_exceptions=*/false);
+  if (!all.is_object() || !all.contains("observables") || !all["observables"].is_object())
+    throw FileError(fmt::format("{}: has no observables; remove the point's folder to run it again",
+                                summary.string()));
+  return all["observables"];
+}
+
+Column& column(Results& results, std::string const& name, std::size_t points) {
+  auto const found = std::ranges::find(results.columns, name, &Column::name);
+  if (found != results.columns.end()) return *found;
+  std::vector<double> const empty(points, nothing);
+  return results.columns.emplace_back(Column{name, empty, empty});
+}
+
+}  // namespace
+
+Results read_results(Sweep const& sweep, SweepFolder const& folder) {
+  auto const points = sweep.points.size();
+  Results results;
+  for (std::size_t k = 0; k < points; ++k) {
+    if (!folder.finished(k)) {
+      results.status.push_back(folder.begun(k) && !folder.in_use(k) ? "failed" : "open");
+      continue;
+    }
+    results.status.push_back("done");
+    Json const found = observables(folder.summary(k));
+    for (auto const& [name, estimate] : found.items()) {
+      auto& of_name = column(results, name, points);
+      of_name.mean[k] = number(estimate, "mean");
+      of_name.error[k] = number(estimate, "error");
+    }
+  }
+  return results;
+}
+
+}  // namespace bagnold::sweep

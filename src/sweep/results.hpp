@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "src/io/hdf5_writer.hpp"
+#include "src/sweep/sweep.hpp"
+#include "src/sweep/sweep_folder.hpp"
+
+namespace bagnold::sweep {
+
+/// A mean with its standard error at every point, [P] each; NaN where there is none.
+struct Column {
+  std::string name;  ///< of the observable
+  std::vector<double> mean, error;
+};
+
+/// What the points of a sweep have come to.
+struct Results {
+  std::vector<Column> columns;  ///< every observable of any point, in the order of first appearance
+  std::vector<std::string> status;  ///< [P]: "done", "failed" (begun, no result) or "open"
+};
+
+/// From the points' summary.json. Throws FileError where one cannot be read.
+Results read_results(Sweep const& sweep, SweepFolder const& folder);
+
+/// sweep.csv: a row a point, the varied keys, then NAME and NAME_error; empty where there is none.
+/// Replaces the file as a whole; throws FileError.
+void write_csv(std::filesystem::path const& file, Sweep const& sweep, Results const& results);
+
+/// sweep.h5, see src/io/SCHEMA.md; `made_by` goes to the root. Replaces the file; throws FileError.
+void write_hdf5(std::filesystem::path const& file, Sweep const& sweep, Results const& results,
+                io::Attributes const& made_by);
+
+}  // namespace bagnold::sweep

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/sweep/rows.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+
+#include "src/config/errors.hpp"
+
+namespace bagnold::sweep {
+
+namespace {
+
+constexpr double most_points = 1e5;
+
+double count_of(SweepTable const& table) {
+  double count = table.zip.empty() ? 1 : static_cast<double>(table.zip.front().values.size());
+  for (auto const& key : table.grid) count *= static_cast<double>(key.values.size());
+  return count;
+}
+
+}  // namespace
+
+std::vector<Row> rows(SweepTable const& table, std::string const& origin) {
+  double const count = count_of(table);
+  if (count > most_points)
+    throw InputError(
+        fmt::format("{}: [sweep] makes {:.6g} points (limit {:.0f}); make its lists "
+                    "shorter, or several sweeps",
+                    origin, count, most_points));
+  std::vector<Row> all;
+  std::map<std::vector<std::size_t>, std::size_t> chains;
+  for (std::size_t point = 0; point < static_cast<std::size_t>(count); ++point) {
+    Row row;
+    std::vector<std::size_t> place;  // in the lists of the keys that a chain has in common
+    std::size_t rest = point;
+    for (auto key = table.grid.rbegin(); key != table.grid.rend(); ++key) {
+      std::size_t const index = rest % key->values.size();
+      rest /= key->values.size();
+      row.values.insert(row.values.begin(), &key->values[index]);
+      if (key->name != table.chain) place.push_back(index);
+    }
+    bool along_zip = table.chain.empty();
+    for (auto key = table.zip.rbegin(); key != table.zip.rend(); ++key) {
+      row.values.insert(row.values.begin(), &key->values[rest]);
+      along_zip = along_zip || key->name == table.chain;
+    }
+    if (table.chain.empty())
+      place = {point};
+    else if (!along_zip)
+      place.push_back(rest);
+    row.chain = chains.try_emplace(place, chains.size()).first->second;
+    all.push_back(std::move(row));
+  }
+  return all;
+}
+
+}  // namespace bagnold::sweep

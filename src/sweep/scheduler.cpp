@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/sweep/scheduler.hpp"
+
+#include <fmt/format.h>
+#include <poll.h>
+
+#include <algorithm>
+#include <fstream>
+
+namespace bagnold::sweep {
+
+namespace {
+
+constexpr int round_ms = 100;    ///< between looks at signals and at folders in use
+constexpr int most_waits = 100;  ///< rounds: a killed process may take a while to end a write
+
+/// The last thing that a point said on stderr, behind what the log held before.
+std::string last_words(std::filesystem::path const& log, std::uintmax_t before) {
+  constexpr std::string_view mark = "bagnold: ";
+  std::ifstream in(log);
+  in.seekg(static_cast<std::streamoff>(before));
+  std::string words = "ended without a word";
+  for (std::string line; std::getline(in, line);)
+    if (line.starts_with(mark)) words = line.substr(mark.size());
+  return words;
+}
+
+std::uintmax_t size_of(std::filesystem::path const& log) {
+  std::error_code missing;
+  auto const size = std::filesystem::file_size(log, missing);
+  return missing ? 0 : size;
+}
+
+}  // namespace
+
+Scheduler::Scheduler(Sweep const& sweep, SweepFolder const& folder, Work work, ProgressLine& line)
+    : sweep_(sweep), folder_(folder), work_(std::move(work)), line_(line) {}
+
+std::vector<Failure> Scheduler::run(std::vector<std::size_t> const& chains) {
+  for (auto const index : chains) chains_.push_back({sweep_.chains[index]});
+  for (auto& chain : chains_)
+    while (!chain.over() && folder_.finished(chain.points[chain.next]))
+      line_.was_finished(chain.points[chain.next++]);
+  while (!running_.empty() || (!stopping_ && pending())) {
+    if (!stopping_ && work_.stop()) {
+      stopping_ = true;
+      for (auto const& [point, running] : running_) running.child.ask_to_stop();
+    }
+    if (!stopping_) start_points();
+    wait();
+    look_at_points();
+    line_.show();
+  }
+  line_.end();
+  std::vector<Failure> list;
+  for (auto const& [point, failure] : failures_) list.push_back(failure);
+  return list;
+}
+
+bool Scheduler::pending() const {
+  return std::ranges::any_of(chains_, [](Chain const& chain) { return !chain.over(); });
+}
+
+void Scheduler::start_points() {
+  for (auto& chain : chains_) {
+    if (running_.size() == work_.jobs) return;
+    if (chain.busy || chain.over()) continue;
+    auto const point = chain.points[chain.next];
+    if (let_go(point)) start(chain, point);
+  }
+}
+
+/// Is the point's folder free, or has it been in use for so long that the point itself shall say
+/// so?
+bool Scheduler::let_go(std::size_t point) {
+  return !folder_.in_use(point) || ++waits_[point] > most_waits;
+}
+
+void Scheduler::start(Chain& chain, std::size_t point) {
+  auto command = work_.command;
+  command.push_back(folder_.point(point).string());
+  command.insert(command.end(), work_.options.begin(), work_.options.end());
+  auto const log = folder_.log(point);
+  auto const before = size_of(log);
+  running_.emplace(point, Running{Child(command, log), &chain, before});
+  chain.busy = true;
+  line_.started(point);
+}
+
+/// For news of a point, a signal, or the end of the round.
+void Scheduler::wait() const {
+  std::vector<pollfd> reports;
+  for (auto const& [point, running] : running_)
+    reports.push_back({running.child.reports(), POLLIN, 0});
+  ::poll(reports.data(), reports.size(), round_ms);
+}
+
+void Scheduler::look_at_points() {
+  for (auto at = running_.begin(); at != running_.end();) {
+    auto& [point, running] = *at;
+    if (auto const share = running.child.share()) line_.reached(point, *share);
+    if (auto const code = running.child.exit_code()) {
+      ended(running, point, *code);
+      at = running_.erase(at);
+    } else {
+      ++at;
+    }
+  }
+}
+
+void Scheduler::ended(Running const& running, std::size_t point, int exit_code) {
+  Chain& chain = *running.chain;
+  chain.busy = false;
+  if (exit_code == 0 && folder_.finished(point)) {
+    ++chain.next;
+    line_.finished(point);
+    return;
+  }
+  if (stopping_ && exit_code > 128) return line_.stopped(point);
+  chain.next = chain.points.size();
+  failures_[point] = {point, exit_code,
+                      exit_code > 128 ? fmt::format("ended by signal {}", exit_code - 128)
+                                      : last_words(folder_.log(point), running.log_before)};
+  line_.failed(point);
+}
+
+}  // namespace bagnold::sweep

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "src/sweep/sweep.hpp"
+
+namespace bagnold::sweep {
+
+/// What the scripts of a sweep call.
+struct SlurmJob {
+  std::filesystem::path program;
+  std::filesystem::path file;    ///< the sweep file
+  std::filesystem::path folder;  ///< of the sweep
+  std::string options;           ///< for every point, e.g. "--threads 4"
+  int threads = 1;               ///< cores a point uses
+};
+
+/// An array of one task a chain (beyond 1000 chains a task does several in turn) that runs
+/// `bagnold sweep FILE --out DIR --chain K`. The wall time asked for is twice the longest chain's
+/// upper estimate, 10 minutes at least.
+std::string slurm_array(Sweep const& sweep, SlurmJob const& job);
+
+/// The step behind it, which writes the tables.
+std::string slurm_collect(SlurmJob const& job);
+
+/// A word as sh takes it, whatever letters it has.
+std::string shell_word(std::string const& word);
+
+}  // namespace bagnold::sweep

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "src/io/run_lock.hpp"
+#include "src/sweep/sweep.hpp"
+
+namespace bagnold::sweep {
+
+/// The folder of a sweep: a copy of its file, points.json with the resolved points, and a folder
+/// for every point, which `bagnold resume` takes as it is.
+class SweepFolder {
+ public:
+  /// Makes or reopens the folder and keeps other sweeps out of it. Writes what is missing. Throws
+  /// InputError where the folder is in use, holds a run, or holds a sweep whose points differ.
+  static SweepFolder make(std::filesystem::path const& folder, Sweep const& sweep);
+
+  /// A folder that make() made, not locked, so that several processes can each do a chain of it.
+  /// Throws InputError where there is none, or one whose points differ.
+  static SweepFolder join(std::filesystem::path const& folder, Sweep const& sweep);
+
+  std::filesystem::path const& path() const { return path_; }
+  std::filesystem::path point(std::size_t k) const { return path_ / "points" / names_[k]; }
+  std::filesystem::path log(std::size_t k) const { return point(k) / "log.txt"; }
+  std::filesystem::path summary(std::size_t k) const { return point(k) / "summary.json"; }
+
+  bool finished(std::size_t k) const { return std::filesystem::exists(summary(k)); }
+  bool begun(std::size_t k) const { return std::filesystem::exists(log(k)); }
+  bool in_use(std::size_t k) const;  ///< by a process
+
+ private:
+  SweepFolder(std::filesystem::path const& folder, Sweep const& sweep);
+  void refuse_other(Sweep const& sweep) const;
+  void write_points(Sweep const& sweep) const;
+  std::string placed(std::string const& scene, std::size_t k) const;
+
+  std::filesystem::path path_;
+  std::vector<std::string> names_;  ///< of the points' folders
+  std::unique_ptr<io::RunLock> lock_;
+};
+
+}  // namespace bagnold::sweep

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace bagnold::sweep {
+
+/// A value of a varied key as tables hold it: a number, or the text of anything else.
+using Value = std::variant<double, std::string>;
+
+/// One list of the table [sweep]: a key of the scene and the values it takes.
+struct VariedKey {
+  struct Given {
+    Value value;
+    std::string toml;   ///< as TOML
+    std::string place;  ///< "file:line:column"
+  };
+  std::string name;  ///< "table.key"
+  std::string place;
+  std::vector<Given> values;
+};
+
+/// The table [sweep] as the file has it.
+struct SweepTable {
+  std::vector<VariedKey> zip;   ///< lists of one length, walked together: one row each
+  std::vector<VariedKey> grid;  ///< every combination, for every row of `zip`; the last key fastest
+  std::string chain;  ///< key along which a point starts from the state of the one before; "": none
+};
+
+/// Does this text have a table [sweep]? Throws InputError where it is no TOML.
+bool is_sweep(std::string_view text, std::string const& origin);
+
+/// The table [sweep] of a file, keys in the order of the file. Throws InputError with line and
+/// column: no table, unknown entries, lists that are missing, empty or of unequal lengths, a key in
+/// two lists, a chain that is no varied key. Whether a key is one of the scene is not seen here.
+SweepTable read_sweep_table(std::string_view text, std::string const& origin);
+
+/// The text without its table [sweep], written anew as TOML.
+std::string without_sweep(std::string_view text, std::string const& origin);
+
+/// Shortest text that reads back to the same number; other values as they are.
+std::string text_of(Value const& value);
+
+}  // namespace bagnold::sweep

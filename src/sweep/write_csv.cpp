@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <cmath>
+#include <span>
+
+#include "src/io/atomic_file.hpp"
+#include "src/sweep/results.hpp"
+
+namespace bagnold::sweep {
+
+namespace {
+
+std::string cell(std::string const& text) {  // RFC 4180
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (char const c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+std::string cell(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
+
+}  // namespace
+
+void write_csv(std::filesystem::path const& file, Sweep const& sweep, Results const& results) {
+  std::vector<std::string> line;
+  for (auto const& key : sweep.keys) line.push_back(cell(key));
+  for (auto const& column : results.columns) {
+    line.push_back(cell(column.name));
+    line.push_back(cell(column.name + "_error"));
+  }
+  auto table = fmt::format("{}\n", fmt::join(line, ","));
+  for (std::size_t k = 0; k < sweep.points.size(); ++k) {
+    line.clear();
+    for (auto const& value : sweep.points[k].values) line.push_back(cell(text_of(value)));
+    for (auto const& column : results.columns) {
+      line.push_back(cell(column.mean[k]));
+      line.push_back(cell(column.error[k]));
+    }
+    table += fmt::format("{}\n", fmt::join(line, ","));
+  }
+  io::replace_file(file, std::as_bytes(std::span(table)));
+}
+
+}  // namespace bagnold::sweep

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/sweep/results.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "src/io/atomic_file.hpp"
+#include "src/io/hdf5_reader.hpp"
+#include "tests/sweep/scenes.hpp"
+
+namespace bagnold::sweep {
+namespace {
+
+std::string text_in(std::filesystem::path const& file) {
+  auto const bytes = io::read_file(file);
+  return {reinterpret_cast<char const*>(bytes.data()), bytes.size()};
+}
+
+/// Three points: two with results of unlike observables, and one that was begun and has none.
+class SweepResults : public testing::Test {
+ protected:
+  SweepResults()
+      : sweep(expand("[sweep]\nzip = { \"disks.model\" = [\"CD\", \"CD_rot\", \"CD_n\"], "
+                     "\"title\" = [\"a, b\", \"say \\\"x\\\"\", \"\"] }")),
+        folder(SweepFolder::make(test_folder / "out", sweep)) {
+    std::ofstream(folder.summary(0))
+        << R"({"wall_seconds": 3, "observables": {"p": {"mean": 0.1, "error": 1e-3},)"
+        << R"("Z": {"mean": 2, "error": null}}})";
+    std::ofstream(folder.summary(1)) << R"({"observables": {"p": {"mean": 1e-300, "error": 0},)"
+                                     << R"("spin_mean": {"mean": -0.5, "error": 0.25}}})";
+    std::ofstream(folder.log(2)) << "bagnold: disk 3 is too fast\n";
+  }
+
+  io::TestFolder test_folder;
+  Sweep sweep;
+  SweepFolder folder;
+};
+
+TEST_F(SweepResults, TableIsWrittenOutByHand) {
+  auto const results = read_results(sweep, folder);
+  EXPECT_EQ(results.status, (std::vector<std::string>{"done", "done", "failed"}));
+  write_csv(test_folder / "t.csv", sweep, results);
+  EXPECT_EQ(text_in(test_folder / "t.csv"),
+            "disks.model,title,p,p_error,Z,Z_error,spin_mean,spin_mean_error\n"
+            "CD,\"a, b\",0.1,0.001,2,,,\n"
+            "CD_rot,\"say \"\"x\"\"\",1e-300,0,,,-0.5,0.25\n"
+            "CD_n,,,,,,,\n");
+}
+
+TEST_F(SweepResults, Hdf5HoldsTheSame) {
+  write_hdf5(test_folder / "t.h5", sweep, read_results(sweep, folder), {{"git", "0"}});
+  io::Hdf5Reader const file("t.h5", io::read_file(test_folder / "t.h5"));
+  auto const p = file.doubles("/observables/p", {3});
+  EXPECT_EQ(p[0], 0.1);
+  EXPECT_EQ(p[1], 1e-300);
+  EXPECT_TRUE(std::isnan(p[2]));
+  EXPECT_TRUE(std::isnan(file.doubles("/observables/Z_error", {3})[0]));
+  EXPECT_EQ(file.words_of("/", "sweep"), sweep.text);
+  EXPECT_EQ(file.words_of("/", "scene").find("[sweep"), std::string::npos);
+  if (!io::have_h5py()) GTEST_SKIP() << "no h5py";
+  EXPECT_EQ(io::run_python("import h5py; f = h5py.File(\"" + (test_folder / "t.h5").string() +
+                           "\")\n"
+                           "text = lambda path: list(f[path].asstr()[:])\n"
+                           "assert text(\"points/disks.model\") == [\"CD\", \"CD_rot\", \"CD_n\"]\n"
+                           "assert text(\"points/title\") == [\"a, b\", \"say \\\"x\\\"\", \"\"]\n"
+                           "assert text(\"status\") == [\"done\", \"done\", \"failed\"]\n"
+                           "assert \"CD_rot\" in text(\"points/scene\")[1]\n"
+                           "assert text(\"points/folder\")[2].startswith(\"0003_model=CD_n\")"),
+            0);
+}
+
+TEST_F(SweepResults, EqualResultsGiveEqualBytes) {
+  for (auto const* name : {"a", "b"}) {
+    auto const results = read_results(sweep, folder);
+    write_csv(test_folder / (std::string(name) + ".csv"), sweep, results);
+    write_hdf5(test_folder / (std::string(name) + ".h5"), sweep, results, {});
+  }
+  EXPECT_EQ(io::read_file(test_folder / "a.csv"), io::read_file(test_folder / "b.csv"));
+  EXPECT_EQ(io::read_file(test_folder / "a.h5"), io::read_file(test_folder / "b.h5"));
+}
+
+TEST_F(SweepResults, NumbersOfAKeyAreDoubles) {
+  auto const other =
+      expand("[sweep]\ngrid = { \"disks.seed\" = [3, 1], \"shear.strain\" = [2.5] }");
+  auto const there = SweepFolder::make(test_folder / "other", other);
+  auto const results = read_results(other, there);
+  EXPECT_EQ(results.status, (std::vector<std::string>{"open", "open"}));
+  write_hdf5(test_folder / "o.h5", other, results, {});
+  io::Hdf5Reader const file("o.h5", io::read_file(test_folder / "o.h5"));
+  EXPECT_EQ(file.doubles("/points/disks.seed", {2}), (std::vector<double>{3, 1}));
+  EXPECT_EQ(file.doubles("/points/shear.strain", {2}), (std::vector<double>{2.5, 2.5}));
+}
+
+TEST_F(SweepResults, ABrokenSummaryIsNamed) {
+  std::ofstream(folder.summary(0)) << "{";
+  EXPECT_THROW(read_results(sweep, folder), FileError);
+}
+
+}  // namespace
+}  // namespace bagnold::sweep
