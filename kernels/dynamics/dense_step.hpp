@@ -29,7 +29,7 @@ struct DenseStep {
     auto& contacts = blocks.near[contact_list];
     if (contacts.extent(0) < blocks.outer.extent(0))
       contacts = Blocks::Array<simd::LocalPair>(
-          Kokkos::view_alloc(Kokkos::WithoutInitializing, std::string("blocks::contacts")),
+          Kokkos::view_alloc(Kokkos::WithoutInitializing, std::string("dynamics::contacts")),
           blocks.outer.extent(0));
     if (active.extent(0) < blocks.slots) {
       active = {};

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "src/analysis/request.hpp"
 #include "src/cli/machine.hpp"
 
 namespace bagnold {
@@ -23,6 +24,14 @@ struct RunOptions {
 struct ResumeOptions {
   std::filesystem::path folder;
   Machine machine;
+  bool quiet = false;
+};
+
+struct AnalyseOptions {
+  std::string kind;
+  std::filesystem::path sweep;   ///< folder or sweep.h5
+  std::filesystem::path prefix;  ///< of the files written; "": the folder of the sweep and the kind
+  analysis::Request request;
   bool quiet = false;
 };
 
@@ -47,6 +56,10 @@ int run_command(RunOptions const& options);
 int resume_command(ResumeOptions const& options);
 int validate_command(RunOptions const& options);
 int info_command();
+int analyse_command(AnalyseOptions const& options);
+
+/// What --help says of the kinds of analysis.
+std::string analyse_kinds();
 
 /// 1 where points failed or, with `collect`, have no result yet; 0, 130 and 143 as the others.
 int sweep_command(SweepOptions const& options);

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <new>
 
+#include "src/cli/analyse_options.hpp"
 #include "src/cli/commands.hpp"
 #include "src/config/errors.hpp"
 
@@ -93,6 +94,10 @@ int main(int argc, char** argv) try {
   add_sweep(*sweep_command, sweep);
   add_machine(*sweep_command, sweep.machine, sweep.quiet);
 
+  bagnold::AnalyseOptions analyse;
+  auto* analyse_command = app.add_subcommand("analyse", "fits and phase boundaries from a sweep");
+  bagnold::add_analyse_options(*analyse_command, analyse);
+
   auto* info_command = app.add_subcommand("info", "version, git hash, Kokkos, backends, CPU");
   info_command->footer(units);
 
@@ -106,6 +111,7 @@ int main(int argc, char** argv) try {
   if (*validate_command) return bagnold::validate_command(validate);
   if (*resume_command) return bagnold::resume_command(resume);
   if (*sweep_command) return bagnold::sweep_command(sweep);
+  if (*analyse_command) return bagnold::analyse_command(analyse);
   if (*info_command) return bagnold::info_command();
   return bad_input;
 } catch (bagnold::InputError const& error) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/io/hdf5_reader.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 #include "src/io/hash.hpp"
@@ -44,6 +45,11 @@ Handle open_image(std::vector<std::byte>& image) {
 }
 
 herr_t keep_name(hid_t, char const* name, H5A_info_t const*, void* names) {
+  static_cast<std::vector<std::string>*>(names)->emplace_back(name);
+  return 0;
+}
+
+herr_t keep_member(hid_t, char const* name, H5L_info_t const*, void* names) {
   static_cast<std::vector<std::string>*>(names)->emplace_back(name);
   return 0;
 }
@@ -95,6 +101,45 @@ std::string Hdf5Reader::text(std::string const& path) const {
   read(path, dataset, type.get(), std::as_writable_bytes(std::span(out)));
   out.pop_back();  // the closing zero
   return out;
+}
+
+std::vector<std::string> Hdf5Reader::texts(std::string const& path, hsize_t count) const {
+  auto const dataset = open_dataset(open_, path);
+  Handle type(H5Dget_type(dataset.get()), H5Tclose);
+  check_text(open_, path, type.get());
+  if (auto const found = shape_of(open_, path, dataset.get()); found != Shape{count})
+    refuse(open_, path, "has the shape " + words(found) + " (must be " + words({count}) + ")",
+           "one text a row");
+  auto const length = H5Tget_size(type.get());
+  std::string all(length * count, '\0');
+  read(path, dataset, type.get(), std::as_writable_bytes(std::span(all)));
+  std::vector<std::string> out;
+  for (hsize_t row = 0; row < count; ++row) {
+    auto one = all.substr(row * length, length);
+    one.erase(std::min(one.find('\0'), length));
+    out.push_back(std::move(one));
+  }
+  return out;
+}
+
+bool Hdf5Reader::holds_text(std::string const& path) const {
+  auto const dataset = open_dataset(open_, path);
+  return H5Tget_class(Handle(H5Dget_type(dataset.get()), H5Tclose).get()) == H5T_STRING;
+}
+
+std::vector<std::string> Hdf5Reader::members(std::string const& group) const {
+  constexpr hsize_t most = 10000;
+  if (!has(group)) refuse(open_, group, "is missing", "write this group");
+  Handle const opened(H5Gopen2(open_.id, group.c_str(), H5P_DEFAULT), H5Gclose);
+  H5G_info_t about{};
+  if (!opened.valid() || H5Gget_info(opened.get(), &about) < 0)
+    refuse(open_, group, "cannot be opened as a group (" + hdf5_reason() + ")", again);
+  if (about.nlinks > most)
+    refuse(open_, group, "has " + std::to_string(about.nlinks) + " members", "write fewer");
+  std::vector<std::string> names;
+  if (H5Literate(opened.get(), H5_INDEX_NAME, H5_ITER_INC, nullptr, keep_member, &names) < 0)
+    refuse(open_, group, "cannot be read (" + hdf5_reason() + ")", again);
+  return names;
 }
 
 bool Hdf5Reader::has_attribute(std::string const& path, std::string const& name) const {

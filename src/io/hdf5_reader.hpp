@@ -42,6 +42,13 @@ class Hdf5Reader {
   }
   std::string text(std::string const& path) const;
 
+  /// Texts of one fixed length, one a row; closing zeros are taken off.
+  std::vector<std::string> texts(std::string const& path, hsize_t count) const;
+  /// Does a dataset hold texts?
+  bool holds_text(std::string const& path) const;
+  /// What lies in a group, by name; at most 10000.
+  std::vector<std::string> members(std::string const& group) const;
+
   /// Attributes of a group, a dataset or the root "/".
   bool has_attribute(std::string const& path, std::string const& name) const;
   double number(std::string const& path, std::string const& name) const;

@@ -65,7 +65,7 @@ class Chain(ResumeTest):
     def test_seven_resumes(self):
         for model in LAWS:
             with self.subTest(model=model):
-                path, whole, _ = self.prepare(1.5, disks__model=model, **OFTEN)
+                path, whole, _ = self.prepare(3.0, disks__model=model, **OFTEN)
                 out = self.folder / "chain"
                 process = self.start("run", path, "--out", out)
                 self.stop_after_checkpoint(process, out)
@@ -106,7 +106,7 @@ class Kill(ResumeTest):
 
 class Signals(ResumeTest):
     def test_signals(self):
-        path, whole, _ = self.prepare(1.0, disks__model="CD_n", output__checkpoint_minutes=1e6)
+        path, whole, _ = self.prepare(2.0, disks__model="CD_n", output__checkpoint_minutes=1e6)
         with self.subTest("USR1 writes a checkpoint and goes on"):
             out = self.folder / "usr1"
             process = self.start("run", path, "--out", out)

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/analysis/curves.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "src/config/errors.hpp"
+#include "src/config/nearest_word.hpp"
+
+namespace bagnold::analysis {
+namespace {
+
+constexpr auto seed_key = "disks.seed";
+
+std::vector<std::string> varied_keys(SweepTable const& table) {
+  std::vector<std::string> keys;
+  for (auto const& [name, column] : table.keys) keys.push_back(name);
+  return keys;
+}
+
+void require_varied(SweepTable const& table, std::string const& key, char const* option) {
+  if (table.keys.contains(key)) return;
+  auto const known = varied_keys(table);
+  throw InputError(fmt::format("{} {} (not varied in {}); varied are: {}", option, key,
+                               table.origin, fmt::join(known, " ")));
+}
+
+/// Does `key` have one value for each value of `along`, in all of the table?
+bool follows(SweepTable const& table, std::string const& key, std::string const& along) {
+  std::map<std::string, std::string> value;
+  for (std::size_t point = 0; point < table.points; ++point) {
+    auto const [known, is_new] =
+        value.emplace(key_text(table, along, point), key_text(table, key, point));
+    if (!is_new && known->second != key_text(table, key, point)) return false;
+  }
+  return true;
+}
+
+bool differs(SweepTable const& table, std::string const& key) {
+  for (std::size_t point = 1; point < table.points; ++point)
+    if (key_text(table, key, point) != key_text(table, key, 0)) return true;
+  return false;
+}
+
+std::vector<std::string> keys_between_curves(SweepTable const& table, CurveChoice const& choice) {
+  std::vector<std::string> keys;
+  if (!choice.by.empty()) {
+    for (auto const& key : choice.by) require_varied(table, key, "--by");
+    return choice.by;
+  }
+  auto handled = choice.apart;
+  handled.push_back(choice.along);
+  auto const is_handled = [&](std::string const& key) {
+    return key == seed_key || !differs(table, key) ||
+           std::ranges::any_of(handled, [&](auto const& other) {
+             return key == other || (table.keys.contains(other) && follows(table, key, other));
+           });
+  };
+  for (auto const& key : varied_keys(table))
+    if (!is_handled(key)) keys.push_back(key);
+  return keys;
+}
+
+/// Equal as numbers where both are numbers, else as texts.
+bool same_value(std::string const& wanted, std::string const& found) {
+  char *wanted_end = nullptr, *found_end = nullptr;
+  double const a = std::strtod(wanted.c_str(), &wanted_end);
+  double const b = std::strtod(found.c_str(), &found_end);
+  bool const numbers = *wanted_end == '\0' && *found_end == '\0' && !wanted.empty();
+  return numbers ? a == b : wanted == found;
+}
+
+bool is_wanted(SweepTable const& table, CurveChoice const& choice, std::size_t point) {
+  return std::ranges::all_of(choice.where, [&](auto const& condition) {
+    return same_value(condition.second, key_text(table, condition.first, point));
+  });
+}
+
+std::vector<std::string> texts_of(SweepTable const& table, std::vector<std::string> const& keys,
+                                  std::size_t point) {
+  std::vector<std::string> out;
+  for (auto const& key : keys) out.push_back(key_text(table, key, point));
+  return out;
+}
+
+/// Points that agree in all keys but the seed, in the order of the table.
+std::vector<std::vector<std::size_t>> seeds_together(SweepTable const& table,
+                                                     CurveChoice const& choice) {
+  auto keys = varied_keys(table);
+  std::erase(keys, seed_key);
+  std::map<std::vector<std::string>, std::size_t> known;
+  std::vector<std::vector<std::size_t>> data;
+  for (std::size_t point = 0; point < table.points; ++point) {
+    if (!is_wanted(table, choice, point)) continue;
+    auto const [place, is_new] = known.emplace(texts_of(table, keys, point), data.size());
+    if (is_new) data.emplace_back();
+    data[place->second].push_back(point);
+  }
+  return data;
+}
+
+}  // namespace
+
+std::string key_text(SweepTable const& table, std::string const& key, std::size_t point) {
+  auto const& column = table.keys.at(key);
+  return column.is_text() ? column.texts[point] : fmt::format("{}", column.numbers[point]);
+}
+
+std::size_t count_failed(SweepTable const& table) {
+  std::size_t count = 0;
+  for (std::size_t point = 0; point < table.points; ++point) count += table.failed(point);
+  return count;
+}
+
+std::vector<Curve> curves_of(SweepTable const& table, CurveChoice const& choice) {
+  require_varied(table, choice.along, "the key along a curve is");
+  for (auto const& [key, value] : choice.where) require_varied(table, key, "--where");
+  auto const along = table.numbers(choice.along);
+  auto const keys = keys_between_curves(table, choice);
+  std::vector<Curve> curves;
+  std::vector<std::vector<double>> places;
+  std::map<std::vector<std::string>, std::size_t> known;
+  std::uint32_t number = 0;
+  for (auto const& rows : seeds_together(table, choice)) {
+    auto const texts = texts_of(table, keys, rows.front());
+    auto const [place, is_new] = known.emplace(texts, curves.size());
+    if (is_new) {
+      curves.emplace_back();
+      for (std::size_t k = 0; k < keys.size(); ++k)
+        curves.back().labels.emplace_back(keys[k], texts[k]);
+    }
+    auto& data = curves[place->second].data;
+    data.push_back({number++, rows});
+  }
+  if (curves.empty()) throw InputError("--where leaves no point; correct it");
+  for (auto& curve : curves) {
+    auto const where = [&](Datum const& datum) { return along[datum.rows.front()]; };
+    std::ranges::stable_sort(curve.data, {}, where);
+    auto const twice = std::ranges::adjacent_find(curve.data, {}, where);
+    if (twice != curve.data.end())
+      throw InputError(
+          fmt::format("two data at {} = {} of one curve; name the key in which they "
+                      "differ with --by, or pick with --where",
+                      choice.along, where(*twice)));
+    for (auto& datum : curve.data)
+      std::erase_if(datum.rows, [&](std::size_t row) { return table.failed(row); });
+  }
+  return curves;
+}
+
+}  // namespace bagnold::analysis

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/analysis/fit/jump.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bagnold::analysis {
+namespace {
+
+/// Is the change between two points more than three of its errors?
+bool is_clear(Points const& points, std::size_t low, std::size_t high, double change) {
+  constexpr double clear = 3.0;
+  if (!points.weighted()) return true;
+  return change >
+         clear * std::hypot(points.error[low] / points.y[low], points.error[high] / points.y[high]);
+}
+
+}  // namespace
+
+std::optional<Jump> find_jump(Points const& points, Direction direction, double least_factor) {
+  check_points(points, 2, "jump");
+  auto const log_y = with_logarithms(points, false, true).y;
+  double const sign = direction == Direction::up ? 1.0 : -1.0;
+  auto const steepness = [&](std::size_t i) {
+    return sign * (log_y[i + 1] - log_y[i]) / (points.x[i + 1] - points.x[i]);
+  };
+  auto const change = [&](std::size_t low, std::size_t high) {
+    return sign * (log_y[high] - log_y[low]);
+  };
+  std::size_t low = 0;
+  for (std::size_t i = 1; i + 1 < points.size(); ++i)
+    if (steepness(i) > steepness(low)) low = i;
+  double const half = steepness(low) / 2.0;
+  if (!(half > 0.0)) return std::nullopt;
+  std::size_t high = low + 1;
+  while (low > 0 && steepness(low - 1) >= half) --low;
+  while (high + 1 < points.size() && steepness(high) >= half) ++high;
+  if (change(low, high) < std::log(least_factor) || !is_clear(points, low, high, change(low, high)))
+    return std::nullopt;
+
+  double const middle = (log_y[low] + log_y[high]) / 2.0;
+  std::size_t i = low;
+  while (sign * (log_y[i + 1] - middle) < 0.0) ++i;
+  double const width = points.x[i + 1] - points.x[i];
+  double const share = (middle - log_y[i]) / (log_y[i + 1] - log_y[i]);
+  return Jump{points.x[i] + share * width, width / std::sqrt(12.0), points.y[low], points.y[high]};
+}
+
+}  // namespace bagnold::analysis

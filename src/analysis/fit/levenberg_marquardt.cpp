@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/analysis/fit/levenberg_marquardt.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <unsupported/Eigen/NonLinearOptimization>
+#include <unsupported/Eigen/NumericalDiff>
+
+#include "src/analysis/fit/starts.hpp"
+#include "src/config/errors.hpp"
+
+namespace bagnold::analysis {
+namespace {
+
+using Values = std::vector<double>;
+
+double inside_of(Parameter const& parameter, double value) {
+  return std::isfinite(parameter.above) ? std::log(value - parameter.above) : value;
+}
+double outside_of(Parameter const& parameter, double inside) {
+  return std::isfinite(parameter.above) ? parameter.above + std::exp(inside) : inside;
+}
+/// d value / d inside
+double slope_of(Parameter const& parameter, double value) {
+  return std::isfinite(parameter.above) ? value - parameter.above : 1.0;
+}
+
+/// Weighted residuals of the free parameters, in the form that Eigen asks for.
+struct Residuals {
+  using Scalar = double;
+  using InputType = Eigen::VectorXd;
+  using ValueType = Eigen::VectorXd;
+  using JacobianType = Eigen::MatrixXd;
+  enum { InputsAtCompileTime = Eigen::Dynamic, ValuesAtCompileTime = Eigen::Dynamic };
+
+  Model const* model;
+  Points const* points;
+  std::vector<std::size_t> free;
+  Values all;  ///< fixed parameters at their values
+
+  int inputs() const { return static_cast<int>(free.size()); }
+  int values() const { return static_cast<int>(points->size()); }
+
+  Values parameters(InputType const& inside) const {
+    Values out = all;
+    for (std::size_t k = 0; k < free.size(); ++k)
+      out[free[k]] = outside_of(model->parameters[free[k]], inside[static_cast<Eigen::Index>(k)]);
+    return out;
+  }
+
+  int operator()(InputType const& inside, ValueType& residual) const {
+    constexpr double out_of_reach = 1e60;  // its square is still finite
+    auto const now = parameters(inside);
+    auto const weight = weights(*points);
+    for (std::size_t i = 0; i < points->size(); ++i) {
+      auto const row = static_cast<Eigen::Index>(i);
+      residual[row] = (points->y[i] - model->value(points->x[i], now)) * weight[row];
+      if (!(std::abs(residual[row]) < out_of_reach)) residual[row] = out_of_reach;
+    }
+    return 0;
+  }
+};
+
+/// Central differences with the step that balances rounding and curvature.
+using Differentiable = Eigen::NumericalDiff<Residuals, Eigen::Central>;
+constexpr double difference_step = 4e-11;  // its square root is the step: epsilon^(1/3)
+
+Residuals residuals_of(Model const& model, Points const& points, Fixed const& fixed,
+                       Values const& start) {
+  Residuals out{&model, &points, {}, start};
+  for (std::size_t k = 0; k < model.parameters.size(); ++k)
+    if (auto const found = fixed.find(model.parameters[k].name); found != fixed.end())
+      out.all[k] = found->second;
+    else
+      out.free.push_back(k);
+  return out;
+}
+
+void check_fixed(Model const& model, Fixed const& fixed) {
+  for (auto const& [name, value] : fixed) {
+    auto const found =
+        std::ranges::find_if(model.parameters, [&](auto const& p) { return p.name == name; });
+    if (found == model.parameters.end())
+      throw InputError(fmt::format("--fix {} = {} (no parameter of the {} has that name)", name,
+                                   value, model.name));
+    if (!std::isfinite(value) || value <= found->above)
+      throw InputError(fmt::format("--fix {} = {} (must lie above {})", name, value, found->above));
+  }
+}
+
+}  // namespace
+
+Fit fit_from(Model const& model, Points const& points, Fixed const& fixed, Values const& start) {
+  check_fixed(model, fixed);
+  Differentiable residuals(residuals_of(model, points, fixed, start), difference_step);
+  auto const& free = residuals.free;
+  check_points(points, std::max<std::size_t>(free.size(), 2), model.name + " fit");
+  Eigen::VectorXd inside(static_cast<Eigen::Index>(free.size()));
+  for (std::size_t k = 0; k < free.size(); ++k)
+    inside[static_cast<Eigen::Index>(k)] =
+        inside_of(model.parameters[free[k]], residuals.all.at(free[k]));
+  if (!free.empty()) {
+    Eigen::LevenbergMarquardt<Differentiable> search(residuals);
+    search.parameters.ftol = search.parameters.xtol = 1e-13;
+    search.parameters.maxfev = 1000;
+    auto const status = search.minimize(inside);
+    if (status <= 0 || status == Eigen::LevenbergMarquardtSpace::TooManyFunctionEvaluation)
+      throw InputError(
+          fmt::format("{} fit: no convergence; fix parameters (--fix), or add points", model.name));
+  }
+  Fit out;
+  out.value = residuals.parameters(inside);
+  Eigen::VectorXd residual(residuals.values());
+  residuals(inside, residual);
+  out.chi2 = residual.squaredNorm();
+  out.freedom = points.size() - free.size();
+
+  Eigen::MatrixXd jacobian(residuals.values(), residuals.inputs());
+  residuals.df(inside, jacobian);
+  for (std::size_t k = 0; k < free.size(); ++k)
+    jacobian.col(static_cast<Eigen::Index>(k)) /=
+        slope_of(model.parameters[free[k]], out.value[free[k]]);
+  Fit of_free{{}, {}, {}, out.chi2, out.freedom};
+  set_covariance(of_free, jacobian, points.weighted());
+  auto const size = static_cast<Eigen::Index>(out.value.size());
+  out.covariance = Eigen::MatrixXd::Zero(size, size);
+  out.error.assign(out.value.size(), 0.0);
+  for (std::size_t k = 0; k < free.size(); ++k) {
+    out.error[free[k]] = of_free.error[k];
+    for (std::size_t l = 0; l < free.size(); ++l)
+      out.covariance(static_cast<Eigen::Index>(free[k]), static_cast<Eigen::Index>(free[l])) =
+          of_free.covariance(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(l));
+  }
+  return out;
+}
+
+Fit fit(Model const& model, Points const& points, Fixed const& fixed) {
+  constexpr std::size_t tries = 3;
+  check_fixed(model, fixed);
+  check_points(points, 2, model.name + " fit");
+  auto const ranked = starts(model, points, fixed);
+  std::optional<Fit> best;
+  std::string reason = model.name + " fit: no finite start; is x in the model's range?";
+  for (std::size_t k = 0; k < std::min(tries, ranked.size()); ++k) try {
+      auto found = fit_from(model, points, fixed, ranked[k].second);
+      if (!best || found.chi2 < best->chi2) best = std::move(found);
+    } catch (InputError const& error) {
+      reason = error.what();
+    }
+  if (!best) throw InputError(reason);
+  return *best;
+}
+
+}  // namespace bagnold::analysis

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/analysis/fit/line.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "src/config/errors.hpp"
+
+namespace bagnold::analysis {
+
+Fit fit_line(Points const& points) {
+  check_points(points, 2, "straight line");
+  auto const n = static_cast<Eigen::Index>(points.size());
+  auto const weight = weights(points);
+  Eigen::MatrixXd design(n, 2);
+  design.col(0) = weight;
+  design.col(1) = Eigen::Map<Eigen::VectorXd const>(points.x.data(), n).cwiseProduct(weight);
+  Eigen::VectorXd const y = weighted_values(points);
+  Eigen::VectorXd const best = design.colPivHouseholderQr().solve(y);
+  Fit out{{best[0], best[1]}, {}, {}, (y - design * best).squaredNorm(), points.size() - 2};
+  set_covariance(out, design, points.weighted());
+  return out;
+}
+
+Meeting intersection(Fit const& first, Fit const& second) {
+  double const slopes = first.value[1] - second.value[1];
+  double const x = (second.value[0] - first.value[0]) / slopes;
+  // d x / d intercept = 1 / slopes, d x / d slope = x / slopes, with opposite signs for the two
+  Eigen::Vector2d const slope_of_x(1.0 / slopes, x / slopes);
+  double variance = 0.0;
+  for (auto const* line : {&first, &second})
+    variance += slope_of_x.dot(line->covariance * slope_of_x);
+  return {x, std::sqrt(variance)};
+}
+
+Points part(Points const& points, std::size_t first, std::size_t last) {
+  auto const cut = [&](std::vector<double> const& all) {
+    return all.empty() ? all
+                       : std::vector(all.begin() + static_cast<std::ptrdiff_t>(first),
+                                     all.begin() + static_cast<std::ptrdiff_t>(last));
+  };
+  return {cut(points.x), cut(points.y), cut(points.error)};
+}
+
+TwoLines fit_two_lines(Points const& points, double const* at) {
+  check_points(points, 4, "two lines");
+  auto const n = points.size();
+  std::size_t const fewest = n >= 6 ? 3 : 2;
+  std::size_t first = fewest, last = n - fewest;
+  if (at != nullptr) {
+    first = last =
+        static_cast<std::size_t>(std::ranges::upper_bound(points.x, *at) - points.x.begin());
+    if (first < 2 || n - first < 2)
+      throw InputError(fmt::format("--split {} leaves a line with fewer than 2 points", *at));
+  }
+  std::optional<TwoLines> best;
+  for (auto split = first; split <= last; ++split) {
+    TwoLines now{fit_line(part(points, 0, split)), fit_line(part(points, split, n)), split, {}};
+    if (!best || now.first.chi2 + now.second.chi2 < best->first.chi2 + best->second.chi2)
+      best = std::move(now);
+  }
+  best->meeting = intersection(best->first, best->second);
+  if (!std::isfinite(best->meeting.x))
+    throw InputError(
+        "two lines: they are parallel and do not meet; narrow --range or give --split");
+  return *best;
+}
+
+}  // namespace bagnold::analysis

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/analysis/fit/points.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/config/errors.hpp"
+
+namespace bagnold::analysis {
+
+void check_points(Points const& points, std::size_t fewest, std::string_view what) {
+  auto const n = points.size();
+  if (n < fewest)
+    throw InputError(
+        fmt::format("{}: {} points (must be at least {}); add points to the sweep, or "
+                    "fix parameters",
+                    what, n, fewest));
+  if (points.y.size() != n || (points.weighted() && points.error.size() != n))
+    throw std::logic_error("points: x, y and error differ in length");
+  auto const finite = [](double value) { return std::isfinite(value); };
+  if (!std::ranges::all_of(points.x, finite) || !std::ranges::all_of(points.y, finite))
+    throw InputError(fmt::format("{}: a point is not finite; leave it out", what));
+  if (!std::ranges::all_of(points.error, [](double e) { return std::isfinite(e) && e > 0.0; }))
+    throw InputError(fmt::format("{}: an error is not above 0; leave the point out", what));
+  auto const [least, most] = std::ranges::minmax(points.x);
+  if (least == most)
+    throw InputError(fmt::format("{}: all points lie at x = {}; vary x in the sweep", what, least));
+}
+
+Points with_logarithms(Points const& points, bool log_x, bool log_y) {
+  Points out = points;
+  auto const logarithm = [](double& value, char const* axis) {
+    if (!(value > 0.0))
+      throw InputError(fmt::format(
+          "{} = {} has no logarithm; leave --log-{} out, or narrow --range", axis, value, axis));
+    value = std::log(value);
+  };
+  if (log_x)
+    for (double& x : out.x) logarithm(x, "x");
+  if (log_y)
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      if (out.weighted()) out.error[i] /= std::abs(out.y[i]);
+      logarithm(out.y[i], "y");
+    }
+  return out;
+}
+
+Eigen::VectorXd weights(Points const& points) {
+  Eigen::VectorXd w = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(points.size()));
+  for (std::size_t i = 0; i < points.error.size(); ++i)
+    w[static_cast<Eigen::Index>(i)] = 1.0 / points.error[i];
+  return w;
+}
+
+Eigen::VectorXd weighted_values(Points const& points) {
+  auto const n = static_cast<Eigen::Index>(points.size());
+  return Eigen::Map<Eigen::VectorXd const>(points.y.data(), n).cwiseProduct(weights(points));
+}
+
+}  // namespace bagnold::analysis

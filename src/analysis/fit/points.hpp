@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <string_view>
+#include <vector>
+
+namespace bagnold::analysis {
+
+/// What a curve is fitted to: n points in any units. `error`: one standard deviation of each y, or
+/// empty where none is known; all points then weigh the same.
+struct Points {
+  std::vector<double> x, y, error;
+
+  std::size_t size() const { return x.size(); }
+  bool weighted() const { return !error.empty(); }
+};
+
+/// Throws InputError unless there are at least `fewest` points, all finite, with errors above 0 and
+/// at least two different x. `what` names the fit.
+void check_points(Points const& points, std::size_t fewest, std::string_view what);
+
+/// (x, ln y), (ln x, y) or (ln x, ln y), errors to first order: error / y. Throws InputError where
+/// a logarithm is asked of what is not above 0.
+Points with_logarithms(Points const& points, bool log_x, bool log_y);
+
+/// y / error and 1 / error; 1 / error is 1 where the points have no errors.
+Eigen::VectorXd weighted_values(Points const& points);
+Eigen::VectorXd weights(Points const& points);
+
+}  // namespace bagnold::analysis

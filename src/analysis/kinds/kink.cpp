@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/analysis/fit/piecewise_linear.hpp"
+#include "src/analysis/kinds/kinds.hpp"
+
+namespace bagnold::analysis {
+namespace {
+
+/// value = {x_1, y_1, ...} of the kinks; errors of y are not given: it lies on the curve.
+Found kinks_of(Points const& measured, Request const& request) {
+  auto const points = with_logarithms(measured, request.log_x, request.log_y);
+  auto const fitted = fit_piecewise_linear(points, request.kinks);
+  auto const x_of = [&](double x) { return request.log_x ? std::exp(x) : x; };
+  auto const y_of = [&](double y) { return request.log_y ? std::exp(y) : y; };
+  Found out{{}, {}, fitted.chi2, fitted.freedom, points.size()};
+  for (std::size_t k = 3; k < fitted.value.size(); k += 2) {
+    double const x = fitted.value[k], place = x_of(x);
+    out.value.insert(out.value.end(), {place, y_of(piecewise_linear(x, fitted.value))});
+    out.error.insert(out.error.end(), {fitted.error[k] * (request.log_x ? place : 1.0), unknown});
+  }
+  auto line = sample_line(points.x.front(), points.x.back(), false,
+                          [&](double x) { return piecewise_linear(x, fitted.value); });
+  std::ranges::transform(line.x, line.x.begin(), x_of);
+  std::ranges::transform(line.y, line.y.begin(), y_of);
+  out.lines.push_back(std::move(line));
+  return out;
+}
+
+}  // namespace
+
+Report kink(SweepTable const& table, Request const& request) {
+  auto const x = or_else(request.x, "disks.packing_fraction"), y = or_else(request.y, "p_el");
+  Report report;
+  auto const series = make_series(table, request, x, y);
+  std::vector<Task> tasks;
+  for (auto const& one : series)
+    tasks.push_back({one.labels, [=, points = one.points](std::uint32_t replica) {
+                       return kinks_of(points(replica), request);
+                     }});
+  auto const outcomes = carry_out(tasks, request);
+  std::vector<std::string> names;
+  for (std::size_t k = 1; k <= request.kinks; ++k) {
+    names.push_back(fmt::format("{}_{}", symbol(x), k));
+    names.push_back(fmt::format("{}_{}", y, k));
+  }
+  report.results = tabulate(outcomes, names);
+  note_left_out(report, table, series);
+  Panel panel(report, x, y, request.log_x, request.log_y);
+  for (std::size_t k = 0; k < series.size(); ++k) {
+    auto const curve = caption(series[k].labels);
+    panel.data(curve, series[k].points(0), series[k].x_error);
+    for (auto const& line : outcomes[k].found.lines) panel.line(curve, line);
+    auto const& found = outcomes[k].found;
+    for (std::size_t place = 0; place < found.value.size(); place += 2)
+      panel.point("mark", curve, found.value[place], found.error[place], found.value[place + 1],
+                  unknown);
+  }
+  std::vector<DrawnParameter> places;
+  for (std::size_t k = 0; k < request.kinks; ++k) places.push_back({2 * k, names[2 * k]});
+  draw_against_label(report, outcomes, places, symbol(x), request.log_x);
+  return report;
+}
+
+}  // namespace bagnold::analysis

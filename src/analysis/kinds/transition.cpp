@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+
+#include "src/analysis/fit/line.hpp"
+#include "src/analysis/kinds/kinds.hpp"
+
+namespace bagnold::analysis {
+namespace {
+
+std::string own_y(std::string const& x) {
+  return x == "disks.elasticity" ? "Z/shear.strain_rate" : "B_p_el";
+}
+
+/// value = {place where the lines meet}; lines from their outer ends to a little beyond it.
+Found meet(Points const& measured, Request const& request) {
+  auto const points = with_logarithms(measured, request.log_x, request.log_y);
+  double const at = request.split ? (request.log_x ? std::log(*request.split) : *request.split) : 0;
+  auto const lines = fit_two_lines(points, request.split ? &at : nullptr);
+  auto const back = [](double value, bool logarithm) {
+    return logarithm ? std::exp(value) : value;
+  };
+  double const place = back(lines.meeting.x, request.log_x);
+  Found out{{place},
+            {lines.meeting.error * (request.log_x ? place : 1.0)},
+            lines.first.chi2 + lines.second.chi2,
+            lines.first.freedom + lines.second.freedom,
+            points.size()};
+  double const beyond = 0.05 * (points.x.back() - points.x.front());
+  auto const add = [&](Fit const& fit, double low, double high) {
+    low = std::min(low, lines.meeting.x - beyond);
+    high = std::max(high, lines.meeting.x + beyond);
+    auto line =
+        sample_line(low, high, false, [&](double x) { return fit.value[0] + fit.value[1] * x; });
+    for (double& x : line.x) x = back(x, request.log_x);
+    for (double& y : line.y) y = back(y, request.log_y);
+    out.lines.push_back(std::move(line));
+  };
+  add(lines.first, points.x.front(), points.x[lines.split - 1]);
+  add(lines.second, points.x[lines.split], points.x.back());
+  return out;
+}
+
+}  // namespace
+
+std::vector<Outcome> find_transitions(SweepTable const& table, Request const& request,
+                                      std::vector<Series>& series) {
+  auto const x = or_else(request.x, "disks.elasticity");
+  series = make_differences(table, request, x, or_else(request.y, own_y(x)));
+  std::vector<Task> tasks;
+  for (auto const& one : series)
+    tasks.push_back({one.labels, [=, points = one.points](std::uint32_t replica) {
+                       return meet(points(replica), request);
+                     }});
+  return carry_out(tasks, request);
+}
+
+Report transition(SweepTable const& table, Request const& request) {
+  Report report;
+  std::vector<Series> series;
+  auto const outcomes = find_transitions(table, request, series);
+  auto const x = or_else(request.x, "disks.elasticity");
+  auto const name = symbol(x) + "_c";
+  report.results = tabulate(outcomes, {name});
+  note_left_out(report, table, series);
+  for (std::size_t k = 0; k < series.size(); ++k)
+    if (auto const points = series[k].points(0);
+        outcomes[k].failure.empty() && (outcomes[k].found.value[0] < points.x.front() ||
+                                        outcomes[k].found.value[0] > points.x.back()))
+      report.notes.push_back(caption(series[k].labels) + ": the lines meet outside the points");
+  Panel panel(report, x, "difference of " + or_else(request.y, own_y(x)), request.log_x,
+              request.log_y);
+  for (std::size_t k = 0; k < series.size(); ++k) {
+    auto const curve = caption(series[k].labels);
+    panel.data(curve, series[k].points(0));
+    for (auto const& line : outcomes[k].found.lines) panel.line(curve, line);
+    if (outcomes[k].failure.empty())
+      panel.point("mark", curve, outcomes[k].found.value[0], outcomes[k].found.error[0], unknown,
+                  unknown);
+  }
+  draw_against_label(report, outcomes, {{0}}, name, name == "Q_c");
+  return report;
+}
+
+}  // namespace bagnold::analysis

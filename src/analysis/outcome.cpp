@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/analysis/outcome.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/config/errors.hpp"
+
+namespace bagnold::analysis {
+namespace {
+
+constexpr double rounding = 1e-12;  ///< relative: what did not change but for this has no spread
+
+double standard_deviation(std::vector<std::vector<double>> const& replicas, std::size_t parameter) {
+  double sum = 0.0, squares = 0.0, count = 0.0;
+  for (auto const& one : replicas)
+    if (std::isfinite(one[parameter])) sum += one[parameter], count += 1.0;
+  if (count < 2.0 || 2.0 * count < static_cast<double>(replicas.size())) return unknown;
+  for (auto const& one : replicas)
+    if (std::isfinite(one[parameter]))
+      squares += (one[parameter] - sum / count) * (one[parameter] - sum / count);
+  double const deviation = std::sqrt(squares / (count - 1.0));
+  return deviation > rounding * std::abs(sum / count) ? deviation : 0.0;
+}
+
+Outcome carry_out(Task const& task, Request const& request) {
+  Outcome out;
+  out.labels = task.labels;
+  try {
+    out.found = task.find(0);
+  } catch (InputError const& error) {
+    out.failure = error.what();
+    return out;
+  }
+  auto const parameters = out.found.value.size();
+  for (std::uint32_t replica = 1; replica <= request.resamples; ++replica) try {
+      out.replicas.push_back(task.find(replica).value);
+    } catch (InputError const&) {
+      out.replicas.emplace_back(parameters, unknown);
+    }
+  for (std::size_t k = 0; k < parameters; ++k)
+    out.bootstrap.push_back(standard_deviation(out.replicas, k));
+  return out;
+}
+
+}  // namespace
+
+std::vector<Outcome> carry_out(std::vector<Task> const& tasks, Request const& request) {
+  std::vector<Outcome> out;
+  for (auto const& task : tasks) out.push_back(carry_out(task, request));
+  if (std::ranges::all_of(out, [](auto const& one) { return !one.failure.empty(); }))
+    throw InputError(out.empty() ? "nothing to analyse" : out.front().failure);
+  return out;
+}
+
+Line sample_line(double low, double high, bool log_x, std::function<double(double)> const& curve) {
+  constexpr int places = 200;
+  Line line;
+  for (int i = 0; i < places; ++i) {
+    double const share = i / (places - 1.0);
+    line.x.push_back(log_x ? low * std::pow(high / low, share) : low + (high - low) * share);
+    line.y.push_back(curve(line.x.back()));
+  }
+  return line;
+}
+
+}  // namespace bagnold::analysis

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "src/analysis/curves.hpp"
+#include "src/analysis/fit/covariance.hpp"
+#include "src/analysis/request.hpp"
+
+namespace bagnold::analysis {
+
+/// A line to draw.
+struct Line {
+  std::vector<double> x, y;
+};
+
+/// What was found on one curve.
+struct Found {
+  std::vector<double> value, error;  ///< [parameters]
+  double chi2 = unknown;
+  std::size_t freedom = 0;
+  std::size_t points = 0;
+  std::vector<Line> lines = {};
+};
+
+/// Something to find, on the measured points (replica 0) or on resampled ones.
+struct Task {
+  std::vector<Label> labels;
+  std::function<Found(std::uint32_t replica)> find;
+};
+
+struct Outcome {
+  std::vector<Label> labels;
+  Found found;                                ///< empty where it failed
+  std::string failure;                        ///< why nothing was found; empty: all is well
+  std::vector<std::vector<double>> replicas;  ///< [resamples][parameters], NaN where one failed
+  std::vector<double> bootstrap;  ///< standard deviation over replicas, NaN if over half failed
+};
+
+/// Does all tasks. One that fails does not stop the others; where all fail, throws InputError with
+/// the first reason.
+std::vector<Outcome> carry_out(std::vector<Task> const& tasks, Request const& request);
+
+/// A curve sampled at 200 places between two x, evenly in ln x where asked for.
+Line sample_line(double low, double high, bool log_x, std::function<double(double)> const& curve);
+
+}  // namespace bagnold::analysis

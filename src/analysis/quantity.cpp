@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/analysis/quantity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "src/config/errors.hpp"
+#include "src/config/nearest_word.hpp"
+
+namespace bagnold::analysis {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+std::vector<double> at(std::vector<double> const& all, std::span<std::size_t const> rows) {
+  std::vector<double> out;
+  for (auto const row : rows) out.push_back(all[row]);
+  return out;
+}
+
+/// chi2 that is exceeded by chance once in a hundred, by the cube of a normal number (Wilson and
+/// Hilferty, Proc. Natl. Acad. Sci. 17, 684 (1931)): 1% low at one degree of freedom.
+double chance_limit(double freedom) {
+  constexpr double deviations = 2.3263;  // of a normal number, exceeded once in a hundred
+  double const variance = 2.0 / (9.0 * freedom);
+  return freedom * std::pow(1.0 - variance + deviations * std::sqrt(variance), 3);
+}
+
+Measured const& observable(SweepTable const& table, std::string const& name) {
+  if (auto const found = table.observables.find(name); found != table.observables.end())
+    return found->second;
+  std::vector<std::string> known;
+  for (auto const& [other, values] : table.observables) known.push_back(other);
+  throw InputError(fmt::format("{} (no such observable or key in {}); perhaps {}. There are: {}",
+                               name, table.origin, nearest_word(name, known),
+                               fmt::join(known, " ")));
+}
+
+}  // namespace
+
+Value merge_seeds(std::span<double const> means, std::span<double const> errors) {
+  double sum = 0.0, squares = 0.0, scatter = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < means.size(); ++i) {
+    if (!std::isfinite(means[i])) continue;
+    ++count;
+    sum += means[i];
+    squares += errors[i] * errors[i];  // NaN where one is not known: then so is the sum
+  }
+  if (count == 0) return {none, none};
+  double const n = static_cast<double>(count), mean = sum / n;
+  for (double const value : means)
+    if (std::isfinite(value)) scatter += (value - mean) * (value - mean);
+  double const own = std::sqrt(squares) / n;
+  double const among = count > 1 ? std::sqrt(scatter / (n * (n - 1.0))) : none;
+  bool const by_chance = (n - 1.0) * among * among <= chance_limit(n - 1.0) * own * own;
+  return {mean, by_chance || count == 1 ? own : among};  // NaN compares false
+}
+
+Quantity::Quantity(SweepTable const& table, std::string const& name, std::optional<double> phi_j)
+    : name_(name) {
+  if (auto const slash = name.find('/'); slash != std::string::npos) {
+    above_ = std::make_shared<Quantity>(table, name.substr(0, slash), phi_j);
+    below_ = std::make_shared<Quantity>(table, name.substr(slash + 1), phi_j);
+  } else if (name == "phi_J-phi") {
+    if (!phi_j) throw InputError("phi_J-phi needs phi_J; give --phi-j, 0.84335 in P1");
+    number_ = table.numbers("disks.packing_fraction");
+    for (double& phi : number_) phi = *phi_j - phi;
+  } else if (name.find('.') != std::string::npos) {
+    number_ = table.numbers(name);
+  } else {
+    observable_ = &observable(table, name);
+  }
+}
+
+Value Quantity::of(std::span<std::size_t const> rows) const {
+  if (above_) {
+    auto const above = above_->of(rows), below = below_->of(rows);
+    double const ratio = above.mean / below.mean;
+    return {ratio, std::hypot(above.error / below.mean, ratio * below.error / below.mean)};
+  }
+  if (observable_) return merge_seeds(at(observable_->mean, rows), at(observable_->error, rows));
+  return {rows.empty() ? none : number_[rows.front()], 0.0};
+}
+
+double Quantity::resampled(std::span<std::size_t const> rows, Draw const& draw) const {
+  if (draw.replica == 0 || is_key()) return of(rows).mean;
+  if (above_) return above_->resampled(rows, draw) / below_->resampled(rows, draw);
+  if (rows.size() == 1) {
+    auto const measured = of(rows);
+    return measured.mean +
+           (std::isfinite(measured.error) ? measured.error : 0.0) * random_normal(draw, name_);
+  }
+  std::vector<std::size_t> drawn;
+  for (std::uint32_t k = 0; k + 1 < rows.size(); ++k)
+    drawn.push_back(rows[random_index(draw, k, rows.size())]);
+  return of(drawn).mean;
+}
+
+}  // namespace bagnold::analysis

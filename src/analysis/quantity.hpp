@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "src/analysis/random.hpp"
+#include "src/analysis/sweep_table.hpp"
+
+namespace bagnold::analysis {
+
+/// A mean over seeds and its standard error; NaN where not known.
+struct Value {
+  double mean, error;
+};
+
+/// The mean over n seeds, those that are NaN left out, and its error: what the seeds' own errors
+/// e_i tell, (sum e_i^2)^(1/2) / n. What their scatter tells, [sum (x_i - mean)^2 / (n (n -
+/// 1))]^(1/2), is taken instead where a seed has no error, and where the seeds differ by more than
+/// chance allows at 1% (chi2 with n - 1 degrees of freedom): near a transition block errors are too
+/// small. Taking always the larger one would give less weight to points that scatter by chance, and
+/// a fit's bootstrap would then be too small by a quarter with two seeds.
+Value merge_seeds(std::span<double const> means, std::span<double const> errors);
+
+/// A number that each datum of a sweep has: what goes on an axis. By name:
+/// - `table.key`, a scene key (no error);
+/// - NAME, an observable, merged over seeds;
+/// - `phi_J-phi`, the distance to jamming, phi_J given (no error);
+/// - A/B, the ratio of two of these after merging, errors added as independent.
+class Quantity {
+ public:
+  /// Keeps a reference to the table. Throws InputError for an unknown name, with the nearest one.
+  Quantity(SweepTable const& table, std::string const& name, std::optional<double> phi_j = {});
+
+  /// Of one datum: the rows of the table that are its seeds.
+  Value of(std::span<std::size_t const> rows) const;
+
+  /// Of one datum resampled: n - 1 of its n seeds, with replacement, the same for every quantity
+  /// (Rao and Wu, J. Am. Stat. Assoc. 83, 231 (1988): n - 1 makes the variance of the mean right,
+  /// n would make it too small by (n - 1) / n). A single seed gets a normal number times its error
+  /// instead, for each observable its own.
+  double resampled(std::span<std::size_t const> rows, Draw const& draw) const;
+
+  bool is_key() const { return !observable_ && !above_; }
+
+ private:
+  std::string name_;
+  std::vector<double> number_;            ///< of a key or phi_J-phi, one a row
+  Measured const* observable_ = nullptr;  ///< of an observable
+  std::shared_ptr<Quantity const> above_, below_;
+};
+
+}  // namespace bagnold::analysis

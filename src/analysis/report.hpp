@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "src/analysis/csv.hpp"
+#include "src/analysis/outcome.hpp"
+#include "src/analysis/series.hpp"
+
+namespace bagnold::analysis {
+
+/// What an analysis has to say.
+struct Report {
+  Rows results;                    ///< a row for each curve, or datum
+  Rows drawn;                      ///< what the picture shows, see drawn_columns (panel.hpp)
+  std::vector<std::string> notes;  ///< for the reader: what was left out, and why
+};
+
+/// Columns of the labels, then NAME, NAME_error, NAME_bootstrap of each parameter, chi2, freedom,
+/// points, failure; a row for each outcome.
+Rows tabulate(std::vector<Outcome> const& outcomes, std::vector<std::string> const& parameters);
+
+/// Notes on data left out.
+void note_left_out(Report& report, SweepTable const& table, std::vector<Series> const& series);
+
+}  // namespace bagnold::analysis

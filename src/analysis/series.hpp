@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "src/analysis/curves.hpp"
+#include "src/analysis/fit/points.hpp"
+#include "src/analysis/request.hpp"
+
+namespace bagnold::analysis {
+
+/// A curve as points to fit, in order of x.
+struct Series {
+  std::vector<Label> labels;
+  std::vector<double> x_error;                          ///< of the measured points
+  std::function<Points(std::uint32_t replica)> points;  ///< 0: as measured; else resampled
+  std::size_t left_out = 0;  ///< data without a value, or without an error
+};
+
+/// y against x for every curve of the sweep. Data without x or y (failed, undefined) are left out;
+/// so are those without an error where others have one. Weights of resampled points are those of
+/// the measured ones. Keeps a reference to the table.
+std::vector<Series> make_series(SweepTable const& table, Request const& request,
+                                std::string const& x, std::string const& y);
+
+/// y(gammadot_1) - y(gammadot_2) against the key x, for the two strain rates of the request or the
+/// smallest two, gammadot_1 < gammadot_2; errors added as independent. P2 App. A.
+std::vector<Series> make_differences(SweepTable const& table, Request const& request,
+                                     std::string const& x, std::string const& y);
+
+/// The key that runs along a curve of x.
+std::string running_key(Request const& request, std::string const& x);
+
+}  // namespace bagnold::analysis

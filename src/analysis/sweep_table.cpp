@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/analysis/sweep_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "src/config/errors.hpp"
+#include "src/config/keys.hpp"
+#include "src/config/nearest_word.hpp"
+#include "src/config/scene_file.hpp"
+#include "src/io/atomic_file.hpp"
+#include "src/io/hdf5_reader.hpp"
+
+namespace bagnold::analysis {
+namespace {
+
+constexpr std::string_view error_ending = "_error";
+constexpr std::string_view scene_name = "scene";
+
+std::size_t count_points(io::Hdf5Reader const& file, std::string const& first) {
+  auto const shape = file.shape(first);
+  if (shape.size() != 1 || shape.front() == 0)
+    throw InputError(
+        fmt::format("{} of the sweep table holds no row of values; run the sweep first", first));
+  return shape.front();
+}
+
+void read_keys(io::Hdf5Reader const& file, SweepTable& table) {
+  for (auto const& name : file.members("/points")) {
+    auto const path = "/points/" + name;
+    if (table.points == 0) table.points = count_points(file, path);
+    if (name == scene_name) {
+      table.scenes = file.texts(path, table.points);
+    } else if (name.find('.') == std::string::npos) {
+      continue;  // about the point, its folder for example: no key of the scene
+    } else if (file.holds_text(path)) {
+      table.keys[name].texts = file.texts(path, table.points);
+    } else {
+      table.keys[name].numbers = file.doubles(path, {table.points});
+      for (double const value : table.keys[name].numbers)
+        if (!std::isfinite(value))
+          throw InputError(fmt::format("{}: {} = {} (must be finite); make the table again",
+                                       table.origin, path, value));
+    }
+  }
+}
+
+void read_observables(io::Hdf5Reader const& file, SweepTable& table) {
+  for (auto const& name : file.members("/observables")) {
+    if (name.ends_with(error_ending)) continue;
+    auto const path = "/observables/" + name;
+    auto const error_path = path + std::string(error_ending);
+    if (table.points == 0) table.points = count_points(file, path);
+    auto& measured = table.observables[name];
+    measured.mean = file.doubles(path, {table.points});
+    measured.error = file.has(error_path) ? file.doubles(error_path, {table.points})
+                                          : std::vector<double>(table.points, std::nan(""));
+  }
+}
+
+std::optional<double> number_of(Scene const& scene, std::string const& wanted) {
+  std::optional<double> found;
+  for_each_key(scene, [&](Key const& key, auto const& member) {
+    using Member = std::decay_t<decltype(member)>;
+    if (key.name != wanted) return;
+    if constexpr (std::is_arithmetic_v<Member>) found = static_cast<double>(member);
+    if constexpr (std::is_same_v<Member, std::optional<double>>) found = member;
+  });
+  return found;
+}
+
+}  // namespace
+
+bool SweepTable::failed(std::size_t point) const {
+  return std::ranges::none_of(
+      observables, [&](auto const& one) { return std::isfinite(one.second.mean[point]); });
+}
+
+std::vector<double> SweepTable::numbers(std::string const& key) const {
+  if (auto const found = keys.find(key); found != keys.end()) {
+    if (found->second.is_text())
+      throw InputError(fmt::format("{} = {} (is a text, not a number); choose another key", key,
+                                   found->second.texts.front()));
+    return found->second.numbers;
+  }
+  std::vector<double> out;
+  for (std::size_t point = 0; point < scenes.size(); ++point) {
+    auto const scene =
+        parse_scene(scenes[point], fmt::format("{}, scene of point {}", origin, point),
+                    std::filesystem::path(origin).parent_path());
+    auto const value = number_of(scene, key);
+    if (!value) break;
+    out.push_back(*value);
+  }
+  if (out.size() == points) return out;
+  std::vector<std::string> known;
+  for (auto const& [name, column] : keys) known.push_back(name);
+  throw InputError(fmt::format("{} (no number of that name in {}){}", key, origin,
+                               known.empty() ? "" : "; perhaps " + nearest_word(key, known)));
+}
+
+SweepTable read_sweep_table(std::filesystem::path const& path) {
+  auto const file_path = std::filesystem::is_directory(path) ? path / "sweep.h5" : path;
+  if (!std::filesystem::exists(file_path))
+    throw InputError(fmt::format("{} is not there; run `bagnold sweep` first, or give its folder",
+                                 file_path.string()));
+  SweepTable table;
+  table.origin = file_path.string();
+  io::Hdf5Reader const file(table.origin, io::read_file(file_path));
+  read_keys(file, table);
+  read_observables(file, table);
+  if (table.observables.empty())
+    throw InputError(fmt::format("{}: /observables is empty; run the sweep first", table.origin));
+  return table;
+}
+
+}  // namespace bagnold::analysis

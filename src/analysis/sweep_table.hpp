@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace bagnold::analysis {
+
+/// Values of one scene key, one a point: numbers or texts, the other is empty.
+struct KeyColumn {
+  std::vector<double> numbers;
+  std::vector<std::string> texts;
+
+  bool is_text() const { return !texts.empty(); }
+};
+
+/// Means and standard errors of one observable, one a point; NaN where not known.
+struct Measured {
+  std::vector<double> mean, error;
+};
+
+/// What a sweep measured: P points.
+struct SweepTable {
+  std::string origin;                           ///< the file, for messages
+  std::size_t points = 0;                       ///< P
+  std::map<std::string, KeyColumn> keys;        ///< the varied ones, by "table.key"
+  std::map<std::string, Measured> observables;  ///< by NAME
+  std::vector<std::string> scenes;              ///< the resolved scenes, TOML; may be empty
+
+  /// Has a point a value of anything? One without has failed.
+  bool failed(std::size_t point) const;
+
+  /// A key's values, one a point: varied or, where not, looked up in the scenes. Throws InputError
+  /// for a key that no scene has, or a text.
+  std::vector<double> numbers(std::string const& key) const;
+};
+
+/// Reads `sweep.h5`, or that file in a folder: `/points/KEY` [P] (numbers or texts of fixed
+/// length),
+/// `/points/scene` [P], `/observables/NAME` and `/observables/NAME_error` [P]. Files come from
+/// anywhere: Hdf5Reader refuses what is not plain. Throws InputError, naming the file.
+SweepTable read_sweep_table(std::filesystem::path const& path);
+
+}  // namespace bagnold::analysis

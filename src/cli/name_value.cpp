@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/cli/name_value.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+#include "src/config/errors.hpp"
+
+namespace bagnold {
+
+std::map<std::string, std::string> name_values(std::vector<std::string> const& pairs,
+                                               std::string const& option) {
+  std::map<std::string, std::string> out;
+  for (auto const& pair : pairs) {
+    auto const equal = pair.find('=');
+    if (equal == std::string::npos || equal == 0)
+      throw InputError(fmt::format("{} {} (is not NAME=VALUE)", option, pair));
+    out[pair.substr(0, equal)] = pair.substr(equal + 1);
+  }
+  return out;
+}
+
+std::map<std::string, double> name_numbers(std::vector<std::string> const& pairs,
+                                           std::string const& option) {
+  std::map<std::string, double> out;
+  for (auto const& [name, text] : name_values(pairs, option)) {
+    char* end = nullptr;
+    out[name] = std::strtod(text.c_str(), &end);
+    if (text.empty() || *end != '\0')
+      throw InputError(fmt::format("{} {}={} (is not a number)", option, name, text));
+  }
+  return out;
+}
+
+}  // namespace bagnold

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/analysis/quantity.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "src/config/errors.hpp"
+#include "tests/analysis/tables.hpp"
+
+namespace bagnold::analysis {
+namespace {
+
+TEST(Quantity, SeedsAreMerged) {
+  std::vector<double> const means{1, 2, 3, nothing}, small{0.1, 0.1, 0.1, nothing},
+      large{3, 3, 3, 3}, unknown{nothing, 0.1, 0.1, 0.1};
+  EXPECT_DOUBLE_EQ(merge_seeds(means, small).mean, 2.0);
+  EXPECT_DOUBLE_EQ(merge_seeds(means, small).error, std::sqrt(2.0 / 6.0));   // scatter
+  EXPECT_DOUBLE_EQ(merge_seeds(means, large).error, std::sqrt(27.0) / 3.0);  // their own
+  EXPECT_DOUBLE_EQ(merge_seeds(means, unknown).error, std::sqrt(2.0 / 6.0));
+  // chi2 at 1% is 6.63 for two seeds: a difference of sqrt(2 6.63) = 3.64 errors
+  std::vector<double> const near{0, 3.5}, far{0, 3.8}, unit{1, 1};
+  EXPECT_DOUBLE_EQ(merge_seeds(near, unit).error, std::sqrt(0.5));
+  EXPECT_DOUBLE_EQ(merge_seeds(far, unit).error, 1.9);
+  std::vector<double> const one{5}, no_error{nothing}, none{nothing};
+  EXPECT_TRUE(std::isnan(merge_seeds(one, no_error).error));
+  EXPECT_TRUE(std::isnan(merge_seeds(none, none).mean));
+}
+
+TEST(Quantity, ByName) {
+  auto const table = small_table();
+  std::vector<std::size_t> const seeds{0, 1, 2};  // phi = 0.7, rate 1e-4
+  auto const p = Quantity(table, "p").of(seeds);
+  EXPECT_NEAR(p.mean, 70.0 + 1e-4 + 0.002, 1e-12);
+  EXPECT_NEAR(Quantity(table, "phi_J-phi", 0.84335).of(seeds).mean, 0.14335, 1e-12);
+  auto const ratio = Quantity(table, "p/shear.strain_rate").of(seeds);
+  EXPECT_NEAR(ratio.mean, p.mean / 1e-4, 1e-6);
+  EXPECT_NEAR(ratio.error, p.error / 1e-4, 1e-9);
+  EXPECT_THROW(Quantity(table, "phi_J-phi"), InputError);
+  EXPECT_THROW(Quantity(table, "disks.elasticity"), InputError);
+  try {
+    Quantity(table, "P_el");
+    ADD_FAILURE();
+  } catch (InputError const& error) {
+    EXPECT_NE(std::string(error.what()).find("perhaps p"), std::string::npos) << error.what();
+  }
+}
+
+/// The variance of a mean over 3 seeds, each of variance 1, is 1/3: resampling tells that on
+/// average, from 3 values at a time.
+TEST(Quantity, ResamplingHasTheRightSpread) {
+  std::mt19937_64 random(15);
+  std::normal_distribution<double> normal;
+  auto table = small_table();
+  std::vector<std::size_t> const seeds{0, 1, 2}, single{0};
+  int const sets = 400;
+  std::uint32_t const resamples = 200;
+  double average = 0.0;
+  for (int set = 0; set < sets; ++set) {
+    for (auto const row : seeds) table.observables["p"].mean[row] = normal(random);
+    Quantity const p(table, "p");
+    double const mean = p.of(seeds).mean;
+    for (std::uint32_t replica = 1; replica <= resamples; ++replica) {
+      double const off = p.resampled(seeds, {7, replica, 0}) - mean;
+      average += off * off / (sets * resamples);
+    }
+  }
+  // the variance of a variance from 3 values is (2 / 2) (1/3)^2: four standard errors of the mean
+  EXPECT_NEAR(average, 1.0 / 3.0, 4.0 / 3.0 / std::sqrt(sets));
+
+  Quantity const p(table, "p");
+  double squares = 0.0;
+  for (std::uint32_t replica = 1; replica <= 4000; ++replica) {
+    double const off = p.resampled(single, {7, replica, 0}) - p.of(single).mean;
+    squares += off * off / 4000;
+  }
+  EXPECT_NEAR(std::sqrt(squares), 0.001, 0.00005);  // the seed's own error
+}
+
+TEST(Quantity, ResamplingIsRepeatableAndTakesTheSameSeedsForAll) {
+  auto table = small_table();
+  table.observables["sigma"] = table.observables["p"];
+  std::vector<std::size_t> const seeds{0, 1, 2};
+  Quantity const p(table, "p"), sigma(table, "sigma"), ratio(table, "sigma/p");
+  bool changes = false;
+  for (std::uint32_t replica = 1; replica <= 50; ++replica) {
+    Draw const draw{3, replica, 0};
+    EXPECT_EQ(p.resampled(seeds, draw), p.resampled(seeds, draw));
+    EXPECT_EQ(p.resampled(seeds, draw), sigma.resampled(seeds, draw));
+    EXPECT_EQ(ratio.resampled(seeds, draw), 1.0);
+    changes = changes || p.resampled(seeds, draw) != p.resampled(seeds, {4, replica, 0});
+  }
+  EXPECT_TRUE(changes);
+  EXPECT_EQ(p.resampled(seeds, {3, 0, 0}), p.of(seeds).mean);
+}
+
+}  // namespace
+}  // namespace bagnold::analysis

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/analysis/sweep_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "src/config/errors.hpp"
+#include "src/config/scene_file.hpp"
+#include "src/io/atomic_file.hpp"
+#include "src/io/hdf5_writer.hpp"
+#include "tests/io/folder.hpp"
+
+namespace bagnold::analysis {
+namespace {
+
+constexpr std::size_t count = 3;
+
+/// Two keys, one observable.
+void put_good(io::Hdf5Writer& file) {
+  file.group("/points");
+  file.group("/observables");
+  file.dataset("/points/disks.elasticity", std::vector<double>{1, 10, 100}, {count});
+  file.dataset("/points/disks.seed", std::vector<std::int64_t>{1, 1, 2}, {count});
+  file.dataset("/points/folder", std::vector<double>{0, 1, 2}, {count});  // no key
+  file.dataset("/observables/p", std::vector<double>{1, 2, std::nan("")}, {count});
+  file.dataset("/observables/p_error", std::vector<double>{0.1, 0.2, std::nan("")}, {count});
+}
+
+class SweepTableFile : public testing::Test {
+ protected:
+  SweepTable table(std::function<void(io::Hdf5Writer&)> const& put) {
+    io::Hdf5Writer file;
+    put(file);
+    io::replace_file(folder_ / "sweep.h5", file.image());
+    return read_sweep_table(folder_.path());
+  }
+
+  void refuses(std::function<void(io::Hdf5Writer&)> const& put, std::string const& reason) {
+    try {
+      table(put);
+      ADD_FAILURE() << "accepted; expected: " << reason;
+    } catch (InputError const& error) {
+      EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
+    }
+  }
+
+  /// The good file, changed by HDF5 itself.
+  void refuses_changed(std::function<void(hid_t)> const& change, std::string const& reason) {
+    io::Hdf5Writer file;
+    put_good(file);
+    io::replace_file(folder_ / "sweep.h5", file.image());
+    hid_t const open = H5Fopen((folder_ / "sweep.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+    change(open);
+    H5Fclose(open);
+    try {
+      read_sweep_table(folder_ / "sweep.h5");
+      ADD_FAILURE() << "accepted; expected: " << reason;
+    } catch (InputError const& error) {
+      EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
+    }
+  }
+
+  io::TestFolder folder_;
+};
+
+TEST_F(SweepTableFile, IsRead) {
+  auto const found = table(put_good);
+  EXPECT_EQ(found.points, count);
+  EXPECT_EQ(found.numbers("disks.elasticity"), (std::vector<double>{1, 10, 100}));
+  EXPECT_EQ(found.numbers("disks.seed"), (std::vector<double>{1, 1, 2}));
+  EXPECT_EQ(found.keys.size(), 2u);
+  EXPECT_EQ(found.observables.size(), 1u);
+  EXPECT_EQ(found.observables.at("p").error[1], 0.2);
+  EXPECT_FALSE(found.failed(0));
+  EXPECT_TRUE(found.failed(2));
+}
+
+TEST_F(SweepTableFile, KeysThatWereNotVariedAreInTheScenes) {
+  Scene scene;
+  scene.disks = {"CD", 64, 0.8, 1.0, "equal"};
+  scene.shear.strain_rate = 1e-4;
+  scene.shear.strain = 1.0;
+  auto found = table(put_good);
+  found.scenes.assign(count, write_scene(scene));
+  EXPECT_EQ(found.numbers("shear.strain_rate"), std::vector<double>(count, 1e-4));
+  EXPECT_EQ(found.numbers("disks.count"), std::vector<double>(count, 64));
+  EXPECT_THROW(found.numbers("disks.model"), InputError);
+  EXPECT_THROW(found.numbers("disks.elasticty"), InputError);
+}
+
+TEST_F(SweepTableFile, OddFilesAreRefused) {
+  refuses([](auto& file) { file.group("/points"); }, "/observables is missing");
+  refuses([](auto&) {}, "/points is missing");
+  refuses(
+      [](auto& file) {
+        put_good(file);
+        file.dataset("/observables/mu", std::vector<double>{1, 2}, {2});
+      },
+      "has the shape [2] (must be [3])");
+  refuses(
+      [](auto& file) {
+        put_good(file);
+        file.dataset("/points/disks.count", std::vector<double>{1, 2, std::nan("")}, {count});
+      },
+      "/points/disks.count = nan (must be finite)");
+  refuses(
+      [](auto& file) {
+        file.group("/points");
+        file.group("/observables");
+        file.dataset("/points/disks.count", std::vector<double>{}, {0});
+      },
+      "no row of values");
+  refuses(
+      [](auto& file) {
+        put_good(file);
+        file.text("/points/disks.model", "CD");
+      },
+      "must be [3]");
+  EXPECT_THROW(read_sweep_table(folder_ / "nothing.h5"), InputError);
+  io::replace_file(folder_ / "sweep.h5", io::bytes_of("not HDF5"));
+  EXPECT_THROW(read_sweep_table(folder_.path()), InputError);
+}
+
+TEST_F(SweepTableFile, HostileFilesAreRefused) {
+  refuses_changed(
+      [](hid_t file) {
+        H5Lcreate_external("/etc/passwd", "/", file, "/observables/mu", H5P_DEFAULT, H5P_DEFAULT);
+      },
+      "soft or external link");
+  refuses_changed(
+      [](hid_t file) {
+        hsize_t const rows = count;
+        io::Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+        H5Tset_size(type.get(), H5T_VARIABLE);
+        io::Handle space(H5Screate_simple(1, &rows, nullptr), H5Sclose);
+        io::Handle made(H5Dcreate2(file, "/points/disks.model", type.get(), space.get(),
+                                   H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                        H5Dclose);
+      },
+      "/points/disks.model");
+  refuses_changed(
+      [](hid_t file) {
+        hsize_t const rows = hsize_t{1} << 45;
+        io::Handle space(H5Screate_simple(1, &rows, nullptr), H5Sclose);
+        io::Handle made(H5Dcreate2(file, "/observables/mu", H5T_IEEE_F64LE, space.get(),
+                                   H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                        H5Dclose);
+      },
+      "more than the");
+}
+
+}  // namespace
+}  // namespace bagnold::analysis

@@ -1,0 +1,241 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""bagnold analyse: sweeps of known content go in, the known numbers come out."""
+
+import csv
+import math
+import unittest
+
+import h5py
+import numpy as np
+
+from bagnold import CliTest
+from sweep_table import crossover, grid, noisy, q_star, write_sweep
+
+PHI_J, X, Q0, C = 0.84335, 1.65, 1.89, 0.05
+
+
+def rows_of(path):
+    with open(path, newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+class AnalyseTest(CliTest):
+    def sweep(self, points, relative, **values):
+        """A folder with sweep.h5; the observables get noise of that relative size."""
+        random = np.random.default_rng(20)
+        pairs = {name: noisy(value, relative, random) for name, value in values.items()}
+        self.sweep_folder = self.folder / "sweep"
+        self.sweep_folder.mkdir(exist_ok=True)
+        write_sweep(self.sweep_folder / "sweep.h5", points, {k: v[0] for k, v in pairs.items()},
+                    {k: v[1] for k, v in pairs.items()})
+        return self.sweep_folder
+
+    def analyse(self, kind, *options, code=0):
+        result = self.bagnold("analyse", kind, self.sweep_folder, *options)
+        self.assertEqual(result.returncode, code, result.stderr)
+        self.result = result
+        if code:
+            return None
+        picture = self.sweep_folder / f"{kind}.png"
+        self.assertEqual(picture.read_bytes()[:4], b"\x89PNG")
+        return rows_of(self.sweep_folder / f"{kind}.csv")
+
+    def near(self, row, name, truth, least=0.0):
+        """Within four of its own errors, which must be there."""
+        error = float(row[f"{name}_error"])
+        self.assertGreater(error, least)
+        self.assertLess(abs(float(row[name]) - truth), 4 * error, (name, row))
+        self.assertGreater(float(row[f"{name}_bootstrap"]), 0)
+
+    def refused(self, kind, *options, words=()):
+        self.analyse(kind, *options, code=2)
+        for word in words:
+            self.assertIn(word, self.result.stderr)
+
+    def bagnold_states(self):
+        points = grid(disks__packing_fraction=[0.60, 0.70, 0.76, 0.80, 0.82, 0.83],
+                      disks__elasticity=list(np.geomspace(0.1, 500, 16)), disks__seed=[1, 2, 3])
+        phi, q = points["disks.packing_fraction"], points["disks.elasticity"]
+        b = crossover(q, q_star(phi, Q0, C, PHI_J, X), c=0.02 * (PHI_J - phi) ** -3)
+        self.sweep(points, 0.02, B_p_el=b, B_p=b, I=b**-0.5, mu=0.093 + 0.6 * b**-0.23)
+
+    def test_crossover(self):
+        self.bagnold_states()
+        rows = self.analyse("crossover")
+        self.assertEqual(len(rows), 6)
+        for row in rows:
+            phi = float(row["disks.packing_fraction"])
+            self.near(row, "Q_star", q_star(phi, Q0, C, PHI_J, X))
+            self.near(row, "q", 1.3)
+            self.assertEqual(row["freedom"], "12")
+        self.assertIn("Q_star", self.result.stdout)
+
+    def test_divergence_of_crossovers(self):
+        self.bagnold_states()
+        (row,) = self.analyse("divergence", "--phi-j", PHI_J)
+        self.near(row, "x", X)
+        self.near(row, "Q0", Q0)
+        self.assertEqual(float(row["phi_J"]), PHI_J)
+        self.assertEqual(float(row["phi_J_error"]), 0)
+        (row,) = self.analyse("divergence")
+        self.near(row, "phi_J", PHI_J)
+
+    def test_divergence_of_drops(self):
+        """P2 Figs. 1 and 3: P_el ~ 1/Q, a drop at Q_c(phi), then P_el ~ Q."""
+        points = grid(disks__packing_fraction=[0.70, 0.76, 0.79, 0.80, 0.81, 0.82, 0.83],
+                      disks__elasticity=list(np.geomspace(2, 100, 120)))
+        phi, q = points["disks.packing_fraction"], points["disks.elasticity"]
+        q_c = q_star(phi, 1.2, 0.3, 0.8433, 1.1)
+        self.sweep(points, 0.02, p_el=np.where(q < q_c, 1e-5 / q, 1e-8 * q))
+        (row,) = self.analyse("divergence", "--of", "jump", "--phi-j", 0.8433)
+        self.near(row, "x", 1.1)
+        self.near(row, "Q0", 1.2)
+        self.assertLess(float(row["x_error"]), 0.15)
+        ratio = float(row["x_bootstrap"]) / float(row["x_error"])
+        self.assertLess(abs(math.log(ratio)), math.log(1.5))
+
+    def test_divergence_of_a_quantity(self):
+        points = grid(disks__packing_fraction=list(np.linspace(0.70, 0.835, 12)))
+        phi = points["disks.packing_fraction"]
+        self.sweep(points, 0.01, B_p=q_star(phi, 0.0, 0.02, PHI_J, 3.0))
+        (row,) = self.analyse("divergence", "--of", "value", "--y", "B_p", "--fix", "Q0=0",
+                              "--phi-j", PHI_J)
+        self.near(row, "x", 3.0)
+
+    def test_friction_law(self):
+        points = grid(disks__packing_fraction=list(np.linspace(0.70, 0.84, 14)), disks__seed=[1, 2])
+        inertial = 0.5 * (PHI_J - points["disks.packing_fraction"]) ** 1.5
+        self.sweep(points, 0.002, I=inertial, mu=0.093 + 0.6 * inertial**0.46)
+        (row,) = self.analyse("friction-law")
+        self.near(row, "b", 0.46)
+        self.near(row, "mu_J", 0.093)
+        (row,) = self.analyse("friction-law", "--fix", "mu_J=0.093")
+        self.assertEqual(float(row["mu_J_error"]), 0)
+        self.near(row, "b", 0.46)
+
+    def test_exponents(self):
+        self.bagnold_states()
+        rows = self.analyse("exponents", "--phi-j", PHI_J, "--where", "disks.elasticity=0.1")
+        whole = [row for row in rows if row["window"] == "all"]
+        self.assertEqual(len(whole), 1)
+        self.near(whole[0], "exponent", -3.0)
+        self.assertEqual(len(rows), 1 + 4)
+
+    def test_transition(self):
+        points = grid(shear__strain_rate=[1e-6, 1e-5], disks__packing_fraction=[0.81, 0.82],
+                      disks__elasticity=list(np.linspace(5, 40, 15)))
+        rate, phi = points["shear.strain_rate"], points["disks.packing_fraction"]
+        q_c = np.where(phi == 0.81, 14.0, 21.3)
+        z = rate * (200 + 3e3 * np.maximum(0, q_c - points["disks.elasticity"]) * (1e-5 / rate) ** 0.5)
+        points["shear.strain"] = np.where(rate == 1e-6, 10.0, 20.0)  # follows the rate
+        self.sweep(points, 0.01, Z=z)
+        rows = self.analyse("transition")
+        self.assertEqual([row["disks.packing_fraction"] for row in rows], ["0.81", "0.82"])
+        self.near(rows[0], "Q_c", 14.0)
+        self.near(rows[1], "Q_c", 21.3)
+
+    def bands(self):
+        points = grid(shear__strain_rate=list(np.geomspace(1e-6, 1e-4, 7)),
+                      disks__packing_fraction=list(np.round(np.linspace(0.77, 0.82, 26), 4)))
+        rate, phi = points["shear.strain_rate"], points["disks.packing_fraction"]
+        low, high = 0.7953, 0.8071
+        p = 3e3 * rate**2 * np.exp(20 * (phi - 0.77) + 400 * np.clip(phi - low, 0, high - low))
+        self.sweep(points, 0.02, p=p, p_el=p, mu=0.5 - 0.02 * np.log(rate),
+                   R_v=np.where((phi > low) & (phi < high), 20.0, 1.1))
+        return low, high
+
+    def test_kinks(self):
+        low, high = self.bands()
+        rows = self.analyse("kink", "--kinks", 2, "--log-y")
+        self.assertEqual(len(rows), 7)
+        for row in rows:
+            self.near(row, "phi_1", low)
+            self.near(row, "phi_2", high)
+
+    def test_jumps(self):
+        low, high = self.bands()
+        for row in self.analyse("jump", "--resamples", 50):
+            for name, truth in (("phi_up", low), ("phi_down", high)):
+                self.assertLess(abs(float(row[name]) - truth), 0.002)
+            self.assertAlmostEqual(float(row["phi_up"]), 0.795, 6)
+            self.assertAlmostEqual(float(row["phi_up_error"]), 0.002 / math.sqrt(12), 6)
+
+    def test_constant_pressure(self):
+        self.bands()
+        rows = self.analyse("constant-pressure", "--pressure", 2e-5)
+        for row in rows[:8]:  # p = a rate^2 at each phi: straight in logarithms
+            phi = float(row["disks.packing_fraction"])
+            self.assertLess(phi, 0.79)
+            rate = math.sqrt(2e-5 / (3e3 * math.exp(20 * (phi - 0.77))))
+            self.near(row, "gammadot", rate)
+            self.near(row, "mu", 0.5 - 0.02 * math.log(rate))
+
+    def test_table_merges_seeds(self):
+        points = grid(disks__elasticity=[1.0, 10.0], disks__seed=[1, 2, 3, 4])
+        self.sweep(points, 0.0, p=points["disks.elasticity"] + 0.1 * points["disks.seed"])
+        rows = self.analyse("table")
+        self.assertEqual([float(row["p"]) for row in rows], [1.25, 10.25])
+        self.assertEqual([row["seeds"] for row in rows], ["4", "4"])
+        for row in rows:  # 0.1 sqrt(((1.5^2 + 0.5^2) 2) / (4 3))
+            self.assertAlmostEqual(float(row["p_error"]), 0.1 * math.sqrt(5 / 12), 12)
+
+    def test_same_bytes_each_time(self):
+        self.bagnold_states()
+        texts = []
+        for name in ("a", "b"):
+            self.assertEqual(self.bagnold("analyse", "crossover", self.sweep_folder / "sweep.h5",
+                                          "--out", self.folder / name).returncode, 0)
+            texts.append((self.folder / f"{name}.csv").read_bytes()
+                         + (self.folder / f"{name}.drawn.csv").read_bytes())
+        self.assertEqual(texts[0], texts[1])
+        self.bagnold("analyse", "crossover", self.sweep_folder, "--seed", 2, "--out",
+                     self.folder / "c")
+        self.assertNotEqual((self.folder / "c.csv").read_bytes(),
+                            (self.folder / "a.csv").read_bytes())
+
+    def test_failed_points_are_left_out_and_said(self):
+        self.bagnold_states()
+        with h5py.File(self.sweep_folder / "sweep.h5", "r+") as file:
+            for name in file["observables"]:
+                file[f"observables/{name}"][5] = np.nan
+                file[f"observables/{name}"][48:51] = np.nan  # all seeds of one datum
+        rows = self.analyse("crossover")
+        self.assertIn("4 of 288 points have no result and are left out", self.result.stderr)
+        self.assertEqual([row["points"] for row in rows], ["16", "15", "16", "16", "16", "16"])
+
+    def test_a_curve_that_fails_leaves_the_others(self):
+        self.bagnold_states()
+        with h5py.File(self.sweep_folder / "sweep.h5", "r+") as file:
+            for name in file["observables"]:
+                file[f"observables/{name}"][:42] = np.nan
+        rows = self.analyse("crossover")
+        self.assertIn("2 points", rows[0]["failure"])
+        self.assertEqual(rows[0]["Q_star"], "")
+        self.assertEqual(rows[1]["failure"], "")
+
+    def test_bad_input(self):
+        self.bagnold_states()
+        self.refused("crosover", words=["no such kind", "crossover"])
+        self.refused("crossover", "--y", "B_q", words=["B_q", "no such observable", "B_p"])
+        self.refused("crossover", "--fix", "z=1", words=["no parameter"])
+        self.refused("crossover", "--fix", "s", words=["NAME=VALUE"])
+        self.refused("crossover", "--fix", "s=two", words=["not a number"])
+        self.refused("crossover", "--range", 1000, 2000, words=["points"])
+        self.refused("crossover", "--where", "disks.mass=equal", words=["not varied"])
+        self.refused("transition", "--y", "B_p_el", words=["shear.strain_rate"])
+        self.refused("constant-pressure", words=["--pressure"])
+        self.refused("exponents", words=["--phi-j"])
+        self.refused("divergence", "--of", "wish", words=["--of wish"])
+        self.refused("jump", "--direction", "sideways", words=["sideways"])
+        self.sweep_folder = self.folder / "nowhere"
+        self.refused("crossover", words=["is not there"])
+
+    def test_help_lists_kinds_with_equations(self):
+        text = self.bagnold("analyse", "--help").stdout
+        for words in ("crossover", "C [1 + (Q/Q*)^s]^(q/s)", "Q0 + c (phi_J - phi)^-x",
+                      "mu_J + c I^b", "P2 App. A", "constant-pressure"):
+            self.assertIn(words, text)
+
+
+if __name__ == "__main__":
+    unittest.main()
