@@ -183,7 +183,7 @@ void Runner::checkpoint() {
   c.scene = write_scene(run_.scene);
   c.wall_seconds = run_.wall_seconds;
   for (std::size_t r = 0; r < simulations_.size(); ++r) c.systems.push_back(checkpoint_of(r));
-  io::write_checkpoint(folder_.path(), c);
+  io::write_checkpoint(folder_.path(), std::move(c));
   write_result_file(folder_, run_);
   checkpointed_ = SteadyClock::now();
 }

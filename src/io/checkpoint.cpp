@@ -5,6 +5,7 @@
 
 #include <exception>
 #include <span>
+#include <utility>
 
 #include "src/config/errors.hpp"
 #include "src/io/atomic_file.hpp"
@@ -132,7 +133,7 @@ std::int64_t Checkpoint::steps() const {
   return sum;
 }
 
-std::vector<std::byte> checkpoint_image(Checkpoint const& checkpoint) {
+std::vector<std::byte> checkpoint_image(Checkpoint checkpoint) {
   Hdf5Writer file(Hashed::yes);
   auto const count = checkpoint.systems.size();
   file.attribute("/", "format", "bagnold-checkpoint");
@@ -144,6 +145,7 @@ std::vector<std::byte> checkpoint_image(Checkpoint const& checkpoint) {
     auto const at = place_of(r, count);
     if (!at.empty()) file.group(at);
     put_system(file, checkpoint.systems[r], at, checkpoint.wall_seconds);
+    checkpoint.systems[r] = {};
   }
   auto image = file.image();
   add_seal(image);
@@ -172,8 +174,8 @@ Checkpoint parse_checkpoint(std::string const& name, std::vector<std::byte> imag
   return checkpoint;
 }
 
-void write_checkpoint(std::filesystem::path const& folder, Checkpoint const& checkpoint) {
-  auto const image = checkpoint_image(checkpoint);
+void write_checkpoint(std::filesystem::path const& folder, Checkpoint checkpoint) {
+  auto const image = checkpoint_image(std::move(checkpoint));
   adopt_whole_temporary(folder);
   write_verified(temporary_of(newest_of(folder)), image);
   take_names(folder);

@@ -43,7 +43,7 @@ struct Checkpoint {
 };
 
 /// The sealed file in memory.
-std::vector<std::byte> checkpoint_image(Checkpoint const& checkpoint);
+std::vector<std::byte> checkpoint_image(Checkpoint checkpoint);
 
 /// Its inverse. InputError where the bytes are not a checkpoint, whole and unchanged; `name` is for
 /// messages.
@@ -53,7 +53,7 @@ Checkpoint parse_checkpoint(std::string const& name, std::vector<std::byte> imag
 /// written to `checkpoint.h5.tmp`, brought to the disk and verified before any name changes, so
 /// that after a kill at any instant at least one of the three verifies, if one did before. On
 /// failure the older two are untouched, and FileError says what to do.
-void write_checkpoint(std::filesystem::path const& folder, Checkpoint const& checkpoint);
+void write_checkpoint(std::filesystem::path const& folder, Checkpoint checkpoint);
 
 /// The checkpoint with most steps, of all systems, that verifies, a finished temporary included;
 /// nothing if none does. Never throws for a damaged file: `remarks` (if not null) gets one line for
