@@ -83,6 +83,8 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
 
   visit(Key{"measure.every", "steps", "between evaluations inside a window", optional, 1, 1e12},
         measure.every);
+  visit(Key{"measure.contacts", "", "durations, rate, angles and clusters of contacts", optional},
+        measure.contacts);
 
   visit(Key{"output.sample_strain", "", "window whose averages are recorded", optional, 0, many,
             above}, output.sample_strain);
