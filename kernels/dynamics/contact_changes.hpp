@@ -6,8 +6,8 @@
 
 namespace bagnold {
 
-/// Calls pack(pairs, touched, touching, d) for each eight pairs of a block's inner list: which were in
-/// contact by `touched`, and which are, by the comparison that forces make. d: r_ij and v_ij.
+/// Calls pack(pairs, touched, touching, d) for each eight pairs of a block's inner list: which were
+/// in contact by `touched`, and which are, by the comparison that forces make. d: r_ij and v_ij.
 ///
 /// records: the block's, halo included; touched: a byte for eight places of the inner list.
 template <class OfPack>

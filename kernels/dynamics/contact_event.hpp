@@ -13,10 +13,11 @@ namespace bagnold {
 /// A contact begins or ends: r_ij < d_ij in one of two configurations a step apart and not in the
 /// other.
 struct ContactEvent {
-  std::int64_t step = 0;   ///< of the later configuration: the first in contact, or the first out of it
+  std::int64_t step =
+      0;  ///< of the later configuration: the first in contact, or the first out of it
   bool begins = false;
   std::uint32_t a = 0, b = 0;  ///< disks by their index at the start, a < b
-  Real theta = 0;          ///< from the relative velocity to the separation there, [degrees]
+  Real theta = 0;              ///< from the relative velocity to the separation there, [degrees]
 
   /// Of one configuration ends come first: what begins then is not in contact with them.
   friend bool operator<(ContactEvent const& l, ContactEvent const& r) {

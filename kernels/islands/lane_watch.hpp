@@ -26,9 +26,9 @@ struct LaneWatch {
     touched ^= changed;
     for (auto lanes = changed; lanes != 0; lanes &= lanes - 1) {
       int const k = __builtin_ctz(lanes);
-      lane[k].events->push_back(contact_event(
-          begin + static_cast<std::int64_t>(step.v[k]), (touched >> k & 1) != 0, lane[k].a,
-          lane[k].b, at(separation, k), at(velocity, k)));
+      lane[k].events->push_back(contact_event(begin + static_cast<std::int64_t>(step.v[k]),
+                                              (touched >> k & 1) != 0, lane[k].a, lane[k].b,
+                                              at(separation, k), at(velocity, k)));
     }
   }
 

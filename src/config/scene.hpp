@@ -51,6 +51,10 @@ struct Scene {
   struct Measure {
     std::int64_t every = 10;
     bool contacts = false;
+    bool profiles = false;
+    bool fields = false;
+    bool rotation = false;
+    double frame_strain = 0.1;
   } measure;
 
   struct Output {

@@ -25,14 +25,15 @@ class ContactListener {
 /// Turns the events of one system into sums of measurement windows.
 ///
 /// A contact lasts from the first configuration in contact to the first one out of it, so that
-/// durations add up to the contacts of all configurations. It counts, whole, in the window in which it
-/// ends; its beginning in the window in which it begins. What was in contact at the start has no
+/// durations add up to the contacts of all configurations. It counts, whole, in the window in which
+/// it ends; its beginning in the window in which it begins. What was in contact at the start has no
 /// duration.
 class ContactRecord {
  public:
   static constexpr std::size_t largest_cluster = 64;
 
-  /// first_column: of ContactColumns in the windows. The listener hears of events from first_step on.
+  /// first_column: of ContactColumns in the windows. The listener hears of events from first_step
+  /// on.
   ContactRecord(std::size_t disks, int first_column, std::int64_t first_step,
                 std::shared_ptr<ContactListener> listener)
       : table(disks),

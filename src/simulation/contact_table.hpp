@@ -10,8 +10,8 @@ namespace bagnold {
 /// A contact that has begun and not ended.
 struct OpenContact {
   std::uint32_t a = 0, b = 0;  ///< disks by their index at the start, a < b
-  std::int64_t begin = 0;      ///< the first configuration in contact; 0: it was there from the start
-  bool binary = true;          ///< neither disk has touched a third one since
+  std::int64_t begin = 0;  ///< the first configuration in contact; 0: it was there from the start
+  bool binary = true;      ///< neither disk has touched a third one since
 };
 
 /// All contacts between the disks of one system, and so the graph of who touches whom.
@@ -25,7 +25,8 @@ class ContactTable {
   void open(std::uint32_t a, std::uint32_t b, std::int64_t step);
   OpenContact close(std::uint32_t a, std::uint32_t b);
 
-  /// Disks that a disk reaches from contact to contact, itself included; at most `most` are counted.
+  /// Disks that a disk reaches from contact to contact, itself included; at most `most` are
+  /// counted.
   std::size_t cluster(std::uint32_t disk, std::size_t most) const;
 
   /// By a, then b.

@@ -37,14 +37,15 @@ class ContactWatch {
       Block const& block = blocks.block(b);
       refresh_halo(blocks, block, all.now, box);
       auto const* const records = all.now.record.data() + block.first;
-      contact_changes(blocks, block, records, touched_.data(),
-                      [&](simd::LocalPair const& pair, bool begins, Vec2<Real> const& separation,
-                          Vec2<Real> const& velocity) {
-                        auto const slots = slot_pair(blocks, block, pair);
-                        if (!is_first_listing(slots)) return;
-                        found_[b].push_back(contact_event(step, begins, disk(slots.a),
-                                                          disk(slots.b.index()), separation, velocity));
-                      });
+      contact_changes(
+          blocks, block, records, touched_.data(),
+          [&](simd::LocalPair const& pair, bool begins, Vec2<Real> const& separation,
+              Vec2<Real> const& velocity) {
+            auto const slots = slot_pair(blocks, block, pair);
+            if (!is_first_listing(slots)) return;
+            found_[b].push_back(contact_event(step, begins, disk(slots.a), disk(slots.b.index()),
+                                              separation, velocity));
+          });
       if (sampled) motion_[b] = contact_motion(blocks, block, records, touched_.data());
     });
     for (auto& found : found_) take(found);
@@ -108,10 +109,10 @@ class ContactWatch {
     listed_ = true;
   }
 
-  bool arranged_ = false;  ///< disk_of_ is that of the blocks
-  bool listed_ = false;    ///< touched_ is that of the inner lists
-  std::vector<std::uint32_t> disk_of_;  ///< by slot
-  std::vector<std::uint8_t> touched_;   ///< a byte for eight places of the inner lists
+  bool arranged_ = false;                         ///< disk_of_ is that of the blocks
+  bool listed_ = false;                           ///< touched_ is that of the inner lists
+  std::vector<std::uint32_t> disk_of_;            ///< by slot
+  std::vector<std::uint8_t> touched_;             ///< a byte for eight places of the inner lists
   std::vector<std::vector<ContactEvent>> found_;  ///< by block
   std::vector<ContactMotion> motion_;             ///< by block
   std::vector<ContactEvent> events_;

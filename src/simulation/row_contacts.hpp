@@ -6,8 +6,8 @@
 
 namespace bagnold {
 
-/// Sees contacts begin and end from the rows of a full list, on the host, pair by pair: plain, and what
-/// ContactWatch is held against.
+/// Sees contacts begin and end from the rows of a full list, on the host, pair by pair: plain, and
+/// what ContactWatch is held against.
 template <ContactLaw Law, class Repulsion, class Space>
 void look_along_rows(ContactForces<Law, Repulsion, Space> const& forces, std::int64_t step,
                      Sampling const& sampling, OpenWindows& windows) {

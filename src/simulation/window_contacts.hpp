@@ -11,8 +11,8 @@ namespace bagnold {
 /// units count.
 class WindowContacts {
  public:
-  /// Before a window, when all contacts of the configurations before it have been told; first closes
-  /// those that have parted in its own first one, which no unit may see.
+  /// Before a window, when all contacts of the configurations before it have been told; first
+  /// closes those that have parted in its own first one, which no unit may see.
   template <class Step>
   void begin(ContactWatch& watch, Step const& all, ShearedBox const& box, std::int64_t step,
              Sampling const& sampling, OpenWindows& windows) {
@@ -64,9 +64,9 @@ class WindowContacts {
     contact_changes(blocks, block, records + block.first, touched_.data(),
                     [&](simd::LocalPair const& pair, bool begins, Vec2<Real> const& separation,
                         Vec2<Real> const& velocity) {
-                      events_[unit].push_back(contact_event(
-                          begin_ + steps, begins, watch_->disk(slot(b, pair.a())),
-                          watch_->disk(slot(b, pair.b())), separation, velocity));
+                      events_[unit].push_back(
+                          contact_event(begin_ + steps, begins, watch_->disk(slot(b, pair.a())),
+                                        watch_->disk(slot(b, pair.b())), separation, velocity));
                     });
   }
 

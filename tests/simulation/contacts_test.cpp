@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tests/reference/binary_collision.hpp"
 #include "tests/support/contacts.hpp"
+
+#include "tests/reference/binary_collision.hpp"
 
 namespace bagnold::test {
 
@@ -60,7 +61,8 @@ TEST_P(Contacts, OfManyDisksAreThoseOfTheReferenceEngine) {
   expect_same(watched.listener->all, expected.listener->all);
   for (std::size_t w = 0; w < 2; ++w)
     for (int c = 0; c < ContactColumns::count; ++c)
-      EXPECT_NEAR(watched.sum(w, c, simulation->columns()), expected.sum(w, c, plain->columns()), 1e-7);
+      EXPECT_NEAR(watched.sum(w, c, simulation->columns()), expected.sum(w, c, plain->columns()),
+                  1e-7);
 }
 
 TEST_P(Contacts, DoNotDependOnHowARunIsCutAndActOnNothing) {
@@ -79,7 +81,8 @@ TEST_P(Contacts, DoNotDependOnHowARunIsCutAndActOnNothing) {
       chained->advance(83, sampling, b.windows);
       auto const open = b.windows.contacts->table.sorted();
       chained = make_simulation(scene, chained->snapshot(), backend());
-      b.windows.contacts = std::make_shared<ContactRecord>(start.count(), chained->columns(), 0, b.listener);
+      b.windows.contacts =
+          std::make_shared<ContactRecord>(start.count(), chained->columns(), 0, b.listener);
       b.windows.contacts->table.restore(open);
     }
     expect_same(a.listener->all, b.listener->all);

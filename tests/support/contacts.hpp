@@ -38,7 +38,7 @@ class Listener final : public ContactListener {
 /// What the reference, all pairs of every configuration, makes of a start.
 class AllPairs {
  public:
-  std::vector<Happened> all;                                      ///< ends first, then by pair
+  std::vector<Happened> all;  ///< ends first, then by pair
   std::vector<std::array<double, ContactColumns::count>> windows;
 
   AllPairs(Scene const& scene, State const& start, Sampling const& sampling) {
@@ -106,12 +106,14 @@ class AllPairs {
   /// A pair that touches no more, as a contact of two larger disks.
   static reference::Contact apart(reference::System const& system, PairOfDisks const& pair) {
     State two = system.s;
-    for (auto* list : {&two.position, &two.velocity}) *list = {(*list)[pair.first], (*list)[pair.second]};
+    for (auto* list : {&two.position, &two.velocity})
+      *list = {(*list)[pair.first], (*list)[pair.second]};
     two.diameter = {2.0, 2.0};
     return reference::contacts(system.p, two, reference::strain(system)).at(0);
   }
 
-  static std::int64_t cluster(std::vector<std::set<std::uint32_t>> const& touch, std::uint32_t from) {
+  static std::int64_t cluster(std::vector<std::set<std::uint32_t>> const& touch,
+                              std::uint32_t from) {
     std::set<std::uint32_t> found{from};
     for (std::size_t before = 0; before != found.size();) {
       before = found.size();
