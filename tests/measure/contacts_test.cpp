@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "kernels/observables/sums.hpp"
+
 #include "src/config/time_step.hpp"
 #include "src/simulation/observables.hpp"
 
