@@ -3,6 +3,7 @@
 
 #include "kernels/contact/pair_force.hpp"
 #include "kernels/core/species.hpp"
+#include "kernels/islands/lane_watch.hpp"
 #include "kernels/islands/sample_times.hpp"
 #include "kernels/observables/sums.hpp"
 #include "kernels/simd/pack.hpp"
@@ -39,9 +40,11 @@ struct BinaryCollisions {
   Real strain_rate;
 
   /// Brings pairs (a[k], b[k]), k < count <= 8, through `steps` steps. What they add to the sampled
-  /// sums, beyond what their straight flights would, is added to sums[k * times.bins() + bin].
+  /// sums, beyond what their straight flights would, is added to sums[k * times.bins() + bin]. watch
+  /// sees every step near a contact.
+  template <class Watch>
   Outcome run(Disk* a, Disk* b, int count, std::int64_t steps, SampleTimes const& times,
-              Sums<rotates>* sums) const {
+              Sums<rotates>* sums, Watch&& watch) const {
     Lanes p(*this, a, count), q(*this, b, count);
     Touch const touch(a, b, count);
     Outcome outcome;
@@ -62,12 +65,15 @@ struct BinaryCollisions {
       if (!active.any()) break;
       Pack const dt = zero_unless(active, time_step);
       auto const f = feel(p, q, touch);
+      Vec2<Pack> const velocity{p.vx - q.vx, p.vy - q.vy};
+      watch.look(active, f.touching, step, f.force.separation, velocity);
       auto const sampled = active & (due < step + 0.5);
       if (sampled.any())
         for (auto lanes = sampled.lanes(); lanes != 0; lanes &= lanes - 1) {
           int const k = __builtin_ctz(lanes);
           add_sample(sums[static_cast<std::size_t>(k) * times.bins() + times.bin(sample[k])], f, p,
                      q, k, step.v[k]);
+          watch.sample(k, times.bin(sample[k]), f.force.separation, velocity);
           due.v[k] = due_step(times, ++sample[k]);
         }
       Lanes const p1 = p.predicted(f, dt, 1.0), q1 = q.predicted(f, dt, -1.0);

@@ -13,6 +13,7 @@
 #include "src/config/errors.hpp"
 #include "src/config/scene_file.hpp"
 #include "src/io/state_file.hpp"
+#include "src/measure/contacts.hpp"
 #include "src/measure/make_frames.hpp"
 #include "src/simulation/make_simulation.hpp"
 #include "src/start/start.hpp"
@@ -69,7 +70,6 @@ void Runner::make(std::size_t r, std::optional<Snapshot> snapshot) {
   } catch (NumericalError const& error) {
     throw ReplicaFailure{r, error.what(), snapshot->state};
   }
-  replica.measurement.windows.columns = static_cast<std::size_t>(simulations_[r]->columns());
   watch(r, snapshot->state);
   steps_[r] = simulations_[r]->step();
 }
@@ -80,6 +80,12 @@ void Runner::watch(std::size_t r, State const& start) {
   auto const file =
       folder_.trajectory(run_.replicas.size() > 1 ? std::optional(seed(r)) : std::nullopt);
   frames = make_frames(run_.scene, run_.plan, start, file, provenance().version);
+  auto const columns = simulations_[r]->columns();
+  replica.measurement.windows.columns = static_cast<std::size_t>(columns);
+  if (run_.scene.measure.contacts) {
+    replica.measurement.open.contacts = watch_contacts(run_.scene, run_.plan, columns, frames);
+    replica.measurement.windows.columns += ContactColumns::count;
+  }
   if (replica.saved_frames)
     frames.load(*std::exchange(replica.saved_frames, {}));
   else
@@ -163,8 +169,8 @@ io::SystemCheckpoint Runner::checkpoint_of(std::size_t r) {
   c.initial_time = snapshot.initial_time;
   c.builds = snapshot.list_builds;
   c.engine = replica.engine = std::move(snapshot.engine);
-  c.columns = simulations_[r]->columns();
   auto& [windows, open, frames] = replica.measurement;
+  c.columns = static_cast<std::int64_t>(windows.columns);
   c.window_sums = windows.sums;
   c.window_weight = windows.weight;
   if (!open.sums.empty()) {  // one at most: an engine stops where it has caught up

@@ -83,6 +83,8 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
 
   visit(Key{"measure.every", "steps", "between evaluations inside a window", optional, 1, 1e12},
         measure.every);
+  visit(Key{"measure.contacts", "", "durations, rate, angles and clusters of contacts", optional},
+        measure.contacts);
   visit(Key{"measure.profiles", "", "profiles over y of flow, packing and stress; band fractions",
             optional}, measure.profiles);
   visit(Key{"measure.fields", "", "packing fraction and strain rate within 4 d_s of each disk",

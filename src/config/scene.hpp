@@ -50,6 +50,7 @@ struct Scene {
 
   struct Measure {
     std::int64_t every = 10;
+    bool contacts = false;
     bool profiles = false;
     bool fields = false;
     bool rotation = false;

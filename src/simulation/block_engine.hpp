@@ -11,6 +11,7 @@
 #include "kernels/neighbors/verlet_list.hpp"
 #include "kernels/observables/block_sums.hpp"
 #include "src/simulation/clock.hpp"
+#include "src/simulation/contact_watch.hpp"
 #include "src/simulation/device_copy.hpp"
 #include "src/simulation/failure.hpp"
 #include "src/simulation/in_box.hpp"
@@ -112,6 +113,7 @@ class BlockEngine final : public Simulation {
   /// What must be known to go on bit for bit, beside the state and the list.
   template <class Visit>
   void for_each_memory(Visit const& visit) {
+    visit("fastest", fastest_);  // in dense steps a bound that depends on the steps before
     visit("outer_drift", outer_drift_);
     visit("prune_step", inner_.step);
     visit("inner_drift", inner_.drift);
@@ -149,6 +151,8 @@ class BlockEngine final : public Simulation {
   void step_once(Sampling const& sampling, OpenWindows& windows) {
     keep_lists();
     if (sampling.sampled(step_)) windows.add(sampling.window(step_), measure().value, 1);
+    if (windows.contacts)
+      watch_.look(loop_, kernels_, box_at(step_), step_, sampling, windows);
     do_step();
     ++steps_one_by_one_;
   }
@@ -182,7 +186,7 @@ class BlockEngine final : public Simulation {
       window.list_step = list_step_;
       window.most_stray = list_reach(clock_.strain_between(list_step_, end), skin_) - farthest;
     }
-    if (!windowed_.run(loop_, kernels_, clock_, window, sampling, windows,
+    if (!windowed_.run(loop_, kernels_, clock_, window, sampling, windows, watch_,
                        stepping_ == Stepping::windowed ? 1 : most_active))
       return step_through(end, sampling, windows);
     bool const whole = end - step_ == length;
@@ -356,6 +360,7 @@ class BlockEngine final : public Simulation {
     reports_ = Blocks::Array<BlockReport>(named("dynamics::reports"), blocks.count);
     sums_ = Blocks::Array<Sums<rotates>>(named("observables::block_sums"), blocks.count);
     windowed_.rearranged(kernels_);
+    watch_.rearranged();
 
     for (std::uint32_t b = 0; b < blocks.count; ++b) make_inert(blocks.block(b));
     for (std::size_t i = 0; i < count(); ++i) {
@@ -429,6 +434,7 @@ class BlockEngine final : public Simulation {
       prune_block(blocks, block, inner_list, kernels_.now.record.data() + block.first,
                   inner_.margin);
     });
+    watch_.relisted();
     if (dense_) dense_step_.resize(space_, blocks);
   }
 
@@ -563,6 +569,7 @@ class BlockEngine final : public Simulation {
   Blocks::Array<BlockReport> reports_;
   Blocks::Array<Sums<rotates>> sums_;
   std::vector<Real> far2_;  ///< by block
+  ContactWatch watch_;
 
   static constexpr std::int64_t look_every = 256;  ///< steps between choices
   static constexpr Real most_active = 0.6;  ///< share of the disks in a window

@@ -5,6 +5,8 @@
 #include <string>
 
 #include "kernels/observables/sums.hpp"
+#include "src/config/time_step.hpp"
+#include "src/simulation/contact_columns.hpp"
 
 namespace bagnold {
 
@@ -32,6 +34,29 @@ double shear_stress(Averages a) { return -total(a, &Part::xy); }
 double anisotropy(Averages a) { return (total(a, &Part::xx) - total(a, &Part::yy)) / 2; }
 
 constexpr std::string_view stress_unit = "m/tau_e^2";
+
+/// Those of contacts, in whose names Z = 2 tau_dur nu_coll.
+void add_contacts(Scene const& scene, std::vector<Observable>& list) {
+  using K = ContactColumns;
+  int const first = scene.rotates() ? C::count_rotating : C::count;
+  auto const sum = [first](Averages a, int column) {
+    return a[static_cast<std::size_t>(first + column)];
+  };
+  auto const rms = [sum](int column) {
+    return [=](Averages a) { return std::sqrt(sum(a, column) / (a[C::contacts] / 2)); };
+  };
+  double const dt = time_step(scene), n = static_cast<double>(scene.disks.count);
+  list.push_back({"tau_dur", "tau_e", "mean duration of contacts",
+                  [=](Averages a) { return dt * sum(a, K::duration) / sum(a, K::ended); }});
+  list.push_back({"nu_coll", "1/tau_e", "contacts begun per disk and time",
+                  [=](Averages a) { return sum(a, K::begun) / (n * dt * sum(a, K::steps)); }});
+  list.push_back({"v_N_rms", "d_s/tau_e", "relative velocity in contact, along the line of centres",
+                  rms(K::normal2)});
+  list.push_back({"v_T_rms", "d_s/tau_e", "across it", rms(K::tangential2)});
+  list.push_back({"cluster_binary_share", "1",
+                  "share of contacts in which neither disk ever touched a third one",
+                  [=](Averages a) { return sum(a, K::binary) / sum(a, K::ended); }});
+}
 
 }  // namespace
 
@@ -88,6 +113,7 @@ std::vector<Observable> observables(Scene const& scene, double box_length) {
                       return a[C::spin2] / (n * rate * rate) - mean * mean;
                     }});
   }
+  if (scene.measure.contacts) add_contacts(scene, list);
   return list;
 }
 

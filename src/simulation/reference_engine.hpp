@@ -12,6 +12,7 @@
 #include "src/simulation/device_copy.hpp"
 #include "src/simulation/failure.hpp"
 #include "src/simulation/in_box.hpp"
+#include "src/simulation/row_contacts.hpp"
 #include "src/simulation/simulation.hpp"
 
 namespace bagnold {
@@ -58,6 +59,8 @@ class ReferenceEngine final : public Simulation {
   void advance(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) override {
     for (auto const end = std::min(step_ + steps, sampling.last_step); step_ < end;) {
       if (sampling.sampled(step_)) windows.add(sampling.window(step_), measure().value, 1);
+      if (windows.contacts)
+        look_along_rows(forces_at(step_, position_, motion_), step_, sampling, windows);
       do_step();
     }
   }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -34,10 +35,13 @@ struct Sampling {
   }
 };
 
+class ContactRecord;
+
 /// The measurement windows that are not finished: an engine may be ahead by several.
 struct OpenWindows {
   std::int64_t first = 0;  ///< number of the first one
   std::vector<WindowSums> sums;
+  std::shared_ptr<ContactRecord> contacts;  ///< where engines report contacts; none: they need not
 
   WindowSums& of(std::int64_t window) {
     auto const index = static_cast<std::size_t>(window - first);
@@ -49,8 +53,8 @@ struct OpenWindows {
   template <class Columns>
   void add(std::int64_t window, Columns const& columns, double weight) {
     WindowSums& to = of(window);
-    to.sums.resize(std::size(columns));
-    for (std::size_t c = 0; c < to.sums.size(); ++c) to.sums[c] += columns[c];
+    if (to.sums.size() < std::size(columns)) to.sums.resize(std::size(columns));
+    for (std::size_t c = 0; c < std::size(columns); ++c) to.sums[c] += columns[c];
     to.weight += weight;
   }
 

@@ -10,6 +10,7 @@
 #include "src/simulation/block_loop.hpp"
 #include "src/simulation/clock.hpp"
 #include "src/simulation/sampling.hpp"
+#include "src/simulation/window_contacts.hpp"
 
 namespace bagnold {
 
@@ -63,11 +64,12 @@ class WindowedSteps {
   /// if too many disks take part, one strays too far for the list, or a number is none or an overlap
   /// too large: then step by step.
   bool run(BlockLoop<Space>& loop, Step& all, Clock const& clock, Window& window,
-           Sampling const& sampling, OpenWindows& windows, Real most_active) {
+           Sampling const& sampling, OpenWindows& windows, ContactWatch& watch, Real most_active) {
     forget();
     list_samples(window, clock, sampling);
     Real const duration = static_cast<Real>(window.end - window.begin) * clock.time_step;
     ShearedBox const start = box_at(clock, window, window.begin);
+    contacts_.begin(watch, all, start, window.begin, sampling, windows);
     predict(loop, all, start, duration);
     Real const most = most_active * static_cast<Real>(all.blocks.slot_of.extent(0));
     while (!todo_.empty()) {
@@ -83,6 +85,9 @@ class WindowedSteps {
       find_missed(all, start, duration);
     }
     measure(loop, all, clock, sampling, window, windows);
+    if (contacts_)
+      contacts_.tell(window.end, times_, sampling, windows,
+                     [&](std::size_t unit) { return units_[unit].alive; });
     commit(loop, all, box_at(clock, window, window.end), duration);
     adapt_allowance();
     count(window);
@@ -208,6 +213,7 @@ class WindowedSteps {
   Unit& add_unit(bool batch) {
     units_.push_back({pairs_.size(), pairs_.size(), sums_.size(), batch});
     sums_.resize(sums_.size() + times_.bins());
+    if (contacts_) contacts_.add_unit(times_.bins());
     return units_.back();
   }
 
@@ -234,9 +240,11 @@ class WindowedSteps {
         a[i - begin] = disk_of(all, start, islands_.disks[binary_[i].a]);
         b[i - begin] = disk_of(all, start, islands_.disks[binary_[i].b]);
       }
-      lane_outcome_[g] = collisions.run(a, b, static_cast<int>(end - begin),
-                                        window.end - window.begin, times_,
-                                        sums_.data() + units_[first_unit + begin].sums);
+      auto const run = [&](auto&& watch) {
+        return collisions.run(a, b, static_cast<int>(end - begin), window.end - window.begin, times_,
+                              sums_.data() + units_[first_unit + begin].sums, watch);
+      };
+      lane_outcome_[g] = contacts_ ? run(lane_watch(begin, end, first_unit)) : run(NoLaneWatch{});
       for (auto i = begin; i < end; ++i) {
         keep(islands_.disks[binary_[i].a].slot, a[i - begin]);
         keep(islands_.disks[binary_[i].b].slot, b[i - begin]);
@@ -250,6 +258,15 @@ class WindowedSteps {
     }
     window.binary += pairs;
     return true;
+  }
+
+  /// Of binary_[begin .. end - 1].
+  LaneWatch lane_watch(std::uint32_t begin, std::uint32_t end, std::size_t first_unit) {
+    LaneWatch watch;
+    for (auto i = begin; i < end; ++i)
+      contacts_.set_lane(watch, static_cast<int>(i - begin), first_unit + i,
+                         islands_.disks[binary_[i].a].slot, islands_.disks[binary_[i].b].slot);
+    return watch;
   }
 
   typename Binary::Disk disk_of(Step const& all, ShearedBox const& box,
@@ -284,6 +301,14 @@ class WindowedSteps {
         add_result(larger_.disks[d], units_.size() - 1);
     }
     outcome_.assign(count, {});
+    auto const slot = [&](std::uint32_t b, std::uint32_t local) {
+      return larger_.disks[larger_.first_disk[batches_.stretch(b).first_island] + local].slot;
+    };
+    auto const look = [&](std::uint32_t b, std::int64_t steps) {
+      if (contacts_)
+        contacts_.look(step.blocks, b, step.now.record.data(), first_unit + b, steps, slot);
+    };
+    if (contacts_) contacts_.list_batches(step.blocks, slot);
     ShearedBox const box{clock.box_length, 0, clock.strain_rate};
     loop.template with_scratch<typename Step::Force>(
         count, step.blocks.most_local, [&](std::uint32_t b, typename Step::Force* force) {
@@ -293,16 +318,21 @@ class WindowedSteps {
           std::int64_t const steps = window.end - window.begin;
           bool idle = true;
           for (std::int64_t s = 0; s < steps; ++s) {
+            look(b, s);
             if (idle) {
               auto const last = s + leap(b, s, steps - s, sample, first_unit, clock);
               if (last > s) watch.all_of(step.blocks.block(b), step.now.record.data(), last);
               s = last;
               if (s == steps) break;
+              look(b, s);
             }
             if (sample < times_.size() && s == times_.step(sample)) {
               auto& sums = sums_[units_[first_unit + b].sums + times_.bin(sample)];
               auto const here = measure_block(step, b, box, force);
               for (int c = 0; c < Sums<rotates>::columns; ++c) sums.value[c] += here.value[c];
+              if (contacts_)
+                contacts_.sample(step.blocks, b, step.now.record.data(), first_unit + b,
+                                 times_.bin(sample));
               ++sample;
             }
             step.predict(b, box, force);
@@ -534,6 +564,7 @@ class WindowedSteps {
   std::vector<Unit> units_;
   std::vector<SlotPair> pairs_;        ///< of all units
   std::vector<Sums<rotates>> sums_;    ///< a measurement window each, for every unit
+  WindowContacts contacts_;
   std::vector<typename Binary::Outcome> lane_outcome_;
   std::vector<Outcome> outcome_;  ///< by batch
   std::vector<FreeFlightSums> free_;

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "src/measure/counts.hpp"
+#include "src/measure/frame_observer.hpp"
+#include "src/simulation/contact_record.hpp"
+
+namespace bagnold {
+
+/// Counts the contacts of one system by their angles at begin and end, durations and clusters.
+class ContactHistograms final : public ContactListener {
+ public:
+  /// time_step: dt, [tau_e].
+  explicit ContactHistograms(double time_step);
+
+  void begins(ContactEvent const& event, std::size_t cluster) override;
+  void ends(ContactEvent const& event, std::int64_t duration) override;
+
+  void save(Numbers& numbers) const;
+  void load(Numbers const& numbers);
+
+  /// Adds those of the same kind.
+  void add(ContactHistograms const& other);
+
+  std::vector<statistics::Histogram> histograms() const;
+
+ private:
+  double time_step_;
+  Counts theta_begin_, theta_end_;  ///< [degrees], bin k centred on 3.6 k, P2 Eq. (27)
+  Counts duration_;                 ///< [tau_e]
+  Counts cluster_;                  ///< disks
+};
+
+}  // namespace bagnold

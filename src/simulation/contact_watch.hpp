@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "kernels/dynamics/block_step.hpp"
+#include "kernels/dynamics/contact_changes.hpp"
+#include "kernels/islands/predict_contacts.hpp"
+#include "src/simulation/block_loop.hpp"
+#include "src/simulation/contact_record.hpp"
+
+namespace bagnold {
+
+/// Sees the contacts of disks in blocks begin and end.
+///
+/// Which pairs were in contact a step before is kept for each place of the inner lists; where these
+/// were taken anew, the record's table of open contacts says it, which knows nothing of lists.
+class ContactWatch {
+ public:
+  /// The disks have other slots, or the inner lists hold other pairs.
+  void rearranged() { arranged_ = listed_ = false; }
+  void relisted() { listed_ = false; }
+
+  /// What has begun or ended in the configuration at `step`, and its sums if it is sampled.
+  template <class Space, class Step>
+  void look(BlockLoop<Space>& loop, Step const& all, ShearedBox const& box, std::int64_t step,
+            Sampling const& sampling, OpenWindows& windows) {
+    auto const& blocks = all.blocks;
+    ContactRecord& record = *windows.contacts;
+    know_disks(blocks);
+    if (!listed_) list(blocks, record.table);
+    bool const sampled = sampling.sampled(step);
+    found_.resize(blocks.count);
+    motion_.assign(blocks.count, {});
+    loop(blocks.count, [&](std::uint32_t b) {
+      Block const& block = blocks.block(b);
+      refresh_halo(blocks, block, all.now, box);
+      auto const* const records = all.now.record.data() + block.first;
+      contact_changes(
+          blocks, block, records, touched_.data(),
+          [&](simd::LocalPair const& pair, bool begins, Vec2<Real> const& separation,
+              Vec2<Real> const& velocity) {
+            auto const slots = slot_pair(blocks, block, pair);
+            if (!is_first_listing(slots)) return;
+            found_[b].push_back(contact_event(step, begins, disk(slots.a), disk(slots.b.index()),
+                                              separation, velocity));
+          });
+      if (sampled) motion_[b] = contact_motion(blocks, block, records, touched_.data());
+    });
+    for (auto& found : found_) take(found);
+    ContactMotion motion;
+    for (auto const& of_block : motion_) motion += of_block;
+    if (sampled) record.add(motion, sampling.window(step), windows);
+    tell(sampling, windows);
+    record.looked(step, step + 1, sampling, windows);
+  }
+
+  /// Ends the contacts that are none any more in the configuration at `step`, wherever lists stand.
+  template <class Step>
+  void close_parted(Step const& all, ShearedBox const& box, std::int64_t step,
+                    Sampling const& sampling, OpenWindows& windows) {
+    know_disks(all.blocks);
+    windows.contacts->table.each([&](OpenContact const& contact) {
+      auto const a = all.blocks.slot_of(contact.a), b = all.blocks.slot_of(contact.b);
+      auto const &p = all.now.record(a), &q = all.now.record(b);
+      Image image;
+      image.n = static_cast<int>(std::lround((p.y - q.y) / box.length));
+      image.m = static_cast<int>(std::lround((p.x - q.x - image.n * box.offset) / box.length));
+      auto const at = at_image(q, image, box);
+      Vec2<Real> const separation{p.x - at.x, p.y - at.y};
+      Real const distance = class_distance(pair_class(all.species(a), all.species(b)));
+      if (dot(separation, separation) < distance * distance) return;
+      events_.push_back(contact_event(step, false, contact.a, contact.b, separation,
+                                      {p.vx - at.vx, p.vy - at.vy}));
+    });
+    tell(sampling, windows);
+  }
+
+  /// The index at the start of the disk in a slot.
+  std::uint32_t disk(std::uint32_t slot) const { return disk_of_[slot]; }
+
+  /// Takes events to be told, and tells them.
+  void take(std::vector<ContactEvent>& events) {
+    events_.insert(events_.end(), events.begin(), events.end());
+    events.clear();
+  }
+  void tell(Sampling const& sampling, OpenWindows& windows) {
+    windows.contacts->add(events_, sampling, windows);
+  }
+
+ private:
+  void know_disks(Blocks const& blocks) {
+    if (arranged_) return;
+    disk_of_.assign(blocks.slots, 0);
+    for (std::uint32_t i = 0; i < blocks.slot_of.extent(0); ++i) disk_of_[blocks.slot_of(i)] = i;
+    arranged_ = true;
+  }
+
+  void list(Blocks const& blocks, ContactTable const& table) {
+    touched_.assign(blocks.outer.extent(0) / simd::width, 0);
+    for (std::uint32_t b = 0; b < blocks.count; ++b) {
+      Block const& block = blocks.block(b);
+      fill_touched(blocks, block, touched_.data(), [&](simd::LocalPair const& pair) {
+        auto const slots = slot_pair(blocks, block, pair);
+        return table.is_open(disk(slots.a), disk(slots.b.index()));
+      });
+    }
+    listed_ = true;
+  }
+
+  bool arranged_ = false;                         ///< disk_of_ is that of the blocks
+  bool listed_ = false;                           ///< touched_ is that of the inner lists
+  std::vector<std::uint32_t> disk_of_;            ///< by slot
+  std::vector<std::uint8_t> touched_;             ///< a byte for eight places of the inner lists
+  std::vector<std::vector<ContactEvent>> found_;  ///< by block
+  std::vector<ContactMotion> motion_;             ///< by block
+  std::vector<ContactEvent> events_;
+};
+
+}  // namespace bagnold

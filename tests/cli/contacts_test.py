@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What measure.contacts adds to the files of a run, killed or not."""
+
+import signal
+import unittest
+
+import h5py
+import numpy as np
+
+from bagnold import LAWS, CliTest, read_summary, seconds_to_strain
+
+SCALARS = ("tau_dur", "nu_coll", "v_N_rms", "v_T_rms", "cluster_binary_share")
+HISTOGRAMS = ("cluster_disks", "tau_dur", "theta", "theta_begin", "theta_end")
+ENGINES = ("reference", "dense", "contact-rich", "windowed")
+ON = {"measure__contacts": True}
+
+
+def histograms(out):
+    """{name: (edges, density)}"""
+    with h5py.File(out / "result.h5", "r") as file:
+        return {k: (g["edges"][()], g["density"][()]) for k, g in file["histograms"].items()}
+
+
+class ContactsTest(CliTest):
+    def test_off_leaves_nothing_and_on_changes_nothing(self):
+        off, on = self.run_new("off"), self.run_new("on", **ON)
+        means = [{k: v["mean"] for k, v in read_summary(out)["observables"].items()}
+                 for out in (off, on)]
+        for name in SCALARS:
+            self.assertNotIn(name, means[0])
+            self.assertIsNotNone(means[1].pop(name), name)
+        self.assertEqual(*means)
+        self.assert_same_state(off, on)
+        with h5py.File(off / "result.h5", "r") as file:
+            self.assertNotIn("histograms", file)
+
+    def test_counts_agree_in_every_engine(self):
+        """Z = 2 tau_dur nu_coll, three quantities measured independently."""
+        for engine in ENGINES:
+            for fraction in (0.6, 0.82):
+                with self.subTest(engine=engine, fraction=fraction):
+                    out = self.run_new(f"{engine}{fraction}", integration__engine=engine, disks__count=128,
+                                       disks__packing_fraction=fraction, shear__strain=8.0,
+                                       output__sample_strain=2.0**-5, **ON)
+                    found = read_summary(out)["observables"]
+                    z, tau, nu = (found[k] for k in ("Z", "tau_dur", "nu_coll"))
+                    product = 2 * tau["mean"] * nu["mean"]
+                    error = product * sum((k["error"] / k["mean"]) ** 2 for k in (tau, nu)) ** 0.5
+                    self.assertLess(abs(z["mean"] - product), 4 * np.hypot(error, z["error"]))
+                    self.assertLess(abs(z["mean"] - product) / product, 0.05)
+
+    def test_histograms(self):
+        for law in LAWS:
+            out = self.run_new(law, disks__model=law, shear__strain=2.0, **ON)
+            found = histograms(out)
+            self.assertEqual(sorted(found), sorted(HISTOGRAMS))
+            edges, density = found["theta"]
+            self.assertEqual(len(density), 100)
+            np.testing.assert_allclose(edges, np.linspace(-181.8, 178.2, 101), atol=1e-9)
+            for name in HISTOGRAMS:
+                edges, density = found[name]
+                self.assertAlmostEqual(float((density * np.diff(edges)).sum()), 1.0, places=9, msg=name)
+            middle = (found["theta"][0][1:] + found["theta"][0][:-1]) / 2
+            for name, where in (("theta_begin", np.abs(middle) > 86), ("theta_end", np.abs(middle) < 94)):
+                share = float((found[name][1] * 3.6)[where].sum())  # they come together, and part
+                self.assertGreater(share, 0.97, name)
+            edges, density = found["tau_dur"]
+            mean = float((density * np.diff(edges) * (edges[1:] + edges[:-1]) / 2).sum())
+            tau = read_summary(out)["observables"]["tau_dur"]["mean"]
+            self.assertLess(abs(mean / tau - 1), 0.05)
+
+    def test_replicas_are_taken_together(self):
+        both = self.run_new("both", disks__replicas=2, disks__seed=5, **ON)
+        alone = [self.run_new(f"alone{s}", disks__seed=s, **ON) for s in (5, 6)]
+        for name, value in histograms(both).items():
+            parts = [histograms(out)[name] for out in alone]
+            for other in parts:
+                np.testing.assert_array_equal(value[0], other[0])
+            low, high = (f(*(p[1] for p in parts)) for f in (np.minimum, np.maximum))
+            self.assertTrue((value[1] >= low * (1 - 1e-12)).all() and (value[1] <= high * (1 + 1e-12)).all())
+        for seed, out in zip((0, 1), alone):
+            one = read_summary(both)["replicas"][seed]["observables"]["tau_dur"]["mean"]
+            self.assertEqual(one, read_summary(out)["observables"]["tau_dur"]["mean"])
+
+    def test_kill_and_resume_change_nothing(self):
+        for engine in ENGINES:
+            for replicas in (1, 2) if engine == "dense" else (1,):
+                with self.subTest(engine=engine, replicas=replicas):
+                    self.check_killed(engine, replicas)
+
+    def check_killed(self, engine, replicas):
+        changes = {**ON, "integration__engine": engine, "disks__replicas": replicas,
+                   "disks__packing_fraction": 0.8, "output__checkpoint_minutes": 0.0005}
+        strain = float(seconds_to_strain(self, 1.5, shear__strain=1.0, **changes))
+        path = self.scene(shear__strain=strain, output__sample_strain=strain / 64, **changes)
+        whole, cut = (self.folder / f"{name}_{engine}_{replicas}" for name in ("whole", "cut"))
+        self.run_scene(path, whole, "--quiet")
+        process, kills = self.start("run", path, "--out", cut), 0
+        while kills < 3:
+            stamp = self.stamp(cut)
+            if not self.wait_until(lambda: self.stamp(cut) not in (None, stamp), process):
+                break
+            process.send_signal(signal.SIGKILL)
+            self.finish(process)
+            kills += 1
+            process = self.start("resume", cut)
+        self.finish(process)
+        self.assertGreater(kills, 0)
+        self.assert_same_state(whole, cut)
+        self.assert_same_results(whole, cut)
+        for name, pair in histograms(whole).items():
+            for one, two in zip(pair, histograms(cut)[name]):
+                self.assertEqual(one.tobytes(), two.tobytes(), name)
+
+    @staticmethod
+    def stamp(out):
+        try:
+            return (out / "checkpoint.h5").stat().st_mtime_ns
+        except FileNotFoundError:
+            return None
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/support/contacts.hpp"
+
+#include "tests/reference/binary_collision.hpp"
+
+namespace bagnold::test {
+
+class Contacts : public EverySimulation {
+ public:
+  static void expect_same(std::vector<Happened> const& a, std::vector<Happened> const& b) {
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      ASSERT_EQ(a[k].key(), b[k].key()) << k;
+      EXPECT_NEAR(std::remainder(a[k].theta - b[k].theta, 360), 0, 1e-4) << k;
+    }
+  }
+
+  static void expect_same(OpenWindows const& a, OpenWindows const& b) {
+    ASSERT_EQ(a.sums.size(), b.sums.size());
+    for (std::size_t w = 0; w < a.sums.size(); ++w)
+      for (std::size_t c = 0; c < a.sums[w].sums.size(); ++c)
+        EXPECT_EQ(a.sums[w].sums[c], b.sums[w].sums[c]) << "window " << w << " column " << c;
+  }
+};
+
+/// Every begin and end, its angle, cluster and duration, and all sums.
+TEST_P(Contacts, AreThoseOfAllPairsInEveryConfiguration) {
+  for (double packing_fraction : {0.82, 0.6}) {
+    Scene const scene = small_scene(packing_fraction, 64);
+    State const start = shaken_start(scene);
+    Sampling const sampling{200, 7, 700};
+    AllPairs const expected(scene, start, sampling);
+    ASSERT_GT(expected.all.size(), 100u);
+    auto const simulation = simulate(scene, start, backend());
+    Watched watched(*simulation, start.count());
+    simulation->advance(700, sampling, watched.windows);
+    expect_same(watched.listener->all, expected.all);
+    ASSERT_EQ(watched.windows.sums.size(), expected.windows.size());
+    for (std::size_t w = 0; w < expected.windows.size(); ++w)
+      for (int c = 0; c < ContactColumns::count; ++c) {
+        double const exact = expected.windows[w][static_cast<std::size_t>(c)];
+        EXPECT_NEAR(watched.sum(w, c, simulation->columns()), exact, 1e-9 * std::abs(exact))
+            << "window " << w << " column " << c;
+      }
+  }
+}
+
+/// Across the edges of blocks.
+TEST_P(Contacts, OfManyDisksAreThoseOfTheReferenceEngine) {
+  Scene scene = small_scene(0.8, 2500);
+  State const start = shaken_start(scene);
+  Sampling const sampling{100, 7, 150};
+  auto const simulation = simulate(scene, start, backend());
+  Watched watched(*simulation, start.count());
+  simulation->advance(150, sampling, watched.windows);
+  scene.integration.engine = "reference";
+  auto const plain = simulate(scene, start, backend_names().front());
+  Watched expected(*plain, start.count());
+  plain->advance(150, sampling, expected.windows);
+  EXPECT_GT(expected.listener->all.size(), 1000u);
+  expect_same(watched.listener->all, expected.listener->all);
+  for (std::size_t w = 0; w < 2; ++w)
+    for (int c = 0; c < ContactColumns::count; ++c)
+      EXPECT_NEAR(watched.sum(w, c, simulation->columns()), expected.sum(w, c, plain->columns()),
+                  1e-7);
+}
+
+TEST_P(Contacts, DoNotDependOnHowARunIsCutAndActOnNothing) {
+  for (double packing_fraction : {0.82, 0.6}) {
+    Scene const scene = small_scene(packing_fraction, 300);
+    State const start = shaken_start(scene);
+    Sampling const sampling{200, 7, 700};
+    auto const straight = simulate(scene, start, backend());
+    auto chained = simulate(scene, start, backend());
+    auto const unwatched = simulate(scene, start, backend());
+    Watched a(*straight, start.count()), b(*chained, start.count());
+    OpenWindows none;
+    straight->advance(700, sampling, a.windows);
+    unwatched->advance(700, sampling, none);
+    while (chained->step() < 700) {
+      chained->advance(83, sampling, b.windows);
+      auto const open = b.windows.contacts->table.sorted();
+      chained = make_simulation(scene, chained->snapshot(), backend());
+      b.windows.contacts =
+          std::make_shared<ContactRecord>(start.count(), chained->columns(), 0, b.listener);
+      b.windows.contacts->table.restore(open);
+    }
+    expect_same(a.listener->all, b.listener->all);
+    expect_same(a.windows, b.windows);
+    EXPECT_EQ(straight->state().position, unwatched->state().position);
+    EXPECT_EQ(straight->snapshot().engine, unwatched->snapshot().engine);
+    for (std::size_t w = 0; w < none.sums.size(); ++w)
+      for (std::size_t c = 0; c < none.sums[w].sums.size(); ++c)
+        EXPECT_EQ(none.sums[w].sums[c], a.windows.sums[w].sums[c]);
+  }
+}
+
+/// Durations add up to contacts: of all configurations, not only of those whose contacts ended.
+TEST_P(Contacts, LastFromTheFirstConfigurationInContactToTheFirstOut) {
+  Scene const scene = small_scene(0.8, 100);
+  State const start = shaken_start(scene);
+  Sampling const sampling{1000, 1, 1000};
+  auto const simulation = simulate(scene, start, backend());
+  Watched watched(*simulation, start.count());
+  simulation->advance(1000, sampling, watched.windows);
+  double inside = 0;  // of contacts that began and ended in the window
+  for (auto const& e : watched.listener->all)
+    if (!e.begins) inside += static_cast<double>(e.measure);
+  EXPECT_EQ(watched.sum(0, ContactColumns::duration, simulation->columns()), inside);
+  double at_ends = 0;  // of those that began before, or did not end
+  for (auto const& c : watched.windows.contacts->table.sorted())
+    at_ends += static_cast<double>(1000 - c.begin);
+  auto const pair_steps = watched.windows.sums[0].sums[SumColumns::contacts] / 2;
+  EXPECT_GE(pair_steps, inside + at_ends);
+  EXPECT_EQ(watched.sum(0, ContactColumns::steps, simulation->columns()), 1000);
+}
+
+/// Head-on, in closed form: half a period of the damped oscillator, from 180 degrees to 0.
+TEST_P(Contacts, OfTwoDisksLastAsLongAsTheClosedFormSays) {
+  for (double elasticity : {2.0, 10.0, 50.0}) {
+    Scene scene = small_scene();
+    scene.disks.elasticity = elasticity;
+    scene.disks.damping_normal = 1.0;
+    scene.shear.strain_rate = 0.0;
+    scene.integration.skin = 0.5;
+    scene.integration.time_step = 0.01;
+    double const expected =
+        reference::BinaryCollision(reference_parameters(scene), 1.0, 1.0).duration();
+    State state;
+    state.box_length = 10.0;
+    state.diameter = {1.0, 1.0};
+    double const approach = 1e-3, gap = 0.3 * approach * 0.01 + 1e-6;
+    state.position = {{4.0, 5.0}, {5.0 + gap, 5.0}};
+    state.velocity = {{approach / 2, 0.0}, {-approach / 2, 0.0}};
+    if (law() == "CD_rot" || law() == "general") state.spin = {0.0, 0.0};
+    auto const simulation = simulate(scene, state, backend());
+    Watched watched(*simulation, 2);
+    Sampling sampling;
+    sampling.last_step = 1000;
+    simulation->advance(1000, sampling, watched.windows);
+    auto const& all = watched.listener->all;
+    ASSERT_EQ(all.size(), 2u) << elasticity;
+    EXPECT_EQ(all[0].measure, 2);
+    EXPECT_NEAR(0.01 * static_cast<double>(all[1].measure), expected, 0.02);
+    EXPECT_NEAR(std::abs(all[0].theta), 180, 1e-9);
+    EXPECT_NEAR(all[1].theta, 0, 1e-9);
+    EXPECT_EQ(watched.sum(0, ContactColumns::binary, simulation->columns()), 1);
+  }
+}
+
+BAGNOLD_FOR_EVERY_SIMULATION(Contacts);
+
+}  // namespace bagnold::test

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <map>
+#include <set>
+
+#include "src/simulation/contact_record.hpp"
+#include "tests/support/simulations.hpp"
+
+/// Contacts as engines tell of them, and as all pairs of every configuration give them.
+namespace bagnold::test {
+
+using PairOfDisks = std::pair<std::uint32_t, std::uint32_t>;
+
+/// Something that happened, whoever saw it.
+struct Happened {
+  std::int64_t step;
+  bool begins;
+  PairOfDisks pair;
+  double theta;          ///< [degrees]
+  std::int64_t measure;  ///< disks in the cluster, or the duration in steps
+
+  auto key() const { return std::tuple(step, begins, pair, measure); }
+};
+
+class Listener final : public ContactListener {
+ public:
+  std::vector<Happened> all;
+  void begins(ContactEvent const& e, std::size_t cluster) override {
+    all.push_back({e.step, true, {e.a, e.b}, e.theta, static_cast<std::int64_t>(cluster)});
+  }
+  void ends(ContactEvent const& e, std::int64_t duration) override {
+    all.push_back({e.step, false, {e.a, e.b}, e.theta, duration});
+  }
+};
+
+/// What the reference, all pairs of every configuration, makes of a start.
+class AllPairs {
+ public:
+  std::vector<Happened> all;  ///< ends first, then by pair
+  std::vector<std::array<double, ContactColumns::count>> windows;
+
+  AllPairs(Scene const& scene, State const& start, Sampling const& sampling) {
+    reference::System system(reference_parameters(scene), start);
+    for (std::int64_t step = 0; step < sampling.last_step; ++step) {
+      windows.resize(static_cast<std::size_t>(sampling.window(step)) + 1);
+      look(system, step, sampling);
+      reference::step(system);
+    }
+  }
+
+ private:
+  struct Open {
+    std::int64_t begin;
+    bool binary;
+  };
+  std::map<PairOfDisks, Open> open_;
+
+  void look(reference::System const& system, std::int64_t step, Sampling const& sampling) {
+    auto& sums = windows.back();
+    sums[ContactColumns::steps] += 1;
+    std::map<PairOfDisks, reference::Contact> now;
+    std::vector<std::set<std::uint32_t>> touch(system.s.count());
+    for (auto const& c : reference::contacts(system)) {
+      auto const i = static_cast<std::uint32_t>(c.i), j = static_cast<std::uint32_t>(c.j);
+      now[{i, j}] = c;
+      touch[i].insert(j);
+      touch[j].insert(i);
+      if (!sampling.sampled(step)) continue;
+      double const along = (c.x * c.velocity_x + c.y * c.velocity_y) / c.separation;
+      double const v2 = c.velocity_x * c.velocity_x + c.velocity_y * c.velocity_y;
+      sums[ContactColumns::normal2] += along * along;
+      sums[ContactColumns::tangential2] += v2 - along * along;
+    }
+    end(system, now, step, sums);
+    for (auto const& [pair, c] : now) {
+      bool const fresh = open_.try_emplace(pair, Open{step, true}).second;
+      if (touch[pair.first].size() + touch[pair.second].size() > 2) open_[pair].binary = false;
+      if (!fresh || step == 0) continue;
+      sums[ContactColumns::begun] += 1;
+      all.push_back({step, true, pair, theta(c), cluster(touch, pair.first)});
+    }
+  }
+
+  void end(reference::System const& system, std::map<PairOfDisks, reference::Contact> const& now,
+           std::int64_t step, std::array<double, ContactColumns::count>& sums) {
+    std::erase_if(open_, [&](auto const& entry) {
+      auto const& [pair, open] = entry;
+      if (now.contains(pair)) return false;
+      if (open.begin == 0) return true;
+      sums[ContactColumns::ended] += 1;
+      sums[ContactColumns::duration] += static_cast<double>(step - open.begin);
+      sums[ContactColumns::binary] += open.binary;
+      all.push_back({step, false, pair, theta(apart(system, pair)), step - open.begin});
+      return true;
+    });
+  }
+
+  static double theta(reference::Contact const& c) {
+    double const across = c.velocity_x * c.y - c.velocity_y * c.x;
+    double const along = c.velocity_x * c.x + c.velocity_y * c.y;
+    return std::atan2(across, along) * 180 / std::acos(-1.0);
+  }
+
+  /// A pair that touches no more, as a contact of two larger disks.
+  static reference::Contact apart(reference::System const& system, PairOfDisks const& pair) {
+    State two = system.s;
+    for (auto* list : {&two.position, &two.velocity})
+      *list = {(*list)[pair.first], (*list)[pair.second]};
+    two.diameter = {2.0, 2.0};
+    return reference::contacts(system.p, two, reference::strain(system)).at(0);
+  }
+
+  static std::int64_t cluster(std::vector<std::set<std::uint32_t>> const& touch,
+                              std::uint32_t from) {
+    std::set<std::uint32_t> found{from};
+    for (std::size_t before = 0; before != found.size();) {
+      before = found.size();
+      for (auto const disk : std::set<std::uint32_t>(found))
+        found.insert(touch[disk].begin(), touch[disk].end());
+    }
+    return static_cast<std::int64_t>(std::min(found.size(), ContactRecord::largest_cluster));
+  }
+};
+
+/// Windows with a record of contacts, and who is told of them.
+struct Watched {
+  std::shared_ptr<Listener> listener = std::make_shared<Listener>();
+  OpenWindows windows;
+
+  Watched(Simulation const& simulation, std::size_t disks, std::int64_t first_step = 0) {
+    windows.contacts =
+        std::make_shared<ContactRecord>(disks, simulation.columns(), first_step, listener);
+  }
+  double sum(std::size_t window, int column, int columns) const {
+    return windows.sums.at(window).sums.at(static_cast<std::size_t>(columns + column));
+  }
+};
+
+}  // namespace bagnold::test
