@@ -48,7 +48,8 @@ Snapshot snapshot_of(io::SystemCheckpoint& checkpoint) {
 Replica replica_of(io::SystemCheckpoint& checkpoint) {
   Replica replica;
   replica.start_record = std::move(checkpoint.start_record);
-  auto& [windows, open] = replica.measurement;
+  replica.saved_frames = std::move(checkpoint.frames);
+  auto& [windows, open, frames] = replica.measurement;
   windows = {static_cast<std::size_t>(checkpoint.columns), std::move(checkpoint.window_sums),
              std::move(checkpoint.window_weight)};
   open.first = static_cast<std::int64_t>(windows.size());
@@ -137,6 +138,7 @@ int resume_command(ResumeOptions const& options) {
   catch_signals();
   RunFolder const folder = RunFolder::open(options.folder);
   if (std::filesystem::exists(folder.summary())) {
+    folder.remove_trajectory_parts();
     fmt::print("{} is finished: nothing to resume\n", options.folder.string());
     return 0;
   }

@@ -3,7 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <initializer_list>
+#include <regex>
 #include <span>
+#include <string_view>
+#include <vector>
 
 #include "src/config/errors.hpp"
 #include "src/io/atomic_file.hpp"
@@ -15,16 +20,36 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr char const* run_files[] = {"scene.toml",     "summary.json",           "result.h5",
-                                     "state.h5",       "failed_state.h5",        "plot.png",
-                                     "checkpoint.h5",  "checkpoint.previous.h5"};
+constexpr char const* run_files[] = {
+    "scene.toml", "summary.json", "result.h5",  "state.h5",      "failed_state.h5",
+    "plot.png",   "profiles.png", "fields.png", "checkpoint.h5", "checkpoint.previous.h5"};
 
-bool holds_run(fs::path const& folder) {
+/// Those there are of trajectory.h5md, trajectory_SEED.h5md and so on, with one of these
+/// extensions.
+std::vector<fs::path> trajectories(fs::path const& folder,
+                                   std::initializer_list<std::string_view> extensions) {
+  std::regex const name("trajectory(_[0-9]+)?");
+  std::vector<fs::path> found;
+  std::error_code none_there;
+  for (fs::directory_iterator file(folder, none_there), end; !none_there && file != end;
+       file.increment(none_there)) {
+    auto const& path = file->path();
+    if (std::regex_match(path.stem().string(), name) &&
+        std::ranges::count(extensions, path.extension().string()) > 0)
+      found.push_back(path);
+  }
+  return found;
+}
+
+std::vector<fs::path> files_of_run(fs::path const& folder) {
+  auto files = trajectories(folder, {".h5md", ".xdmf", ".parts"});
   std::error_code ignored;
   for (auto const* name : run_files)
-    if (fs::exists(folder / name, ignored)) return true;
-  return false;
+    if (fs::exists(folder / name, ignored)) files.push_back(folder / name);
+  return files;
 }
+
+bool holds_run(fs::path const& folder) { return !files_of_run(folder).empty(); }
 
 }  // namespace
 
@@ -48,11 +73,11 @@ RunFolder RunFolder::make(fs::path const& folder, bool force) {
   RunFolder made(folder);
   refuse_old();  // another process may have been quicker
   io::remove_checkpoints(folder);
-  for (auto const* name : run_files) {
-    fs::remove(folder / name, error);
+  for (auto const& file : files_of_run(folder)) {
+    fs::remove_all(file, error);
     if (error)
-      throw FileError(fmt::format("{}: the old run's file cannot be removed ({})",
-                                  (folder / name).string(), error.message()));
+      throw FileError(fmt::format("{}: the old run's file cannot be removed ({})", file.string(),
+                                  error.message()));
   }
   return made;
 }
@@ -62,10 +87,24 @@ RunFolder RunFolder::open(fs::path const& folder) {
   if (!fs::is_directory(folder, ignored))
     throw InputError(fmt::format("{}: no such folder; give the --out of a run", folder.string()));
   if (!holds_run(folder))
-    throw InputError(fmt::format("{}: holds no run (no scene.toml, no checkpoint); start one with "
-                                 "`bagnold run SCENE.toml --out {}`",
-                                 folder.string(), folder.string()));
+    throw InputError(
+        fmt::format("{}: holds no run (no scene.toml, no checkpoint); start one with "
+                    "`bagnold run SCENE.toml --out {}`",
+                    folder.string(), folder.string()));
   return RunFolder(folder);
+}
+
+void RunFolder::remove_trajectory_parts() const {
+  for (auto const& parts : trajectories(path_, {".parts"})) {
+    std::error_code error;
+    fs::remove_all(parts, error);
+    if (error)
+      throw FileError(fmt::format("{} cannot be removed ({})", parts.string(), error.message()));
+  }
+}
+
+fs::path RunFolder::trajectory(std::optional<std::int64_t> seed) const {
+  return path_ / (seed ? fmt::format("trajectory_{}.h5md", *seed) : "trajectory.h5md");
 }
 
 void RunFolder::write_text(fs::path const& file, std::string const& text) {

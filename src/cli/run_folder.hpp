@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "src/io/run_lock.hpp"
 
@@ -11,8 +13,8 @@ namespace bagnold {
 /// The folder a run writes to, locked against other processes, and the names in it.
 class RunFolder {
  public:
-  /// A folder for a new run: made if it is not there; refused (InputError) if it holds a run, unless
-  /// `force`, which removes the old run's files.
+  /// A folder for a new run: made if it is not there; refused (InputError) if it holds a run,
+  /// unless `force`, which removes the old run's files.
   static RunFolder make(std::filesystem::path const& folder, bool force);
 
   /// The folder of a run begun before. InputError if there is none.
@@ -25,6 +27,11 @@ class RunFolder {
   std::filesystem::path state() const { return path_ / "state.h5"; }
   std::filesystem::path failed_state() const { return path_ / "failed_state.h5"; }
   std::filesystem::path picture() const { return path_ / "plot.png"; }
+  /// Of the replica of this seed; none: of the only system.
+  std::filesystem::path trajectory(std::optional<std::int64_t> seed) const;
+
+  /// Of a finished run: those that a kill right at its end left. Throws FileError.
+  void remove_trajectory_parts() const;
 
   /// Replace a text file in one piece. Throws FileError.
   static void write_text(std::filesystem::path const& file, std::string const& text);

@@ -74,6 +74,13 @@ std::vector<std::int64_t> seeds(Run const& run) {
   return list;
 }
 
+/// What observers found on the frames of all replicas.
+FrameResults on_frames(Run const& run) {
+  std::vector<Frames const*> frames;
+  for (auto const& replica : run.replicas) frames.push_back(&replica.measurement.frames);
+  return Frames::join(frames);
+}
+
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// A series of value(replica, window): NaN where a replica has not come to that window yet.
@@ -155,28 +162,38 @@ void write_result_file(RunFolder const& folder, Run const& run) {
                                      return observable.value(
                                          replica.measurement.windows.mean(w, w + 1));
                                    }));
+  auto found = on_frames(run);
+  result.histograms = std::move(found.histograms);
+  result.profiles = std::move(found.profiles);
+  result.samples = std::move(found.samples);
   io::write_result(folder.result(), result);
 }
 
 namespace {
 
-Json estimate_json(statistics::Estimate const& estimate, double window_strain) {
-  auto const& tau = estimate.correlation;
-  return {{"mean", number(estimate.mean)},
-          {"error", number(estimate.error)},
-          {"correlation_strain", tau ? number(*tau * window_strain) : Json(nullptr)},
-          {"samples", estimate.samples}};
-}
+/// What one name of the summary stands for.
+struct JsonEstimate {
+  std::string name;
+  statistics::ReplicaEstimate estimate;
+  double sample_strain;  ///< between its samples
+
+  Json json(statistics::Estimate const& of) const {
+    auto const& tau = of.correlation;
+    return {{"mean", number(of.mean)},
+            {"error", number(of.error)},
+            {"correlation_strain", tau ? number(*tau * sample_strain) : Json(nullptr)},
+            {"samples", of.samples}};
+  }
+};
 
 /// Each replica's own means and errors.
-Json replicas_json(Run const& run, std::vector<NamedEstimate> const& list, double window_strain) {
+Json replicas_json(Run const& run, std::vector<JsonEstimate> const& list) {
   Json all = Json::array();
   auto const seed = seeds(run);
   for (std::size_t r = 0; r < seed.size(); ++r) {
     Json one{{"seed", seed[r]}};
-    for (auto const& [observable, estimate] : list)
-      one["observables"][std::string(observable.name)] =
-          estimate_json(estimate.each[r], window_strain);
+    for (auto const& named : list)
+      one["observables"][named.name] = named.json(named.estimate.each[r]);
     all.push_back(std::move(one));
   }
   return all;
@@ -203,12 +220,16 @@ void write_summary(RunFolder const& folder, Run const& run,
   summary["disk_steps_per_second"] =
       number(run.wall_seconds > 0 ? disk_steps / run.wall_seconds : nan);
   double const window_strain = step_strain(run) * static_cast<double>(run.plan.window_steps);
+  double const frame_strain = step_strain(run) * static_cast<double>(run.plan.frame_steps);
   if (run.replicas.size() > 1)
     summary["errors_from"] = statistics::error_source(run.replicas.size());
+  std::vector<JsonEstimate> all;
   for (auto const& [observable, estimate] : list)
-    summary["observables"][std::string(observable.name)] =
-        estimate_json(estimate.all, window_strain);
-  if (run.replicas.size() > 1) summary["replicas"] = replicas_json(run, list, window_strain);
+    all.push_back({std::string(observable.name), estimate, window_strain});
+  for (auto const& scalar : on_frames(run).scalars)
+    all.push_back({scalar.name, scalar.estimate, frame_strain});
+  for (auto const& one : all) summary["observables"][one.name] = one.json(one.estimate.all);
+  if (run.replicas.size() > 1) summary["replicas"] = replicas_json(run, all);
   RunFolder::write_text(folder.summary(), summary.dump(2) + "\n");
 }
 

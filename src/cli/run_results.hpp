@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct Replica {
   double initial_time = 0.0;  ///< at step 0, [tau_e]
   std::map<std::string, double> start_record;
   std::map<std::string, double> engine;  ///< its counters and choices at the last checkpoint
+  std::optional<Numbers> saved_frames;   ///< of the checkpoint it goes on from; none: it begins
   Measurement measurement;
 };
 

@@ -3,13 +3,17 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "src/cli/commands.hpp"
 #include "src/cli/plot.hpp"
 #include "src/cli/progress.hpp"
+#include "src/cli/provenance.hpp"
 #include "src/cli/signals.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/scene_file.hpp"
 #include "src/io/state_file.hpp"
+#include "src/measure/make_frames.hpp"
 #include "src/simulation/make_simulation.hpp"
 #include "src/start/start.hpp"
 
@@ -48,7 +52,7 @@ void Runner::make(std::size_t r, std::optional<Snapshot> snapshot) {
   Replica& replica = run_.replicas[r];
   if (!snapshot) {
     Scene scene = run_.scene;
-    scene.disks.seed += static_cast<std::int64_t>(r);
+    scene.disks.seed = seed(r);
     StartedState started;
     try {
       started = random_start(scene);
@@ -66,7 +70,24 @@ void Runner::make(std::size_t r, std::optional<Snapshot> snapshot) {
     throw ReplicaFailure{r, error.what(), snapshot->state};
   }
   replica.measurement.windows.columns = static_cast<std::size_t>(simulations_[r]->columns());
+  watch(r, snapshot->state);
   steps_[r] = simulations_[r]->step();
+}
+
+void Runner::watch(std::size_t r, State const& start) {
+  Replica& replica = run_.replicas[r];
+  Frames& frames = replica.measurement.frames;
+  auto const file =
+      folder_.trajectory(run_.replicas.size() > 1 ? std::optional(seed(r)) : std::nullopt);
+  frames = make_frames(run_.scene, run_.plan, start, file, provenance().version);
+  if (replica.saved_frames)
+    frames.load(*std::exchange(replica.saved_frames, {}));
+  else
+    frames.begin();
+}
+
+std::int64_t Runner::seed(std::size_t r) const {
+  return run_.scene.disks.seed + static_cast<std::int64_t>(r);
 }
 
 int Runner::run(Protocol const& protocol) {
@@ -105,9 +126,8 @@ bool Runner::work(SideBySide& all) {
   } catch (ReplicaFailure const& failure) {
     std::string message = failure.reason;
     if (all.systems > 1)
-      message =
-          fmt::format("replica {} (seed {}): {}", failure.replica + 1,
-                      run_.scene.disks.seed + static_cast<std::int64_t>(failure.replica), message);
+      message = fmt::format("replica {} (seed {}): {}", failure.replica + 1, seed(failure.replica),
+                            message);
     if (failure.state) {
       io::write_states(folder_.failed_state(), {&*failure.state, 1});
       message += fmt::format("; the state is in {}", folder_.failed_state().string());
@@ -144,7 +164,7 @@ io::SystemCheckpoint Runner::checkpoint_of(std::size_t r) {
   c.builds = snapshot.list_builds;
   c.engine = replica.engine = std::move(snapshot.engine);
   c.columns = simulations_[r]->columns();
-  auto const& [windows, open] = replica.measurement;
+  auto& [windows, open, frames] = replica.measurement;
   c.window_sums = windows.sums;
   c.window_weight = windows.weight;
   if (!open.sums.empty()) {  // one at most: an engine stops where it has caught up
@@ -152,6 +172,7 @@ io::SystemCheckpoint Runner::checkpoint_of(std::size_t r) {
     c.open_weight = open.sums.front().weight;
   }
   c.start_record = replica.start_record;
+  c.frames = frames.save();
   return c;
 }
 
@@ -175,13 +196,17 @@ int Runner::interrupted() const {
 }
 
 void Runner::finish() {
+  for (auto& replica : run_.replicas) replica.measurement.frames.finish();
   std::vector<State> states;
   for (auto const& simulation : simulations_) states.push_back(simulation->state());
   io::write_states(folder_.state(), states);
   auto const list = estimates(run_);
   write_summary(folder_, run_, list);
+  for (auto& replica : run_.replicas) replica.measurement.frames.tidy();
   if (run_.scene.output.plot) {  // shows the summary's errors
     warn(draw_plot(folder_.result(), folder_.picture()));
+    if (run_.scene.measure.profiles || run_.scene.measure.fields)
+      warn(draw_frames(folder_.result(), folder_.path()));
   }
   if (quiet_) return;
   print_table(run_, list);

@@ -36,6 +36,8 @@ class Runner {
 
  private:
   void make(std::size_t replica, std::optional<Snapshot> snapshot);
+  void watch(std::size_t replica, State const& start);  ///< makes its frames
+  std::int64_t seed(std::size_t replica) const;
   bool work(SideBySide& all);
   std::int64_t steps() const;         ///< of all replicas together
   std::int64_t steps_wanted() const;  ///< likewise, in the end

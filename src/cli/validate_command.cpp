@@ -37,6 +37,13 @@ int validate_command(RunOptions const& options) {
   fmt::print("# steps          {}, {:.4g} million disk-steps\n", plan.steps, disk_steps / 1e6);
   fmt::print("# windows        {} of {} steps, {} discarded, evaluated every {} steps\n",
              plan.windows, plan.window_steps, plan.discarded_windows, plan.every);
+  if (plan.trajectory_steps > 0) {  // 7 numbers a disk and frame, in parts and then in one file
+    double const frames =
+        1 + static_cast<double>(plan.steps) / static_cast<double>(plan.trajectory_steps);
+    double const disks = static_cast<double>(scene.disks.count * scene.disks.replicas);
+    fmt::print("# trajectory     {:.0f} frames, {:.3g} MB, twice that at the end of the run\n", frames,
+               frames * 7 * 8 * disks / 1e6);
+  }
   fmt::print("# memory         {:.3g} MB\n", memory_needed(scene, plan) / 1e6);
   fmt::print("# estimated time {} to {} on one core\n", time_text(time.least),
              time_text(time.most));

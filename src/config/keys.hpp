@@ -83,10 +83,17 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
 
   visit(Key{"measure.every", "steps", "between evaluations inside a window", optional, 1, 1e12},
         measure.every);
+  visit(Key{"measure.profiles", "", "profiles over y of flow, packing and stress; band fractions",
+            optional}, measure.profiles);
+  visit(Key{"measure.fields", "", "packing fraction and strain rate within 4 d_s of each disk",
+            optional}, measure.fields);
+  visit(Key{"measure.rotation", "", "histogram of thetadot/gammadot", optional}, measure.rotation);
+  visit(Key{"measure.frame_strain", "", "between the frames that these three look at", optional, 0,
+            many, above}, measure.frame_strain);
 
   visit(Key{"output.sample_strain", "", "window whose averages are recorded", optional, 0, many,
             above}, output.sample_strain);
-  visit(Key{"output.trajectory_strain", "", "between frames; 0: none", optional, 0, many},
+  visit(Key{"output.trajectory_strain", "", "between the frames of trajectory.h5md; 0: none", optional, 0, many},
         output.trajectory_strain);
   visit(Key{"output.checkpoint_minutes", "min", "wall time between checkpoints", optional, 0, many,
             above}, output.checkpoint_minutes);

@@ -21,6 +21,19 @@ constexpr double big_diameter = 1.4;  // [d_s]
 /// A quotient rounded up, but not for the sake of the rounding of the quotient itself.
 double round_up(double quotient) { return std::ceil(quotient * (1 - 1e-12)); }
 
+/// Of what is kept of frames, [bytes]: of each slice 1.5 d_s thick about 20 sums, twice; of fields the
+/// last one. All of it also in a checkpoint and in its image.
+double memory_of_frames(Scene const& scene, Plan const& plan) {
+  double const measured = static_cast<double>((plan.windows - plan.discarded_windows)) *
+                          static_cast<double>(plan.window_steps);
+  double const frames = 1 + measured / static_cast<double>(plan.frame_steps);
+  double bytes = 0;
+  if (scene.measure.profiles) bytes += frames * (8 + scene.box_length() / 1.5) * 2 * 21 * 8 * 5;
+  if (scene.measure.fields) bytes += static_cast<double>(scene.disks.count) * 7 * 8 * 3;
+  if (plan.trajectory_steps > 0) bytes += 6 * 1024 * 1024;  // HDF5's cache of each dataset of its file
+  return bytes;
+}
+
 }  // namespace
 
 Plan make_plan(Scene const& scene) {
@@ -45,7 +58,20 @@ Plan make_plan(Scene const& scene) {
                                  std::ceil(steps / most_windows) * step_strain));
   plan.discarded_windows = static_cast<std::int64_t>(
       round_up(scene.shear.discard * static_cast<double>(plan.windows)));
+  auto const steps_between = [&](double strain) {
+    return static_cast<std::int64_t>(
+        std::clamp(round_up(strain / step_strain), 1.0, most_steps));
+  };
+  plan.frame_steps = steps_between(scene.measure.frame_strain);
+  if (scene.output.trajectory_strain > 0)
+    plan.trajectory_steps = steps_between(scene.output.trajectory_strain);
   return plan;
+}
+
+double least_box_for_fields() {
+  // a search from a small disk reaches what touches the circle, one from a big disk further
+  double const small_radius = 0.5;
+  return 2 * (big_diameter + field_radius - small_radius);
 }
 
 std::string plan_warning(Plan const& plan) {
@@ -64,7 +90,8 @@ double memory_needed(Scene const& scene, Plan const& plan) {
   double const list = 4 + 1.125 * 4 * 7 * std::pow(1 + scene.integration.skin, 2) + 3 * 4;
   double const host = 3 * (16 + 16 + spin + 8) + 16;
   double const windows = static_cast<double>(plan.windows) * 16 * 8 * 6;
-  double const system = static_cast<double>(scene.disks.count) * (views + list + host) + windows;
+  double const system = static_cast<double>(scene.disks.count) * (views + list + host) + windows +
+                        memory_of_frames(scene, plan);
   return static_cast<double>(scene.disks.replicas) * system + 64e6;
 }
 
@@ -77,6 +104,13 @@ void check_feasible(Scene const& scene, Plan const& plan, bool allow_unstable) {
         "{} + integration.skin {}) = {:.3g}, or disks meet through two images); use more disks or "
         "a smaller skin",
         scene.disks.count, length, big_diameter, scene.integration.skin, 2 * reach));
+
+  if (scene.measure.fields && length < least_box_for_fields())
+    throw InputError(fmt::format(
+        "measure.fields = true (disks.count = {} makes a box {:.3g} d_s wide, circles of radius {} "
+        "need {:.3g}, or they meet disks through two images); use more disks or measure.fields = "
+        "false",
+        scene.disks.count, length, field_radius, least_box_for_fields()));
 
   double const radius = contact_spectral_radius(scene, plan.time_step);
   if (radius > 1 + 1e-9 && !allow_unstable)

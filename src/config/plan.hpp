@@ -16,7 +16,15 @@ struct Plan {
   std::int64_t windows = 0;            ///< total
   std::int64_t discarded_windows = 0;  ///< first ones, not measured
   std::int64_t every = 1;              ///< steps between evaluations inside a window
+  std::int64_t frame_steps = 1;        ///< between frames that are measured
+  std::int64_t trajectory_steps = 0;   ///< between frames of the trajectory; 0: none
 };
+
+/// R: radius about a disk within which measure.fields averages, P2 Fig. 27, [d_s].
+inline constexpr double field_radius = 4.0;
+
+/// Least width of a box in which no disk is met twice within such a radius, [d_s].
+double least_box_for_fields();
 
 /// Strain, window and discarded share, rounded up to whole steps and windows. Throws InputError
 /// where that is more than can be run or kept.

@@ -50,6 +50,10 @@ struct Scene {
 
   struct Measure {
     std::int64_t every = 10;
+    bool profiles = false;
+    bool fields = false;
+    bool rotation = false;
+    double frame_strain = 0.1;
   } measure;
 
   struct Output {

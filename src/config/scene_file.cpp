@@ -166,6 +166,8 @@ Override from_command_line(std::string const& text) {
   return {text.substr(0, equals), text.substr(equals + 1), origin};
 }
 
+constexpr std::int64_t most_trajectories = 256;  // systems often allow 1024 open files
+
 void refuse_contradictions(Scene const& scene, std::string const& origin) {
   auto const refuse = [&](std::string const& message) {
     throw InputError(fmt::format("{}: {}", origin, message));
@@ -192,8 +194,15 @@ void refuse_contradictions(Scene const& scene, std::string const& origin) {
                        scene.start.file));
   if (scene.shear.discard >= 1)
     refuse("shear.discard = 1 (must be below 1) would leave nothing to measure");
-  if (scene.output.trajectory_strain != 0)
-    refuse("output.trajectory_strain is not there yet (must be 0); take state.h5 for the last state");
+  if (scene.output.trajectory_strain > 0 && disks.replicas > most_trajectories)
+    refuse(fmt::format("output.trajectory_strain = {} with disks.replicas = {} (must be at most {}: a "
+                       "file is open for each); run some of the seeds at a time, or set "
+                       "output.trajectory_strain = 0",
+                       scene.output.trajectory_strain, disks.replicas, most_trajectories));
+  if (scene.measure.rotation && !scene.rotates())
+    refuse(fmt::format("measure.rotation = true (disks of model \"{}\" do not rotate); use model "
+                       "\"CD_rot\" or \"general\", or measure.rotation = false",
+                       disks.model));
 }
 
 Scene scene_of(toml::table table, std::string const& origin, std::filesystem::path const& folder,

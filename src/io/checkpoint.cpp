@@ -15,7 +15,7 @@
 namespace bagnold::io {
 namespace {
 
-constexpr std::int64_t schema = 2;  ///< of the file, see SCHEMA.md
+constexpr std::int64_t schema = 3;  ///< of the file, see SCHEMA.md
 
 std::filesystem::path newest_of(std::filesystem::path const& folder) {
   return folder / "checkpoint.h5";
@@ -87,6 +87,12 @@ void put_system(Hdf5Writer& file, SystemCheckpoint const& system, std::string co
   file.group(at + "/start_record");
   for (auto const& [name, value] : system.start_record)
     file.attribute(at + "/start_record", name, value);
+
+  file.group(at + "/frames");
+  for (auto const& [name, numbers] : system.frames) {
+    file.dataset(at + "/frames/" + name, numbers, {numbers.size()});
+    file.attribute(at + "/frames", name, static_cast<std::int64_t>(numbers.size()));
+  }
 }
 
 SystemCheckpoint get_system(Hdf5Reader const& file, std::string const& at) {
@@ -117,6 +123,10 @@ SystemCheckpoint get_system(Hdf5Reader const& file, std::string const& at) {
 
   for (auto const& record : file.attribute_names(at + "/start_record"))
     system.start_record[record] = file.number(at + "/start_record", record);
+
+  for (auto const& frames : file.attribute_names(at + "/frames"))
+    system.frames[frames] = file.doubles(
+        at + "/frames/" + frames, {static_cast<hsize_t>(file.integer(at + "/frames", frames))});
   return system;
 }
 

@@ -28,7 +28,8 @@ struct SystemCheckpoint {
   std::vector<double> open_sums;                     ///< of the window in progress
   double open_weight = 0.0;
   std::map<std::string, double> start_record;  ///< e.g. relaxation iterations, remaining overlap
-  std::int64_t builds = 0;                     ///< of the neighbour list, so far
+  std::map<std::string, std::vector<double>> frames;  ///< what observers of frames know
+  std::int64_t builds = 0;                            ///< of the neighbour list, so far
   std::map<std::string, double> engine;  ///< what else the engine needs: ages, bounds, counters
 };
 

@@ -37,8 +37,12 @@ class Handle {
   Close close_;
 };
 
-/// Stops HDF5 from printing its errors and from loading filter plug-ins.
+/// Stops HDF5 from printing its errors (on this thread), from loading filter plug-ins, and from
+/// work at exit. Comes before any other use of HDF5 by a thread.
 void quiet_hdf5();
+
+/// The name of a file in memory; HDF5 takes two of one name, open at once, for the same file.
+std::string name_in_memory();
 
 /// The innermost reason of the HDF5 call that just failed; any further call forgets it.
 std::string hdf5_reason();

@@ -41,7 +41,7 @@ Handle open_image(std::vector<std::byte>& image) {
                                     same, leave, image.data()};
   H5Pset_file_image_callbacks(access.get(), &calls);
   H5Pset_file_image(access.get(), image.data(), image.size());
-  return Handle(H5Fopen("image", H5F_ACC_RDONLY, access.get()), H5Fclose);
+  return Handle(H5Fopen(name_in_memory().c_str(), H5F_ACC_RDONLY, access.get()), H5Fclose);
 }
 
 herr_t keep_name(hid_t, char const* name, H5A_info_t const*, void* names) {

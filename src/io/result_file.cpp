@@ -1,9 +1,46 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/io/result_file.hpp"
 
+#include <fmt/format.h>
+
 #include "src/io/atomic_file.hpp"
 
 namespace bagnold::io {
+namespace {
+
+void put(Hdf5Writer& file, statistics::Histogram const& h) {
+  auto const at = "/histograms/" + h.name;
+  file.group(at);
+  file.attribute(at, "description", h.description);
+  file.dataset(at + "/edges", h.edges, {h.edges.size()}, {{"unit", h.unit}});
+  file.dataset(at + "/density", h.density, {h.density.size()});
+}
+
+void put(Hdf5Writer& file, statistics::Profile const& p) {
+  auto const at = "/profiles/" + p.name;
+  file.group(at);
+  file.attribute(at, "description", p.description);
+  file.dataset(at + "/y", p.y, {p.y.size()}, {{"unit", "d_s"}});
+  file.dataset(at + "/value", p.value, {p.value.size()}, {{"unit", p.unit}});
+  file.dataset(at + "/error", p.error, {p.error.size()}, {{"unit", p.unit}});
+}
+
+void put(Hdf5Writer& file, statistics::Samples const& s) {
+  auto const columns = s.columns.size();
+  file.dataset(
+      "/samples/" + s.name, s.rows, {s.rows.size() / columns, columns},
+      {{"description", s.description}, {"columns", fmt::format("{}", fmt::join(s.columns, ", "))}});
+}
+
+/// A group with its tables, where there are any.
+template <class Table>
+void put_all(Hdf5Writer& file, std::string const& group, std::vector<Table> const& tables) {
+  if (tables.empty()) return;
+  file.group(group);
+  for (auto const& table : tables) put(file, table);
+}
+
+}  // namespace
 
 void write_result(std::filesystem::path const& path, Result const& result) {
   Hdf5Writer file;
@@ -16,6 +53,9 @@ void write_result(std::filesystem::path const& path, Result const& result) {
     file.dataset("/series/" + series.name, series.value, shape,
                  {{"unit", series.unit}, {"description", series.description}});
   }
+  put_all(file, "/histograms", result.histograms);
+  put_all(file, "/profiles", result.profiles);
+  put_all(file, "/samples", result.samples);
   replace_file(path, file.image());
 }
 

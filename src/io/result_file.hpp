@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "src/io/hdf5_writer.hpp"
+#include "src/statistics/tables.hpp"
 
 namespace bagnold::io {
 
@@ -23,7 +24,10 @@ struct Result {
   Attributes attributes;  ///< of the file root: provenance and the resolved scene
   std::vector<Series> series;
   std::int64_t discarded_windows = 0;  ///< first windows that no average uses
-  std::size_t replicas = 1;            ///< R; where it is 1 the datasets have no such axis
+  std::size_t replicas = 1;            ///< R; where it is 1 the series have no such axis
+  std::vector<statistics::Histogram> histograms = {};
+  std::vector<statistics::Profile> profiles = {};
+  std::vector<statistics::Samples> samples = {};
 };
 
 /// Replaces the file as a whole; equal results give equal bytes. Throws FileError.

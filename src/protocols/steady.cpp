@@ -28,9 +28,13 @@ bool run_steady(Simulation& simulation, Plan const& plan, Measurement& measureme
                 std::function<bool()> const& go_on) {
   Stretch stretch;
   Sampling const sampling{plan.window_steps, plan.every, plan.steps};
+  if (simulation.step() == 0) measurement.frames.show(simulation, -1);
   while (simulation.step() < plan.steps) {
     auto const start = std::chrono::steady_clock::now();
-    simulation.advance(stretch.steps(), sampling, measurement.open);
+    auto const from = simulation.step();
+    auto const to_frame = measurement.frames.next(from) - from;
+    simulation.advance(std::min(stretch.steps(), to_frame), sampling, measurement.open);
+    measurement.frames.show(simulation, from);
     while (std::min((measurement.open.first + 1) * plan.window_steps, plan.steps) <=
                simulation.step() &&
            measurement.open.first < plan.windows) {

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "src/config/plan.hpp"
+#include "src/measure/frames.hpp"
 #include "src/simulation/simulation.hpp"
 #include "src/statistics/windows.hpp"
 
@@ -13,6 +14,7 @@ namespace bagnold {
 struct Measurement {
   statistics::Windows windows;  ///< finished, from the first step on
   OpenWindows open;             ///< those in progress
+  Frames frames;                ///< what observers see now and then
 };
 
 /// Shear at a constant rate until the plan's steps are done, from wherever the simulation is.

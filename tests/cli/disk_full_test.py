@@ -75,6 +75,23 @@ class Full(DiskTest):
     def test_when_results_are_written(self):
         self.check_full(minutes=1e6)
 
+    def test_under_a_trajectory(self):
+        changes = {**LONG, "shear__strain": 0.5, "output__trajectory_strain": 2.0**-8}
+        path, whole = self.scene(**changes), self.folder / "whole"
+        self.run_scene(path, whole, "--quiet")
+        self.assertGreater((whole / "trajectory.h5md").stat().st_size, 7e6)
+        disk = self.small_disk("disk", "size=3m")
+        result = self.bagnold("run", path, "--out", disk / "out")
+        self.assert_clean_error(result, 4, "trajectory", "space")
+        subprocess.run(["mount", "-o", "remount,size=12m", disk], check=True)
+        result = self.bagnold("resume", disk / "out")  # the parts fit, the whole beside them does not
+        self.assert_clean_error(result, 4, "trajectory", "space")
+        subprocess.run(["mount", "-o", "remount,size=60m", disk], check=True)
+        result = self.bagnold("resume", disk / "out")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual((whole / "trajectory.h5md").read_bytes(),
+                         (disk / "out" / "trajectory.h5md").read_bytes())
+
     def test_from_the_start(self):
         disk = self.small_disk("disk", "size=16k")
         result = self.bagnold("run", self.scene(**LONG), "--out", disk / "out")

@@ -26,6 +26,7 @@ class BadValues(CliTest):
         self.check("integration", "scheme", "leapfrog", words=("modified-velocity-verlet",))
         self.check("integration", "time_step", 0.0, -0.1, Raw("nan"), "fast")
         self.check("measure", "every", 0, -1)
+        self.check("measure", "frame_strain", 0.0, -1.0, Raw("nan"))
         self.check("output", "sample_strain", 0.0, -1.0, Raw("nan"))
         self.check("output", "trajectory_strain", -1.0, Raw("nan"))
         self.check("output", "checkpoint_minutes", 0.0, -1.0, Raw("nan"))
@@ -58,7 +59,6 @@ class BadValues(CliTest):
 
     def test_not_there_yet(self):
         self.check("shear", "protocol", "ramp", "cascade", words=("steady",))
-        self.check("output", "trajectory_strain", 0.1, 1)
 
     def test_box_too_small(self):
         """A box must hold two contact distances and skins."""

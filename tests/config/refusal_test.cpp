@@ -99,7 +99,8 @@ TEST(Refusals, Contradictions) {
   EXPECT_TRUE(has(with("start.kind=state"), "start.file"));
   EXPECT_TRUE(has(with("start.file=a.h5"), "start.file"));
   EXPECT_TRUE(has(with("shear.discard=1"), "shear.discard = 1"));
-  EXPECT_TRUE(has(with("output.trajectory_strain=0.1"), "output.trajectory_strain"));
+  EXPECT_TRUE(has(refusal(minimal_text, {"disks.model=CD", "measure.rotation=true"}),
+                  "measure.rotation = true"));
   EXPECT_EQ(refusal(minimal_text, {"disks.model=general", "disks.damping_tangential=0"}),
             "accepted");
 }

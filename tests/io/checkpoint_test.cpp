@@ -35,7 +35,7 @@ TEST(Checkpoint, EveryBitComesBack) {
   EXPECT_TRUE(same(parse_checkpoint("x", checkpoint_image(checkpoint)), checkpoint));
 }
 
-TEST(Checkpoint, WithoutSpinsWindowsOrRecords) {
+TEST(Checkpoint, WithoutSpinsWindowsRecordsOrFrames) {
   auto checkpoint = some_checkpoint(4, 0);
   checkpoint.systems[0].state.spin.clear();
   checkpoint.systems[0].state.strain_rate.reset();
@@ -43,6 +43,7 @@ TEST(Checkpoint, WithoutSpinsWindowsOrRecords) {
   checkpoint.systems[0].window_weight.clear();
   checkpoint.systems[0].open_sums.clear();
   checkpoint.systems[0].start_record.clear();
+  checkpoint.systems[0].frames.clear();
   EXPECT_TRUE(same(parse_checkpoint("x", checkpoint_image(checkpoint)), checkpoint));
 }
 
@@ -65,7 +66,7 @@ TEST(Checkpoint, ImpossibleNumbersOfReplicasAreRefused) {
                                       std::numeric_limits<std::int64_t>::max()}) {
     Hdf5Writer file(Hashed::yes);
     file.attribute("/", "format", "bagnold-checkpoint");
-    file.attribute("/", "schema", std::int64_t{2});
+    file.attribute("/", "schema", std::int64_t{3});
     file.attribute("/", "replicas", replicas);
     file.text("/scene", "");
     auto image = file.image();

@@ -40,7 +40,10 @@ inline bool same(SystemCheckpoint const& a, SystemCheckpoint const& b) {
   bool records = a.start_record.size() == b.start_record.size();
   for (auto const& [name, value] : a.start_record)
     records = records && b.start_record.contains(name) && same(value, b.start_record.at(name));
-  return records && same(a.state, b.state) && same(a.list_position, b.list_position) &&
+  bool frames = a.frames.size() == b.frames.size();
+  for (auto const& [name, numbers] : a.frames)
+    frames = frames && b.frames.contains(name) && same(numbers, b.frames.at(name));
+  return records && frames && same(a.state, b.state) && same(a.list_position, b.list_position) &&
          a.list_step == b.list_step && a.step == b.step &&
          same(a.initial_offset, b.initial_offset) && same(a.initial_time, b.initial_time) &&
          same(a.window_sums, b.window_sums) && a.columns == b.columns &&

@@ -80,6 +80,21 @@ TEST(Hdf5, HashTellsAChangedValue) {
   EXPECT_NO_THROW(Hdf5Reader("x.h5", image, Hashed::no).doubles("/g/d", {3, 2}));
 }
 
+TEST(Hdf5, FilesOpenAtOnceKeepApart) {
+  auto const image_of = [](double value) {
+    Hdf5Writer file;
+    file.dataset("/d", std::vector{value}, {1});
+    return file.image();
+  };
+  Hdf5Writer writer;
+  writer.dataset("/d", std::vector{3.0}, {1});
+  Hdf5Reader const one("one.h5", image_of(1.0)), two("two.h5", image_of(2.0));
+  Hdf5Reader const three("three.h5", writer.image());
+  EXPECT_EQ(two.doubles("/d", {1}), std::vector{2.0});
+  EXPECT_EQ(one.doubles("/d", {1}), std::vector{1.0});
+  EXPECT_EQ(three.doubles("/d", {1}), std::vector{3.0});
+}
+
 TEST(Hdf5, WhatIsMissingIsNamed) {
   Hdf5Reader const file("x.h5", sample(Hashed::no));
   auto const message = [&](auto what) -> std::string {

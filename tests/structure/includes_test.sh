@@ -22,7 +22,8 @@ src/config
 src/statistics
 src/state            src/config kernels/core
 src/simulation       src/config src/state src/statistics kernels
-src/protocols        src/config src/state src/statistics src/simulation
+src/measure          src/config src/state src/statistics src/simulation src/io kernels
+src/protocols        src/config src/state src/statistics src/simulation src/measure
 src/io               src/config src/state src/statistics
 src/sweep            src/config src/state src/io
 src/start            src/config src/state src/statistics src/simulation src/io kernels
@@ -68,7 +69,7 @@ awk -v allowed="$allowed" -v forbidden="$forbidden" '
   }
   /^[ \t]*#[ \t]*include[ \t]*"/ {
     split($0, part, "\""); path = part[2]
-    if (path ~ /^(git_version|plot_script)\.hpp$/) next  # made by the build
+    if (path ~ /^(git_version|plot_script|plot_analysis_script|plot_frames_script)\.hpp$/) next  # made by the build
     if (!(inside(path, "kernels") || inside(path, "src"))) {
       complain("\"" path "\" is not written from the root"); next
     }

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "src/io/hdf5_handle.hpp"
+#include "src/state/state.hpp"
+
+namespace bagnold::io {
+
+/// What all frames of a trajectory have in common.
+struct TrajectoryHeader {
+  std::string version;           ///< of Bagnold
+  std::vector<double> diameter;  ///< [N], [d_s]
+  std::vector<double> mass;      ///< [N], [m]
+  bool spins = false;            ///< whether frames have them
+};
+
+/// A trajectory in the form H5MD 1.1 (P. de Buyl, P. Colberg, F. Hoefling, Comput. Phys. Commun.
+/// 185, 1546 (2014)), frame by frame; SCHEMA.md tells what is in it.
+///
+/// It is written as PATH.tmp, and has its name when close() has brought all of it to the disk: HDF5
+/// does not keep a file whole while it writes to it. Its calls may come from one thread after the
+/// other. Throws FileError.
+class H5mdFile {
+ public:
+  H5mdFile(std::filesystem::path path, TrajectoryHeader const& header);
+  ~H5mdFile();
+  H5mdFile(H5mdFile const&) = delete;
+  H5mdFile& operator=(H5mdFile const&) = delete;
+
+  /// Disks of the state in the box.
+  void append(State const& state, std::int64_t step);
+
+  void close();
+
+ private:
+  Handle series(std::string const& name, hid_t type, Shape const& frame_shape);
+  void put(Handle const& set, hid_t type, void const* values);
+
+  std::filesystem::path path_;
+  std::string name_;  ///< of the temporary, for messages
+  hsize_t count_;     ///< N
+  hsize_t frames_ = 0;
+  Handle file_, step_, time_, edges_, position_, velocity_, spin_;
+};
+
+/// visit(state, step) for every frame of a closed file, in order; bits are those that were
+/// appended, but of the time-independent members only count, box_length and offset are set. Throws
+/// FileError.
+void for_each_frame(std::filesystem::path const& path,
+                    std::function<void(State const&, std::int64_t)> const& visit);
+
+}  // namespace bagnold::io

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "src/statistics/tables.hpp"
+
+namespace bagnold {
+
+/// Counts values between given edges.
+class Counts {
+ public:
+  /// edges: [n + 1], ascending.
+  explicit Counts(std::vector<double> edges);
+
+  /// NaN is not counted; what lies beyond the edges counts in the total only.
+  void add(double value);
+
+  /// Adds those of the same edges.
+  void add(Counts const& other);
+
+  /// density[b] = count[b] / (total width[b]).
+  statistics::Histogram histogram(std::string name, std::string unit,
+                                  std::string description) const;
+
+  /// [n] counts and the total, and back.
+  std::vector<double> numbers() const;
+  void restore(std::vector<double> const& numbers);
+
+ private:
+  std::vector<double> edges_;
+  std::vector<double> count_;
+  double total_ = 0.0;
+};
+
+/// n equal bins from first to last.
+std::vector<double> even_edges(double first, double last, std::size_t n);
+
+/// 2 n bins about a centre, edge k at centre + sinh(u), u even in -reach .. reach: fine where
+/// values crowd, coarse in long tails, and none of their width is guessed.
+std::vector<double> sinh_edges(double centre, double reach, std::size_t n);
+
+}  // namespace bagnold

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "kernels/observables/sums.hpp"
+#include "src/config/scene.hpp"
+#include "src/state/state.hpp"
+
+namespace bagnold {
+
+/// What each disk contributes to the sums over pairs of SumColumns (the elastic and dissipative
+/// ones and `contacts`): half of each of its pairs, so that the sum over disks is that over pairs.
+/// [N], in units of SumColumns; its columns of single disks are 0. state: in the box.
+std::vector<Sums<false>> disk_stress(Scene const& scene, State const& state);
+
+}  // namespace bagnold

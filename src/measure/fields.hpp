@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "src/measure/counts.hpp"
+#include "src/measure/frame_observer.hpp"
+
+namespace bagnold {
+
+/// Local packing fraction and strain rate of the disks: histograms over all frames, and the fields
+/// of the last one, for a picture; of several systems, of the first.
+class Fields final : public FrameObserver {
+ public:
+  /// strain_rate: [1/tau_e]. The box is least_box_for_fields() wide at least.
+  explicit Fields(double strain_rate);
+
+  void add(Frame const& frame) override;
+  void save(Numbers& numbers) override;
+  void load(Numbers const& numbers) override;
+  void report(std::vector<FrameObserver const*> const& systems,
+              FrameResults& results) const override;
+
+ private:
+  double rate_;
+  Counts packing_fraction_;
+  Counts strain_rate_;
+  std::vector<double> last_;   ///< [N][5]: x, y, diameter, phi, gammadot
+  std::vector<double> frame_;  ///< of the last one: step, strain, box length, offset
+};
+
+}  // namespace bagnold

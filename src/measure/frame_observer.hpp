@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "src/state/state.hpp"
+#include "src/statistics/replicas.hpp"
+#include "src/statistics/tables.hpp"
+
+namespace bagnold {
+
+/// A configuration that observers are shown.
+struct Frame {
+  State const& state;     ///< disks in the box, with its strain rate
+  std::int64_t step = 0;  ///< true one, at or after the one asked for
+  double strain = 0.0;    ///< since step 0
+};
+
+/// What observers know, by name, as a checkpoint keeps it.
+using Numbers = std::map<std::string, std::vector<double>>;
+
+/// A mean over the frames of all systems.
+struct FrameScalar {
+  std::string name;
+  std::string unit;
+  std::string meaning;
+  statistics::ReplicaEstimate estimate;  ///< its windows are frames
+};
+
+/// What observers found.
+struct FrameResults {
+  std::vector<statistics::Histogram> histograms;
+  std::vector<statistics::Profile> profiles;
+  std::vector<statistics::Samples> samples;
+  std::vector<FrameScalar> scalars;
+};
+
+/// Measures something on a frame now and then.
+class FrameObserver {
+ public:
+  virtual ~FrameObserver() = default;
+
+  virtual void add(Frame const& frame) = 0;
+
+  /// Adds all it needs to go on bit for bit. Called right before each checkpoint: what lies in
+  /// files of its own must be on the disk when it returns.
+  virtual void save(Numbers& numbers) = 0;
+
+  /// The inverse, before the first frame of a resumed run.
+  virtual void load(Numbers const& numbers) = 0;
+
+  /// Adds what has been found so far. systems: observers of its kind, [R], of each system one,
+  /// itself the first; errors are those of statistics/replicas.hpp.
+  virtual void report(std::vector<FrameObserver const*> const& systems,
+                      FrameResults& results) const = 0;
+
+  /// A run begins that is not resumed; its last frame has been shown; all its results are written.
+  virtual void begin() {}
+  virtual void finish() {}
+  virtual void tidy() {}
+};
+
+}  // namespace bagnold

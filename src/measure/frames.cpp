@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/measure/frames.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace bagnold {
+
+bool Frames::Watched::waits(std::int64_t from, std::int64_t to) const {
+  return to >= first_step && (from < 0 || to / spacing > from / spacing);
+}
+
+void Frames::watch(std::unique_ptr<FrameObserver> observer, std::int64_t spacing,
+                   std::int64_t first_step) {
+  watched_.push_back({std::move(observer), spacing, first_step});
+}
+
+std::int64_t Frames::next(std::int64_t step) const {
+  auto next = std::numeric_limits<std::int64_t>::max();
+  for (auto const& w : watched_) next = std::min(next, (step / w.spacing + 1) * w.spacing);
+  return next;
+}
+
+void Frames::show(Simulation const& simulation, std::int64_t from) {
+  auto const step = simulation.step();
+  auto const waits = [&](Watched const& w) { return w.waits(from, step); };
+  if (std::ranges::none_of(watched_, waits)) return;
+  State const state = simulation.state();
+  Frame const frame{state, step, static_cast<double>(step) * step_strain_};
+  for (auto const& w : watched_)
+    if (waits(w)) w.observer->add(frame);
+}
+
+void Frames::begin() {
+  for (auto const& w : watched_) w.observer->begin();
+}
+
+void Frames::finish() {
+  for (auto const& w : watched_) w.observer->finish();
+}
+
+void Frames::tidy() {
+  for (auto const& w : watched_) w.observer->tidy();
+}
+
+Numbers Frames::save() {
+  Numbers numbers;
+  for (auto const& w : watched_) w.observer->save(numbers);
+  return numbers;
+}
+
+void Frames::load(Numbers const& numbers) {
+  for (auto const& w : watched_) w.observer->load(numbers);
+}
+
+FrameResults Frames::join(std::vector<Frames const*> const& systems) {
+  FrameResults results;
+  for (std::size_t k = 0; k < systems.front()->watched_.size(); ++k) {
+    std::vector<FrameObserver const*> of_each;
+    for (Frames const* frames : systems) of_each.push_back(frames->watched_[k].observer.get());
+    of_each.front()->report(of_each, results);
+  }
+  return results;
+}
+
+}  // namespace bagnold

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "src/measure/frame_observer.hpp"
+#include "src/simulation/simulation.hpp"
+
+namespace bagnold {
+
+/// Which observers are shown which configurations of one simulation.
+///
+/// An observer sees the first configuration at or after each multiple of its spacing at which the
+/// engine can stop; where windows are longer than the spacing, multiples share a frame. That does
+/// not depend on how the run is cut into calls, if each goes no further than next().
+class Frames {
+ public:
+  /// step_strain: gammadot dt.
+  explicit Frames(double step_strain = 0.0) : step_strain_(step_strain) {}
+
+  /// spacing: [steps], 1 at least. Frames before first_step are not shown.
+  void watch(std::unique_ptr<FrameObserver> observer, std::int64_t spacing,
+             std::int64_t first_step = 0);
+
+  /// The first step after `step` that an observer waits for.
+  std::int64_t next(std::int64_t step) const;
+
+  /// Shows the configuration to all that have waited for one since step `from`, which they have
+  /// seen; -1: since before step 0.
+  void show(Simulation const& simulation, std::int64_t from);
+
+  /// To all observers, see FrameObserver.
+  void begin();
+  Numbers save();
+  void load(Numbers const& numbers);
+  void finish();
+  void tidy();
+
+  /// What the same observers found on the frames of several systems, [R], one at least.
+  static FrameResults join(std::vector<Frames const*> const& systems);
+
+ private:
+  struct Watched {
+    std::unique_ptr<FrameObserver> observer;
+    std::int64_t spacing;
+    std::int64_t first_step;
+
+    bool waits(std::int64_t from, std::int64_t to) const;
+  };
+  double step_strain_;
+  std::vector<Watched> watched_;
+};
+
+}  // namespace bagnold

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "src/measure/slices.hpp"
+
+namespace bagnold {
+
+/// A quantity in one slice as a function of averages: the columns of the slice below, of the slice
+/// itself and of the one above, [3][SliceColumns::count]. NaN where it is undefined.
+struct ProfileQuantity {
+  std::string_view name;
+  std::string_view unit;
+  std::string_view meaning;
+  std::function<double(std::span<double const>)> value;
+  bool grows = false;  ///< gammadot y is to be added: the quantity is not periodic
+};
+
+/// All quantities of a run at one strain rate, [1/tau_e]; that of the spin only where disks rotate.
+///
+/// The mean flow of a slice, (w + gammadot y, v_y), is that of its mass, a straight line in y
+/// fitted to all frames together; the kinetic stress is about it, so neither shear within a slice
+/// nor the few disks a frame has there count as heat or take from it.
+std::vector<ProfileQuantity> profile_quantities(Slices const& slices, double strain_rate,
+                                                bool rotates);
+
+}  // namespace bagnold

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/measure/profiles.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "kernels/core/species.hpp"
+#include "src/measure/band.hpp"
+#include "src/measure/disk_stress.hpp"
+#include "src/measure/profile_quantities.hpp"
+
+namespace bagnold {
+
+namespace {
+
+using C = SliceColumns;
+using Averages = std::span<double const>;
+constexpr std::size_t columns = C::count;
+
+/// w = v_x - gammadot y in each slice of one frame; an empty one does not pull.
+std::vector<double> excess(Slices const& slices, std::vector<double> const& sums) {
+  std::vector<double> w;
+  for (std::size_t b = 0; b < slices.n; ++b) {
+    double const mass = sums[b * columns + C::mass];
+    w.push_back(mass > 0 ? sums[b * columns + C::flow_x] / mass : 0.0);
+  }
+  return w;
+}
+
+/// The columns of a slice between those of the slices beside it, around the period.
+void take_three(Slices const& slices, std::size_t b, Averages all, std::vector<double>& three) {
+  three.clear();
+  for (std::size_t const k : {b + slices.n - 1, b, b + 1}) {
+    auto const row = all.subspan(k % slices.n * columns, columns);
+    three.insert(three.end(), row.begin(), row.end());
+  }
+}
+
+/// One quantity in all slices, from averages over frames.
+std::vector<double> profile(Slices const& slices, ProfileQuantity const& quantity, Averages all) {
+  std::vector<double> values, three;
+  for (std::size_t b = 0; b < slices.n; ++b) {
+    take_three(slices, b, all, three);
+    values.push_back(quantity.value(three));
+  }
+  return values;
+}
+
+/// The frames as seen by three slices, so that a jackknife does not carry all the others along.
+statistics::Windows frames_of_three(Slices const& slices, std::size_t b,
+                                    statistics::Windows const& frames) {
+  statistics::Windows three{3 * columns, {}, {}};
+  std::vector<double> row;
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    take_three(slices, b, frames.row(f), row);
+    three.push_back(row, frames.weight[f]);
+  }
+  return three;
+}
+
+std::vector<statistics::Windows const*> addresses(std::vector<statistics::Windows> const& all) {
+  std::vector<statistics::Windows const*> list;
+  for (auto const& one : all) list.push_back(&one);
+  return list;
+}
+
+double or_nan(std::optional<double> const& value) {
+  return value.value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+}  // namespace
+
+Profiles::Profiles(Scene const& scene, double box_length)
+    : scene_(scene), slices_(box_length), plain_{slices_.n * columns, {}, {}}, aligned_(plain_) {}
+
+void Profiles::add(Frame const& frame) {
+  std::vector<double> mass;
+  for (double const d : frame.state.diameter) mass.push_back(disk_mass(scene_.mass_by_area(), d));
+  auto const stress = disk_stress(scene_, frame.state);
+  auto const sums = slice_sums(slices_, frame.state, mass, stress, 0.0);
+  double const band = band_position(excess(slices_, sums), slices_.length);
+  plain_.push_back(sums, 1.0);
+  aligned_.push_back(slice_sums(slices_, frame.state, mass, stress, band - slices_.length / 2),
+                     1.0);
+  band_position_.insert(band_position_.end(), {frame.strain, band});
+}
+
+void Profiles::save(Numbers& numbers) {
+  numbers["profiles"] = plain_.sums;
+  numbers["profiles_aligned"] = aligned_.sums;
+  numbers["band_position"] = band_position_;
+}
+
+void Profiles::load(Numbers const& numbers) {
+  plain_.sums = numbers.at("profiles");
+  aligned_.sums = numbers.at("profiles_aligned");
+  band_position_ = numbers.at("band_position");
+  plain_.weight = aligned_.weight = std::vector<double>(band_position_.size() / 2, 1.0);
+}
+
+void Profiles::report_profiles(std::vector<statistics::Windows const*> const& frames,
+                               std::string const& suffix, FrameResults& results) const {
+  double const rate = scene_.shear.strain_rate;
+  auto const first = results.profiles.size();
+  auto const quantities = profile_quantities(slices_, rate, scene_.rotates());
+  for (auto const& quantity : quantities)
+    results.profiles.push_back({std::string(quantity.name) + suffix,
+                                std::string(quantity.unit),
+                                std::string(quantity.meaning),
+                                {},
+                                {},
+                                {}});
+  for (std::size_t b = 0; b < slices_.n; ++b) {
+    std::vector<statistics::Windows> three;
+    for (auto const* system : frames) three.push_back(frames_of_three(slices_, b, *system));
+    for (std::size_t q = 0; q < quantities.size(); ++q) {
+      auto const estimate = statistics::estimate(addresses(three), 0, quantities[q].value).all;
+      auto& profile = results.profiles[first + q];
+      profile.y.push_back(slices_.middle(b));
+      profile.value.push_back(or_nan(estimate.mean) +
+                              (quantities[q].grows ? rate * slices_.middle(b) : 0.0));
+      profile.error.push_back(or_nan(estimate.error));
+    }
+  }
+}
+
+void Profiles::report(std::vector<FrameObserver const*> const& systems,
+                      FrameResults& results) const {
+  std::vector<statistics::Windows const*> plain, aligned;
+  std::vector<double> bands;
+  for (auto const* system : systems) {
+    auto const& of = dynamic_cast<Profiles const&>(*system);
+    plain.push_back(&of.plain_);
+    aligned.push_back(&of.aligned_);
+    bands.insert(bands.end(), of.band_position_.begin(), of.band_position_.end());
+  }
+  report_profiles(plain, "", results);
+  report_profiles(aligned, "_aligned", results);
+  results.samples.push_back({"band_position",
+                             "centre of the band that shears fastest, in each frame averaged",
+                             {"strain [1]", "y [d_s]"},
+                             bands});
+
+  double const rate = scene_.shear.strain_rate;
+  auto const quantities = profile_quantities(slices_, rate, scene_.rotates());
+  auto const share = [&](std::string_view name, double level, double sign) {
+    auto const quantity = *std::ranges::find(quantities, name, &ProfileQuantity::name);
+    return statistics::estimate(aligned, 0, [=, this](Averages all) {
+      auto values = profile(slices_, quantity, all);
+      for (double& value : values) value *= sign;
+      return share_below(values, sign * level);
+    });
+  };
+  results.scalars.push_back({"band_fraction_phi", "1",
+                             "f of P2 App. B: share of L where phi(y) is below phi",
+                             share("phi", scene_.disks.packing_fraction, 1.0)});
+  results.scalars.push_back({"band_fraction_gammadot", "1",
+                             "f' of P2 App. B: share of L where gammadot(y) is above gammadot",
+                             share("gammadot", rate, -1.0)});
+}
+
+}  // namespace bagnold

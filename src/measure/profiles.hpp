@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "src/config/scene.hpp"
+#include "src/measure/frame_observer.hpp"
+#include "src/measure/slices.hpp"
+#include "src/statistics/windows.hpp"
+
+namespace bagnold {
+
+/// Profiles over y of flow, packing and stress, and the shares of the bands (P2 Fig. 28, App. B).
+///
+/// Bands drift. So every profile is kept twice: as the box has it, and, under NAME_aligned, with
+/// each frame moved so that the centre of the band that shears fastest is at y = L/2. Moving each
+/// frame by its own noise makes a weak band out of none: where there are no bands, look at the
+/// first.
+class Profiles final : public FrameObserver {
+ public:
+  Profiles(Scene const& scene, double box_length);
+
+  void add(Frame const& frame) override;
+  void save(Numbers& numbers) override;
+  void load(Numbers const& numbers) override;
+  void report(std::vector<FrameObserver const*> const& systems,
+              FrameResults& results) const override;
+
+ private:
+  /// frames: [R]
+  void report_profiles(std::vector<statistics::Windows const*> const& frames,
+                       std::string const& suffix, FrameResults& results) const;
+
+  Scene scene_;
+  Slices slices_;
+  statistics::Windows plain_;  ///< a frame is a window; columns: [slices][SliceColumns]
+  statistics::Windows aligned_;
+  std::vector<double> band_position_;  ///< [frames][2]: strain, and y of the band, [d_s]
+};
+
+}  // namespace bagnold

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/measure/frames.hpp"
+
+#include <gtest/gtest.h>
+
+namespace bagnold {
+namespace {
+
+/// Stops at multiples of 7 only.
+class Sevens final : public Simulation {
+ public:
+  int columns() const override { return 1; }
+  std::int64_t step() const override { return step_; }
+  void advance(std::int64_t steps, Sampling const& sampling, OpenWindows&) override {
+    for (auto const end = std::min(step_ + steps, sampling.last_step); step_ < end;)
+      step_ = std::min((step_ / 7 + 1) * 7, sampling.last_step);
+  }
+  Snapshot snapshot() const override { return {}; }
+  State state() const override { return {}; }
+
+ private:
+  std::int64_t step_ = 0;
+};
+
+class Steps final : public FrameObserver {
+ public:
+  explicit Steps(std::vector<std::int64_t>& seen) : seen_(seen) {}
+  void add(Frame const& frame) override {
+    seen_.push_back(frame.step);
+    EXPECT_DOUBLE_EQ(frame.strain, 0.5 * static_cast<double>(frame.step));
+  }
+  void save(Numbers&) override {}
+  void load(Numbers const&) override {}
+  void report(std::vector<FrameObserver const*> const&, FrameResults&) const override {}
+
+ private:
+  std::vector<std::int64_t>& seen_;
+};
+
+std::vector<std::vector<std::int64_t>> seen_in_calls_of(std::int64_t steps) {
+  std::vector<std::vector<std::int64_t>> seen(3);
+  Frames frames(0.5);
+  frames.watch(std::make_unique<Steps>(seen[0]), 10);
+  frames.watch(std::make_unique<Steps>(seen[1]), 10, 40);
+  frames.watch(std::make_unique<Steps>(seen[2]), 3, 60);
+  Sevens simulation;
+  OpenWindows windows;
+  Sampling sampling;
+  sampling.last_step = 75;
+  frames.show(simulation, -1);
+  while (simulation.step() < 75) {
+    auto const from = simulation.step();
+    simulation.advance(std::min(steps, frames.next(from) - from), sampling, windows);
+    frames.show(simulation, from);
+  }
+  return seen;
+}
+
+TEST(Frames, AreTheFirstStopsFromEachMultipleOn) {
+  auto const seen = seen_in_calls_of(1);
+  EXPECT_EQ(seen[0], (std::vector<std::int64_t>{0, 14, 21, 35, 42, 56, 63, 70}));
+  EXPECT_EQ(seen[1], (std::vector<std::int64_t>{42, 56, 63, 70}));
+  EXPECT_EQ(seen[2], (std::vector<std::int64_t>{63, 70, 75}));
+}
+
+TEST(Frames, DoNotDependOnHowTheRunIsCut) {
+  for (std::int64_t const steps : {2, 5, 8, 30, 1000})
+    EXPECT_EQ(seen_in_calls_of(steps), seen_in_calls_of(1)) << steps;
+}
+
+}  // namespace
+}  // namespace bagnold
