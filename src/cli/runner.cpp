@@ -81,12 +81,12 @@ void Runner::make(std::size_t r, std::optional<Snapshot> snapshot) {
 }
 
 std::unique_ptr<Simulation> Runner::simulation_of(Snapshot snapshot) const {
-  auto const make = [scene = run_.scene, backend = machine_.backend](
-                        double strain_rate, Snapshot const& from) mutable {
+  auto make = [scene = run_.scene, backend = machine_.backend](double strain_rate,
+                                                               Snapshot const& from) mutable {
     scene.shear.strain_rate = strain_rate;
     return make_simulation(scene, from, backend);
   };
-  if (whole_.ramp) return std::make_unique<RampedSimulation>(*whole_.ramp, make, std::move(snapshot));
+  if (whole_.ramp) return std::make_unique<RampedSimulation>(*whole_.ramp, std::move(make), std::move(snapshot));
   return make_simulation(run_.scene, snapshot, machine_.backend);
 }
 

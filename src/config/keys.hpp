@@ -39,7 +39,8 @@ template <class SceneType, class Visitor>
 void for_each_key(SceneType& scene, Visitor&& visit) {
   auto& [title, disks, start, shear, integration, measure, output] = scene;
   constexpr double many = std::numeric_limits<double>::infinity();
-  bool const ramp = shear.protocol == "ramp", cascade = shear.protocol == "cascade";
+  // asked again at each key: a reader learns the protocol on the way
+  auto const is = [&](std::string_view protocol) { return shear.protocol == protocol; };
   auto const of = [](std::initializer_list<std::string_view> protocols, Key key) {
     key.protocols = protocols;
     return key;
@@ -81,10 +82,10 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
   visit(Key{"shear.protocol", "", "what is done to the strain rate", optional, 0, 0, false,
             {"steady", "cascade", "ramp"}}, shear.protocol);
   visit(of({"steady", "ramp"}, Key{"shear.strain_rate", "1/tau_e", "gammadot; of a ramp the lowest",
-            !cascade, 0, 1, above}), shear.strain_rate);
+            !is("cascade"), 0, 1, above}), shear.strain_rate);
   visit(of({"cascade"}, Key{"shear.strain_rates", "1/tau_e", "gammadot of each stage, largest first",
-            cascade, 0, 1, above}), shear.strain_rates);
-  visit(Key{"shear.strain", "", "gamma, total; of a ramp at its lowest rate, before it", !ramp, 0, 1e9,
+            is("cascade"), 0, 1, above}), shear.strain_rates);
+  visit(Key{"shear.strain", "", "gamma, total; of a ramp at its lowest rate, before it", !is("ramp"), 0, 1e9,
             above}, shear.strain);
   visit(of({"steady", "cascade"}, Key{"shear.discard", "",
             "share of the strain not measured, rounded up to whole windows, or \"auto\": MSER-5",
@@ -92,9 +93,9 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
   visit(of({"steady", "cascade"}, Key{"shear.target_error", "",
             "relative standard errors of NAMEs at which a run ends before `strain`", optional, 0, 1,
             above}), shear.target_error);
-  visit(of({"ramp"}, Key{"shear.ramp_rate", "1/tau_e", "kappa~, decades a time, P2 Eq. 39", ramp, 0,
+  visit(of({"ramp"}, Key{"shear.ramp_rate", "1/tau_e", "kappa~, decades a time, P2 Eq. 39", is("ramp"), 0,
             0.1, above}), shear.ramp_rate);
-  visit(of({"ramp"}, Key{"shear.strain_rate_high", "1/tau_e", "gammadot up to which a ramp goes", ramp,
+  visit(of({"ramp"}, Key{"shear.strain_rate_high", "1/tau_e", "gammadot up to which a ramp goes", is("ramp"),
             0, 1, above}), shear.strain_rate_high);
   visit(of({"ramp"}, Key{"shear.cycles", "", "times up and down", optional, 1, 1e6}), shear.cycles);
   visit(of({"ramp"}, Key{"shear.ramp_window", "tau_e", "window whose averages are recorded", optional,
