@@ -84,6 +84,8 @@ class Reader {
           "shear.protocol",
           place(key.name, node), key.name, describe(node), fmt::join(key.protocols, "\" or \""),
           protocol, key.meaning));
+    if (key.name == "shear.strain" && node.is_array() && protocol != "cascade")
+      refuse(key, node, "must be a number; a list belongs to shear.protocol = \"cascade\"");
   }
 
   void in_range(Key const& key, toml::node const& node, double value) const {
@@ -204,10 +206,6 @@ constexpr std::int64_t most_trajectories = 256;  // systems often allow 1024 ope
 void refuse_bad_protocol(Scene const& scene, auto const& refuse) {
   auto const& shear = scene.shear;
   auto const& rates = shear.strain_rates;
-  if (shear.strain.is_list() && shear.protocol != "cascade")
-    refuse(fmt::format("shear.strain = [{:g}, ...] (a list belongs to shear.protocol = \"cascade\"); "
-                       "give one number",
-                       shear.strain.at(0)));
   for (std::size_t k = 1; k < rates.size(); ++k)
     if (rates[k] >= rates[k - 1])
       refuse(fmt::format("shear.strain_rates = [{:g}] (each must be below the one before: it starts from "
@@ -218,7 +216,7 @@ void refuse_bad_protocol(Scene const& scene, auto const& refuse) {
                        "give one for each rate, or one number for all",
                        fmt::join(shear.strain.each, ", "), shear.strain.each.size(), rates.size()));
   if (shear.protocol == "ramp" && shear.strain_rate_high <= shear.strain_rate)
-    refuse(fmt::format("shear.strain_rate_high = {} (must be above shear.strain_rate = {}, the lowest); "
+    refuse(fmt::format("shear.strain_rate_high = {} (must be more than shear.strain_rate = {}, the lowest); "
                        "raise it",
                        shear.strain_rate_high, shear.strain_rate));
   if (!shear.target_error.empty() &&

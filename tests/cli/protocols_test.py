@@ -30,7 +30,7 @@ class ProtocolTest(CliTest):
     def kill_and_resume(self, path, name, moments, seed=3, number=signal.SIGKILL):
         """A run ended at random moments and resumed, as often as `moments` says."""
         chance = random.Random(seed)
-        out = self.folder / name
+        out, ended = self.folder / name, 0
         command = ["run", str(path), "--out", str(out), "--quiet"]
         for _ in range(moments):
             process = self.start(*command)
@@ -39,9 +39,11 @@ class ProtocolTest(CliTest):
             process.send_signal(number)
             status, output = self.finish(process)
             self.assertIn(status, (-number, 128 + number, 0), output)
+            ended += status != 0
             command = ["resume", str(out), "--quiet"]
         result = self.bagnold("resume", out, "--quiet")
         self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertGreaterEqual(ended, 2, "the run was over too soon to be ended")
         return out
 
 
@@ -279,7 +281,7 @@ class Steady(ProtocolTest):
             self.assert_same_results(whole, self.kill_and_resume(path, f"ended{number}", moments, number=number))
 
     def test_unknown_names(self):
-        self.refused(self.scene(shear__target_error=Raw("{ Bp = 0.1 }")), "shear.target_error = { Bp = 0.1 }",
+        self.refused(self.scene(shear__target_error=Raw("{ B_pp = 0.1 }")), "shear.target_error = { B_pp = 0.1 }",
                      "did you mean B_p?")
 
 
