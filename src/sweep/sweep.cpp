@@ -71,6 +71,7 @@ class Expansion {
     if (row.chain == sweep_.chains.size()) sweep_.chains.emplace_back();
     auto& chain = sweep_.chains[row.chain];
     if (!chain.empty()) point.previous = chain.back();
+    auto const name = point.name;
     try {
       read_point(point, row);
       refuse_mixture(point.scene);
@@ -79,7 +80,7 @@ class Expansion {
       else
         add_run(std::move(point), row.chain);
     } catch (InputError const& error) {
-      throw InputError(fmt::format("{}: {}", point.name, error.what()));
+      throw InputError(fmt::format("{}: {}", name, error.what()));
     }
   }
 

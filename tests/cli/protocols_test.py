@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Cascades, ramps, automatic steady states and target errors, from scene to files."""
 
-import json
 import os
 import random
 import shutil
@@ -27,15 +26,22 @@ OFTEN = {"output__checkpoint_minutes": 0.0003}
 
 
 class ProtocolTest(CliTest):
-    def kill_and_resume(self, path, name, moments, seed=3, number=signal.SIGKILL):
-        """A run ended at random moments and resumed, as often as `moments` says."""
-        chance = random.Random(seed)
+    def undisturbed(self, path):
+        """A run and its duration."""
+        whole = self.folder / "whole"
+        started = time.monotonic()
+        self.run_scene(path, whole, "--quiet")
+        return whole, time.monotonic() - started
+
+    def kill_and_resume(self, path, name, moments, seconds, number=signal.SIGKILL):
+        """A run of so many seconds ended at random moments and resumed, as often as `moments` says."""
+        chance = random.Random(os.urandom(4))
         out, ended = self.folder / name, 0
         command = ["run", str(path), "--out", str(out), "--quiet"]
         for _ in range(moments):
             process = self.start(*command)
             self.wait_until((out / "scene.toml").exists, process)
-            time.sleep(chance.uniform(0.05, 0.6))
+            time.sleep(chance.uniform(0.0, 0.8 * seconds / moments))
             process.send_signal(number)
             status, output = self.finish(process)
             self.assertIn(status, (-number, 128 + number, 0), output)
@@ -74,11 +80,10 @@ class Cascade(ProtocolTest):
                 self.assertIn("finished", self.bagnold("resume", out).stdout)
 
     def test_kills_change_no_bit(self):
-        path = self.scene(shear__strain=4.0, **CASCADE, **OFTEN)
-        whole = self.folder / "whole"
-        self.run_scene(path, whole, "--quiet")
+        path = self.scene(shear__strain=16.0, **CASCADE, **OFTEN)
+        whole, seconds = self.undisturbed(path)
         for number, moments in ((signal.SIGKILL, 6), (signal.SIGTERM, 3)):
-            out = self.kill_and_resume(path, f"ended{number}", moments, number=number)
+            out = self.kill_and_resume(path, f"ended{number}", moments, seconds, number=number)
             for stage in STAGES:
                 self.assert_same_state(whole / stage, out / stage)
                 one, two = read_series(whole / stage), read_series(out / stage)
@@ -190,11 +195,10 @@ class Ramp(ProtocolTest):
         self.assertGreater(read_summary(out)["loop"]["up"][0]["observables"]["p"]["error"], 0)
 
     def test_kills_change_no_bit(self):
-        path = self.scene(**{**RAMP, "shear__cycles": 6}, **OFTEN)
-        whole = self.folder / "whole"
-        self.run_scene(path, whole, "--quiet")
+        path = self.scene(**{**RAMP, "shear__cycles": 12}, **OFTEN)
+        whole, seconds = self.undisturbed(path)
         for number, moments in ((signal.SIGKILL, 6), (signal.SIGTERM, 3)):
-            out = self.kill_and_resume(path, f"ended{number}", moments, number=number)
+            out = self.kill_and_resume(path, f"ended{number}", moments, seconds, number=number)
             self.assert_same_results(whole, out)
             self.assertEqual(read_summary(whole)["loop"], read_summary(out)["loop"])
 
@@ -275,10 +279,10 @@ class Steady(ProtocolTest):
     def test_kills_change_no_bit(self):
         path = self.scene(**self.LONG, shear__target_error=Raw("{ B_p = 0.12 }"), disks__replicas=2,
                           **OFTEN)
-        whole = self.folder / "whole"
-        self.run_scene(path, whole, "--quiet")
+        whole, seconds = self.undisturbed(path)
         for number, moments in ((signal.SIGKILL, 5), (signal.SIGTERM, 3)):
-            self.assert_same_results(whole, self.kill_and_resume(path, f"ended{number}", moments, number=number))
+            out = self.kill_and_resume(path, f"ended{number}", moments, seconds, number=number)
+            self.assert_same_results(whole, out)
 
     def test_unknown_names(self):
         self.refused(self.scene(shear__target_error=Raw("{ B_pp = 0.1 }")), "shear.target_error = { B_pp = 0.1 }",
