@@ -1,14 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <benchmark/benchmark.h>
 
-#include "bench/states.hpp"
 #include "kernels/dynamics/modified_velocity_verlet.hpp"
 #include "src/simulation/device_copy.hpp"
 #include "src/simulation/laws.hpp"
+#include "src/start/start.hpp"
 
 namespace bagnold::bench {
 
 using Space = Kokkos::Serial;
+
+/// A dense scene with the papers' mass rule for its law. Overlaps are relaxed only roughly:
+/// contacts abound, as in a Newtonian state.
+inline Scene scene_of(std::string const& law, std::int64_t count) {
+  Scene scene;
+  scene.disks = {law, count, 0.82, 1.0, law == "CD_n" ? "area" : "equal"};
+  scene.start.iterations = 300;
+  scene.shear.strain_rate = 1e-4;
+  return scene;
+}
 
 /// A start on the device with its list.
 template <class Law>
@@ -42,12 +52,17 @@ void force(benchmark::State& run) {
   Prepared<Law> p(run.range(0));
   Kokkos::View<Vec2<Real>*, Space> trial_position("bench::trial_position", run.range(0));
   Kokkos::View<Motion<Law::rotates>*, Space> trial_motion("bench::trial_motion", run.range(0));
-  Predict<Law, HarmonicRepulsion, Space> const predict{
-      {p.position, p.motion, p.species, p.list.rows, p.table, p.box,
-       make_law<Law>(p.scene.disks), {}},
-      0.05,
-      trial_position,
-      trial_motion};
+  Predict<Law, HarmonicRepulsion, Space> const predict{{p.position,
+                                                        p.motion,
+                                                        p.species,
+                                                        p.list.rows,
+                                                        p.table,
+                                                        p.box,
+                                                        make_law<Law>(p.scene.disks),
+                                                        {}},
+                                                       0.05,
+                                                       trial_position,
+                                                       trial_motion};
   for (auto _ : run) {
     Kokkos::parallel_for("bench::force", Kokkos::RangePolicy<Space>(0, run.range(0)), predict);
     Kokkos::fence();

@@ -9,19 +9,18 @@
 
 Speeds are steps of a disk per second of CPU time inside the time loop, so that a machine shared with
 others does not decide: what each program reports per second of wall time, divided by its share of a
-core. LAMMPS evaluates forces
-once a step, Bagnold twice (PRE 95, 052903 (2017), Eqs. 21-24): both ratios are printed. Bagnold
-samples its observables all along, LAMMPS prints nothing. What was tried to make LAMMPS fast, and
-what it was worth: README.md.
+core. LAMMPS evaluates forces once a step, Bagnold twice (PRE 95, 052903 (2017), Eqs. 21-24): both
+ratios are printed. Bagnold samples its observables all along, LAMMPS prints nothing. What was tried
+to make LAMMPS fast, and what it was worth: README.md.
 """
 import argparse
 import json
 import os
-import shutil
 import statistics
 import subprocess
 import sys
 import time
+import tomllib
 from dataclasses import dataclass, replace
 
 import h5py
@@ -34,45 +33,47 @@ WINDOW = 1e-2  # strain over which stress and contacts are averaged for --physic
 
 @dataclass(frozen=True)
 class Case:
-    """A steady state. `prepare`: (rate, strain) that lead to it from a random start."""
+    """A steady state: its file, its scene, and how LAMMPS runs it fastest."""
 
     name: str
+    state: str
     count: int
     packing_fraction: float
     scene: peer.Scene
-    prepare: tuple
     tuning: peer.Tuning
-
-
-def case(name, count, phi, model, elasticity, mass, rate, prepare, **tuning):
-    return Case(name, count, phi, peer.Scene(model, elasticity, rate, mass), prepare,
-                peer.Tuning(**tuning))
 
 
 FEW = {"newton": "off"}  # few contacts: computing a pair twice at a face costs less than sending forces
 
-CASES = [
-    case("cd_rot-1e-4-1024", 1024, 0.82, "CD_rot", 1, "equal", 1e-4, ((1e-3, 2), (1e-4, 3)), skin=0.2),
-    case("cd_rot-1e-4-65536", 65536, 0.82, "CD_rot", 1, "equal", 1e-4, ((1e-3, 1), (1e-4, 0.05)),
-         skin=0.25),
-    case("cd_n-q1-1e-4-1024", 1024, 0.78, "CD_n", 1, "area", 1e-4, ((1e-3, 3), (1e-4, 2)),
-         skin=0.1, **FEW),
-    case("cd_n-q50-1e-4-1024", 1024, 0.78, "CD_n", 50, "area", 1e-4, ((1e-3, 3), (1e-4, 3)),
-         skin=0.1, **FEW),
-    case("cd_n-q50-1e-5-1024", 1024, 0.78, "CD_n", 50, "area", 1e-5,
-         ((1e-3, 3), (1e-4, 3), (1e-5, 1)), skin=0.06, **FEW),
-    case("cd_n-q50-1e-4-65536", 65536, 0.78, "CD_n", 50, "area", 1e-4, ((1e-3, 1), (1e-4, 1.5)),
-         skin=0.25, **FEW),
-    case("cd_n-q50-1e-5-65536", 65536, 0.78, "CD_n", 50, "area", 1e-5,
-         ((1e-3, 1), (1e-4, 1.5), (1e-5, 0.5)), skin=0.25, **FEW),
-]
+TUNINGS = {name: peer.Tuning(**tuning) for name, tuning in {
+    "cd_rot82-1e-4-1024": {"skin": 0.2},
+    "cd_rot82-1e-4-65536": {"skin": 0.25},
+    "cd_n-q1-1e-4-1024": {"skin": 0.1, **FEW},
+    "cd_n-q50-1e-4-1024": {"skin": 0.1, **FEW},
+    "cd_n-q50-1e-5-1024": {"skin": 0.06, **FEW},
+    "cd_n-q50-1e-4-65536": {"skin": 0.25, **FEW},
+    "cd_n-q50-1e-5-65536": {"skin": 0.25, **FEW},
+}.items()}
 
 
-def run_bagnold(options, case, start, rate, strain, folder, window=WINDOW):
-    """Runs Bagnold; its summary. `start` is a state file, or None for a random start."""
+def load(states, name):
+    """The case whose state and scene are in the folder `states`, as `scripts/bench states` leaves it."""
+    folder = os.path.join(states, name)
+    try:
+        with open(os.path.join(folder, "scene.toml"), "rb") as file:
+            scene = tomllib.load(file)
+    except FileNotFoundError:
+        sys.exit(f"{folder} is missing: `scripts/bench states --rows {name} --states {states}` makes it")
+    disks = scene["disks"]
+    physics = peer.Scene(disks["model"], disks["elasticity"], scene["shear"]["strain_rate"], disks["mass"])
+    return Case(name, os.path.join(folder, "state.h5"), disks["count"], disks["packing_fraction"],
+                physics, TUNINGS[name])
+
+
+def run_bagnold(options, case, rate, strain, folder, window=WINDOW):
+    """Runs Bagnold; its summary."""
     os.makedirs(folder, exist_ok=True)
     scene = case.scene
-    first = f'kind = "state"\nfile = {json.dumps(start)}' if start else 'kind = "random"'
     path = os.path.join(folder, "bagnold.toml")
     with open(path, "w") as out:
         out.write(f"""[disks]
@@ -82,7 +83,8 @@ packing_fraction = {case.packing_fraction}
 elasticity = {scene.elasticity}
 mass = "{scene.mass}"
 [start]
-{first}
+kind = "state"
+file = {json.dumps(case.state)}
 [shear]
 strain_rate = {rate}
 strain = {strain:.12g}
@@ -105,10 +107,10 @@ plot = false
     return summary
 
 
-def run_lammps(options, case, state, folder, tail):
+def run_lammps(program, case, folder, tail, arguments=()):
     """Runs LAMMPS; steps of a disk per CPU second in its last loop."""
-    peer.write_scene(folder, peer.read_state(state, case.scene.rate), case.scene, case.tuning, tail)
-    subprocess.run([options.lammps, "-in", "in.scene", "-screen", "none", *options.lammps_argument],
+    peer.write_scene(folder, peer.read_state(case.state, case.scene.rate), case.scene, case.tuning, tail)
+    subprocess.run([program, "-in", "in.scene", "-screen", "none", *arguments],
                    cwd=folder, check=True, env={**os.environ, "OMP_NUM_THREADS": "1"})
     with open(os.path.join(folder, "log.lammps")) as log:
         lines = log.read().splitlines()
@@ -120,19 +122,8 @@ def run_lammps(options, case, state, folder, tail):
     return case.count * int(loop[8]) / float(loop[3]) / min(1.0, share)
 
 
-def state_of(options, case):
-    """The state of a case, made by Bagnold where the folder of states lacks it."""
-    path = os.path.join(options.states, case.name + ".h5")
-    if not os.path.exists(path):
-        start = None
-        for n, (rate, strain) in enumerate(case.prepare):
-            print(f"{case.name}: preparing, strain {strain} at {rate}", file=sys.stderr)
-            folder = os.path.join(options.work, case.name, f"prepare{n}")
-            run_bagnold(options, case, start, rate, strain, folder)
-            start = os.path.join(folder, "bagnold", "state.h5")
-        os.makedirs(options.states, exist_ok=True)
-        shutil.copy(start, path)
-    return path
+def lammps_with(options, case, folder, tail):
+    return run_lammps(options.lammps, case, folder, tail, options.lammps_argument)
 
 
 def spread(values, form):
@@ -141,15 +132,14 @@ def spread(values, form):
 
 def compare_speed(options, case):
     """One row of the table."""
-    state = state_of(options, case)
     folder = os.path.join(options.work, case.name)
     step_strain = case.scene.rate * case.scene.time_step
 
     def lammps(steps):
-        return run_lammps(options, case, state, folder, peer.timed_tail(steps, steps // 10))
+        return lammps_with(options, case, folder, peer.timed_tail(steps, steps // 10))
 
     def bagnold(steps):
-        return run_bagnold(options, case, state, case.scene.rate, steps * step_strain, folder)["speed"]
+        return run_bagnold(options, case, case.scene.rate, steps * step_strain, folder)["speed"]
 
     def steps_for(speed):
         return max(1000, round(options.seconds * speed / case.count, -2))
@@ -170,7 +160,6 @@ def compare_speed(options, case):
 
 def compare_tunings(options, case):
     """LAMMPS alone: the case's settings, and each of them changed, in turn."""
-    state = state_of(options, case)
     folder = os.path.join(options.work, case.name)
     other = [{}, *({"skin": round(case.tuning.skin * factor, 3)} for factor in (0.5, 0.7, 1.4, 2)),
              {"every": 1}, {"every": 10}, {"newton": "on"}, {"newton": "off"}, {"centred": False},
@@ -182,7 +171,7 @@ def compare_tunings(options, case):
         for change, mine in zip(other, speeds):
             one = replace(case, tuning=replace(case.tuning, **change))
             steps = int(options.seconds * 2e7 / case.count)
-            mine.append(run_lammps(options, one, state, folder, peer.timed_tail(steps, steps // 10)) / 1e6)
+            mine.append(lammps_with(options, one, folder, peer.timed_tail(steps, steps // 10)) / 1e6)
     print(f"{case.name}: {case.tuning}")
     for change, mine in zip(other, speeds):
         print(f"    {spread(mine, '.1f')} {change or 'as it is'}", flush=True)
@@ -199,17 +188,16 @@ def blocks(series):
 
 def compare_physics(options, case):
     """Forces of the first step, then pressure, shear stress and contacts over a strain."""
-    state = state_of(options, case)
     folder = os.path.join(options.work, case.name)
     print(f"{case.name}, strain {options.strain}")
     if case.count <= 10000:  # all pairs
-        run_lammps(options, case, state, folder, peer.FORCE_TAIL)
-        peer.check_forces(folder, peer.read_state(state, case.scene.rate), case.scene)
-    run_bagnold(options, case, state, case.scene.rate, options.strain, folder)
+        lammps_with(options, case, folder, peer.FORCE_TAIL)
+        peer.check_forces(folder, peer.read_state(case.state, case.scene.rate), case.scene)
+    run_bagnold(options, case, case.scene.rate, options.strain, folder)
     window = min(WINDOW, options.strain / 4)
     steps = round(options.strain / (case.scene.rate * case.scene.time_step))
     every = max(10, round(window * steps / options.strain) // 100)
-    run_lammps(options, case, state, folder, peer.sample_tail(steps, every))
+    lammps_with(options, case, folder, peer.sample_tail(steps, every))
     rows = np.loadtxt(os.path.join(folder, "stress.txt"))[1:]
     per_window = round(window * steps / options.strain / every)
     rows = rows[: len(rows) // per_window * per_window].reshape(-1, per_window, rows.shape[1]).mean(1)
@@ -237,7 +225,8 @@ def main():
     parser.add_argument("--strain", type=float, default=1.0, help="for --physics")
     parser.add_argument("--rounds", type=int, default=5)
     parser.add_argument("--seconds", type=float, default=3.0, help="of each timed run")
-    parser.add_argument("--states", default="peer-states", help="folder of CASE.h5; made where absent")
+    parser.add_argument("--states", default="results/bench-states",
+                        help="folder that `scripts/bench states` made")
     parser.add_argument("--work", default="peer-work", help="folder for the runs")
     parser.add_argument("--lammps", default="lmp", help="the program")
     parser.add_argument("--lammps-argument", action="append", default=[],
@@ -245,16 +234,16 @@ def main():
     parser.add_argument("--style", choices=["hybrid", "granular", "single"])
     options = parser.parse_args()
     if options.list:
-        print("\n".join(case.name for case in CASES))
+        print("\n".join(TUNINGS))
         return
     if not options.bagnold:
         parser.error("which program? lammps.py build/openmp/bagnold")
-    unknown = set(options.cases) - {case.name for case in CASES}
+    unknown = set(options.cases) - set(TUNINGS)
     if unknown:
         parser.error(f"no such case: {', '.join(sorted(unknown))}; see --list")
     for name in ("work", "states", "bagnold"):
         setattr(options, name, os.path.abspath(getattr(options, name)))
-    chosen = [case for case in CASES if not options.cases or case.name in options.cases]
+    chosen = [load(options.states, name) for name in options.cases or TUNINGS]
     if options.style:
         chosen = [replace(case, tuning=replace(case.tuning, style=options.style)) for case in chosen]
     if options.physics or options.tune:

@@ -20,9 +20,9 @@ namespace bagnold {
 
 namespace {
 
-/// Runs `python - result target` with the script on its standard input, its output thrown away.
+/// Runs `python - data target` with the script on its standard input, its output thrown away.
 /// Returns its exit code; 127 if it cannot be started.
-int run_script(std::string const& python, char const* script, std::string const& result,
+int run_script(std::string const& python, char const* script, std::string const& data,
                std::string const& target) {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) return 127;
@@ -34,7 +34,7 @@ int run_script(std::string const& python, char const* script, std::string const&
     dup2(ends[0], STDIN_FILENO);
     dup2(nowhere, STDOUT_FILENO);
     dup2(nowhere, STDERR_FILENO);
-    execlp(python.c_str(), python.c_str(), "-", result.c_str(), target.c_str(),
+    execlp(python.c_str(), python.c_str(), "-", data.c_str(), target.c_str(),
            static_cast<char*>(nullptr));
     _exit(127);
   }
@@ -51,12 +51,13 @@ int run_script(std::string const& python, char const* script, std::string const&
   return WIFEXITED(status) ? WEXITSTATUS(status) : 126;
 }
 
-std::string draw(char const* script, std::filesystem::path const& result,
+/// Tries the Pythons there are; what went wrong, or "".
+std::string draw(char const* script, std::filesystem::path const& data,
                  std::filesystem::path const& target) {
   std::vector<std::string> pythons{"/usr/bin/python3", "python3"};
   if (char const* chosen = std::getenv("BAGNOLD_PYTHON")) pythons = {chosen};
   for (auto const& python : pythons)
-    if (run_script(python, script, result.string(), target.string()) == 0) return "";
+    if (run_script(python, script, data.string(), target.string()) == 0) return "";
   return fmt::format("no picture drawn: {} with h5py and matplotlib is needed", pythons.front());
 }
 
@@ -66,12 +67,12 @@ std::string draw_plot(std::filesystem::path const& result, std::filesystem::path
   return draw(plot_script, result, picture);
 }
 
-std::string draw_analysis(std::filesystem::path const& drawn, std::filesystem::path const& picture) {
-  return draw(plot_analysis_script, drawn, picture);
-}
-
 std::string draw_frames(std::filesystem::path const& result, std::filesystem::path const& folder) {
   return draw(plot_frames_script, result, folder);
+}
+
+std::string draw_analysis(std::filesystem::path const& drawn, std::filesystem::path const& picture) {
+  return draw(plot_analysis_script, drawn, picture);
 }
 
 }  // namespace bagnold

@@ -10,10 +10,10 @@ namespace bagnold {
 /// a run without a picture is still a run.
 std::string draw_plot(std::filesystem::path const& result, std::filesystem::path const& picture);
 
-/// The same of an analysis, from its table of what is to be drawn (scripts/plot_analysis.py).
-std::string draw_analysis(std::filesystem::path const& drawn, std::filesystem::path const& picture);
-
 /// The same for profiles.png and fields.png, of what the result has of them.
 std::string draw_frames(std::filesystem::path const& result, std::filesystem::path const& folder);
+
+/// The same of an analysis, from its table of what is to be drawn (scripts/plot_analysis.py).
+std::string draw_analysis(std::filesystem::path const& drawn, std::filesystem::path const& picture);
 
 }  // namespace bagnold

@@ -10,10 +10,10 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 
 #include "src/config/errors.hpp"
 #include "src/io/descriptor.hpp"
-#include "src/io/hash.hpp"
 
 namespace bagnold::io {
 namespace {
@@ -46,6 +46,46 @@ void close_checked(Descriptor file, std::filesystem::path const& path) {
   if (::close(file.release()) != 0 && errno != EINTR) fail_on("close", path, errno);
 }
 
+struct stat status_of(Descriptor const& file, std::filesystem::path const& path) {
+  struct stat status {};
+  if (::fstat(file.get(), &status) != 0) fail_on("read", path, errno);
+  return status;
+}
+
+Descriptor open_regular(std::filesystem::path const& path) {
+  // O_NONBLOCK: a pipe at this name does not hold us up before it is refused
+  auto file = open_descriptor(path, O_RDONLY | O_NONBLOCK);
+  if (!file.open()) fail_on("read", path, errno);
+  if (!S_ISREG(status_of(file, path).st_mode))
+    throw FileError(fmt::format("cannot read {}: it is not a file: check the path", path.string()));
+  return file;
+}
+
+std::uint64_t size_of(Descriptor const& file, std::filesystem::path const& path) {
+  return static_cast<std::uint64_t>(status_of(file, path).st_size);
+}
+
+/// The bytes read, at most as many as there is room for; 0 at the end.
+std::size_t read_some(Descriptor const& file, std::filesystem::path const& path,
+                      std::span<std::byte> room) {
+  while (true) {
+    auto const got = ::read(file.get(), room.data(), std::min(room.size(), block_bytes));
+    if (got >= 0) return static_cast<std::size_t>(got);
+    if (errno != EINTR) fail_on("read", path, errno);
+  }
+}
+
+bool holds(std::filesystem::path const& path, std::span<std::byte const> content) {
+  bool same = true;
+  for_each_block(path, [&](std::span<std::byte const> block) {
+    same = block.size() <= content.size() &&
+           std::memcmp(block.data(), content.data(), block.size()) == 0;
+    if (same) content = content.subspan(block.size());
+    return same;
+  });
+  return same && content.empty();
+}
+
 void write_and_compare(std::filesystem::path const& path, std::span<std::byte const> content) {
   // O_EXCL: nobody's link at this name is followed
   auto file = open_descriptor(path, O_WRONLY | O_CREAT | O_EXCL);
@@ -56,8 +96,7 @@ void write_and_compare(std::filesystem::path const& path, std::span<std::byte co
   (void)::posix_fadvise(file.get(), 0, 0, POSIX_FADV_DONTNEED);
   close_checked(std::move(file), path);
 
-  auto const found = read_file(path);
-  if (found.size() != content.size() || xxh3(found) != xxh3(content))
+  if (!holds(path, content))
     throw FileError(fmt::format(
         "{} reads back different from what was written: check the disk, or use another folder",
         path.string()));
@@ -104,15 +143,19 @@ void replace_file(std::filesystem::path const& path, std::span<std::byte const> 
   sync_folder(path.parent_path());
 }
 
+void for_each_block(std::filesystem::path const& path,
+                    std::function<bool(std::span<std::byte const>)> const& see) {
+  auto const file = open_regular(path);
+  std::vector<std::byte> block(std::size_t{1} << 20);
+  while (true) {
+    auto const got = read_some(file, path, block);
+    if (got == 0 || !see(std::span(block).first(got))) return;
+  }
+}
+
 std::vector<std::byte> read_file(std::filesystem::path const& path) {
-  // O_NONBLOCK: a pipe at this name does not hold us up before it is refused
-  auto const file = open_descriptor(path, O_RDONLY | O_NONBLOCK);
-  if (!file.open()) fail_on("read", path, errno);
-  struct stat status {};
-  if (::fstat(file.get(), &status) != 0) fail_on("read", path, errno);
-  if (!S_ISREG(status.st_mode))
-    throw FileError(fmt::format("cannot read {}: it is not a file: check the path", path.string()));
-  auto const size = static_cast<std::uint64_t>(status.st_size);
+  auto const file = open_regular(path);
+  auto const size = size_of(file, path);
   auto const memory = static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
                       static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
   if (size > memory / 2)
@@ -123,12 +166,9 @@ std::vector<std::byte> read_file(std::filesystem::path const& path) {
   std::vector<std::byte> content(size);
   std::size_t done = 0;
   while (done < size) {
-    auto const wanted = std::min<std::size_t>(size - done, block_bytes);
-    auto const got = ::read(file.get(), content.data() + done, wanted);
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) fail_on("read", path, errno);
+    auto const got = read_some(file, path, std::span(content).subspan(done));
     if (got == 0) break;  // cut short meanwhile: what is there is returned
-    done += static_cast<std::size_t>(got);
+    done += got;
   }
   content.resize(done);
   return content;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -25,6 +26,10 @@ void sync_folder(std::filesystem::path const& folder);
 /// the new one. The content goes to `path.tmp`, is verified, and is renamed. On failure the
 /// temporary is removed, the old file is untouched, and FileError says what to do.
 void replace_file(std::filesystem::path const& path, std::span<std::byte const> content);
+
+/// Shows a regular file block by block until `see` says false. Throws FileError as read_file does.
+void for_each_block(std::filesystem::path const& path,
+                    std::function<bool(std::span<std::byte const>)> const& see);
 
 /// The whole of a regular file. Throws FileError: not there, no permission, not a regular file, or
 /// bigger than half the memory of the machine.

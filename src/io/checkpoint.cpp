@@ -28,18 +28,12 @@ Checkpoint load(std::filesystem::path const& path) {
   return parse_checkpoint(path.string(), read_file(path));
 }
 
-bool sealed(std::filesystem::path const& path) {
-  if (!std::filesystem::exists(path)) return false;
-  auto content = read_file(path);
-  return remove_seal(content).empty();
-}
-
 /// The verified temporary becomes the newest; a newest that rotted does not take the place of the
 /// one before. After a kill between the renames there is no newest, but the temporary and the one
 /// before are whole.
 void take_names(std::filesystem::path const& folder) {
   auto const newest = newest_of(folder);
-  if (sealed(newest)) rename_file(newest, previous_of(folder));
+  if (is_sealed(newest)) rename_file(newest, previous_of(folder));
   rename_file(temporary_of(newest), newest);
   sync_folder(folder);
 }
@@ -47,7 +41,7 @@ void take_names(std::filesystem::path const& folder) {
 /// A kill may have left a whole temporary without its name, perhaps the one resumed from: it is
 /// not overwritten.
 void adopt_whole_temporary(std::filesystem::path const& folder) {
-  if (sealed(temporary_of(newest_of(folder)))) take_names(folder);
+  if (is_sealed(temporary_of(newest_of(folder)))) take_names(folder);
 }
 
 /// Where a system lies in the file: one alone at the root, several in groups of their own, because

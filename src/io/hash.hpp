@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 
@@ -13,5 +14,16 @@ std::uint64_t xxh3(std::span<std::byte const> bytes);
 
 /// The same as 16 hexadecimal digits, as files hold it.
 std::string xxh3_hex(std::span<std::byte const> bytes);
+
+/// The xxh3 of bytes that come piece by piece.
+class Xxh3 {
+ public:
+  Xxh3();
+  void add(std::span<std::byte const> bytes);
+  std::string hex() const;
+
+ private:
+  std::shared_ptr<void> state_;
+};
 
 }  // namespace bagnold::io

@@ -9,6 +9,7 @@
 
 #include "src/config/errors.hpp"
 #include "src/io/hash.hpp"
+#include "src/io/seal.hpp"
 
 namespace bagnold::io {
 namespace {
@@ -150,7 +151,9 @@ std::vector<std::byte> Hdf5Writer::image() const {
   require(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL) >= 0, "the image");
   auto const size = H5Fget_file_image(file_.get(), nullptr, 0);
   require(size > 0, "the image");
-  std::vector<std::byte> bytes(static_cast<std::size_t>(size));
+  std::vector<std::byte> bytes;
+  bytes.reserve(static_cast<std::size_t>(size) + seal_bytes);  // or a seal would double the room
+  bytes.resize(static_cast<std::size_t>(size));
   require(H5Fget_file_image(file_.get(), bytes.data(), bytes.size()) == size, "the image");
   return bytes;
 }

@@ -6,15 +6,18 @@
 #include <algorithm>
 #include <span>
 
+#include "src/io/atomic_file.hpp"
 #include "src/io/hash.hpp"
 
 namespace bagnold::io {
 namespace {
 
-constexpr std::size_t seal_bytes = 64;
+std::string seal_of(std::size_t size, std::string const& hash) {
+  return fmt::format("\nbagnold-seal {:>20} xxh3 {:>23}\n", size, hash);
+}
 
 std::string seal_of(std::span<std::byte const> content) {
-  return fmt::format("\nbagnold-seal {:>20} xxh3 {:>23}\n", content.size(), xxh3_hex(content));
+  return seal_of(content.size(), xxh3_hex(content));
 }
 
 }  // namespace
@@ -33,6 +36,23 @@ std::string remove_seal(std::vector<std::byte>& content) {
     return "does not have the content that its seal tells: it was cut short or changed";
   content.resize(body);
   return "";
+}
+
+bool is_sealed(std::filesystem::path const& path) {
+  if (!std::filesystem::exists(path)) return false;
+  Xxh3 hash;
+  std::size_t size = 0;
+  std::string last;  // the last bytes seen: a seal, if there is one
+  for_each_block(path, [&](std::span<std::byte const> block) {
+    last.append(reinterpret_cast<char const*>(block.data()), block.size());
+    if (last.size() <= seal_bytes) return true;
+    auto const body = last.size() - seal_bytes;
+    hash.add(std::as_bytes(std::span(last).first(body)));
+    size += body;
+    last.erase(0, body);
+    return true;
+  });
+  return last.size() == seal_bytes && last == seal_of(size, hash.hex());
 }
 
 }  // namespace bagnold::io

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -11,11 +12,16 @@ namespace bagnold::io {
 // the length and the xxh3 of all before it. It is checked before HDF5 sees the file, since a
 // damaged one can crash the library; it covers attributes and HDF5's own tables too.
 
+inline constexpr std::size_t seal_bytes = 64;
+
 /// Appends the seal.
 void add_seal(std::vector<std::byte>& content);
 
 /// Takes the seal off a sealed content. Returns an empty text, or why the seal is not true (the
 /// content is then left as it was): the file was cut short, changed or never finished.
 std::string remove_seal(std::vector<std::byte>& content);
+
+/// Whether a file is there and its seal is true. Throws FileError where it cannot be read.
+bool is_sealed(std::filesystem::path const& path);
 
 }  // namespace bagnold::io

@@ -49,6 +49,7 @@ class BlockEngine final : public Simulation {
     auto const position = vectors(snapshot.state.position);
     auto const motion = motions<rotates>(snapshot.state);
     if (snapshot.list_position.empty()) {
+      touching_ = count();  // not known yet: many
       build(position, motion);
       in_windows_ = stepping == Stepping::windowed;
     } else {
