@@ -69,12 +69,13 @@ int run_cascade(RunFolder const& folder, Scene const& cascade, Machine const& ma
   std::string before;
   for (std::size_t k = 0; k < stages; ++k) {
     if (stop_signal() != 0) {
-      fmt::print(stderr, "bagnold: stopped before rate {} of {}; `bagnold resume {}` goes on\n", k + 1,
-                 stages, folder.path().string());
+      fmt::print(stderr, "bagnold: stopped before rate {} of {}; `bagnold resume {}` goes on\n",
+                 k + 1, stages, folder.path().string());
       return 128 + stop_signal();
     }
     auto const path = fs::absolute(folder.path()).lexically_normal() / stage_folder(cascade, k);
-    if (!quiet) fmt::print("strain rate {}, {} of {}\n", cascade.shear.strain_rates[k], k + 1, stages);
+    if (!quiet)
+      fmt::print("strain rate {}, {} of {}\n", cascade.shear.strain_rates[k], k + 1, stages);
     int const code = run_stage(path, stage_of(cascade, k, before), machine, quiet);
     if (code != 0) return code;
     before = (path / "state.h5").string();

@@ -6,8 +6,8 @@
 
 namespace bagnold {
 
-/// All that can be said against a scene of one run before its first state is there: check_feasible()
-/// and check_target(). Throws InputError.
+/// All that can be said against a scene of one run before its first state is there:
+/// check_feasible() and check_target(). Throws InputError.
 void check_scene(Scene const& scene, Plan const& plan, bool allow_unstable);
 
 /// The plan of the one run of a scene or, of a cascade, of its first, all runs checked; what is

@@ -12,7 +12,7 @@ namespace {
 
 /// Windows of one direction, one bin.
 struct Passes {
-  double rates = 0;         ///< sum over windows
+  double rates = 0;  ///< sum over windows
   std::size_t windows = 0;
   std::map<std::pair<std::size_t, std::int64_t>, WindowSums> of;  ///< by replica and leg
 
@@ -61,10 +61,11 @@ Loop loop_of(Run const& run) {
     auto const& windows = run.replicas[r].measurement.windows;
     for (auto w = static_cast<std::size_t>(plan.discarded_windows); w < windows.size(); ++w) {
       auto const window = static_cast<std::int64_t>(w);
-      auto const leg = (window * plan.window_steps - plan.ramp->first_leg()) / plan.ramp->leg_steps();
+      auto const leg =
+          (window * plan.window_steps - plan.ramp->first_leg()) / plan.ramp->leg_steps();
       double const rate = plan.mean_rate(window);
-      int const place = static_cast<int>(
-          std::floor(loop_bins_a_decade * std::log10(rate / plan.ramp->lowest)));
+      int const place =
+          static_cast<int>(std::floor(loop_bins_a_decade * std::log10(rate / plan.ramp->lowest)));
       bins[plan.direction(window)][place].add({r, leg}, windows.row(w), windows.weight[w], rate);
     }
   }

@@ -9,9 +9,9 @@ namespace bagnold {
 
 /// What was measured about one strain rate on the way in one direction.
 struct LoopBin {
-  double strain_rate = 0;   ///< mean over its windows, [1/tau_e]
-  std::size_t windows = 0;  ///< of all passes
-  std::vector<Observable> observables;            ///< at this rate
+  double strain_rate = 0;                       ///< mean over its windows, [1/tau_e]
+  std::size_t windows = 0;                      ///< of all passes
+  std::vector<Observable> observables;          ///< at this rate
   std::vector<statistics::Estimate> estimates;  ///< of each
 };
 

@@ -28,8 +28,7 @@ int run_command(RunOptions const& options) {
   catch_signals();
   RunFolder const folder = RunFolder::make(name, options.force);
   RunFolder::write_text(folder.scene(), write_scene(scene));
-  if (scene.shear.protocol == "cascade")
-    return run_cascade(folder, scene, machine, options.quiet);
+  if (scene.shear.protocol == "cascade") return run_cascade(folder, scene, machine, options.quiet);
   return run_from_start(folder, scene, machine, options.quiet, std::move(from_file));
 }
 

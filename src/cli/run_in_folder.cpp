@@ -110,8 +110,7 @@ int go_on_in(RunFolder const& folder, Machine const& machine, bool quiet) {
         fmt::format("{} is not the scene of the checkpoint beside it; put it back, or "
                     "start a new run with it in another folder",
                     folder.scene().string()));
-  if (checkpoint)
-    return run_from_checkpoint(folder, std::move(*checkpoint), machine, quiet);
+  if (checkpoint) return run_from_checkpoint(folder, std::move(*checkpoint), machine, quiet);
 
   fmt::print(stderr,
              "bagnold: no checkpoint in {} can be used: starting again from its scene.toml\n",

@@ -75,9 +75,10 @@ void check_target(Scene const& scene) {
     names.emplace_back(observable.name);
   for (auto const& [name, error] : scene.shear.target_error)
     if (std::ranges::find(names, name) == names.end())
-      throw InputError(fmt::format(
-          "shear.target_error = {{ {} = {} }} (no such NAME in this scene's summary.json); did you mean {}?",
-          name, error, nearest_word(name, names)));
+      throw InputError(
+          fmt::format("shear.target_error = {{ {} = {} }} (no such NAME in this scene's "
+                      "summary.json); did you mean {}?",
+                      name, error, nearest_word(name, names)));
 }
 
 }  // namespace bagnold

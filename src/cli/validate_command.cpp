@@ -23,16 +23,18 @@ double disk_steps(Scene const& scene, Plan const& plan) {
 void print_ramp(Ramp const& ramp) {
   auto const tau = [&](std::int64_t steps) { return static_cast<double>(steps) * ramp.time_step; };
   if (ramp.fast_steps > 0)
-    fmt::print("# before         strain {:.4g} at {:g}\n", static_cast<double>(ramp.strain(ramp.fast_steps)),
-               Ramp::fast_rate);
+    fmt::print("# before         strain {:.4g} at {:g}\n",
+               static_cast<double>(ramp.strain(ramp.fast_steps)), Ramp::fast_rate);
   auto const slow = ramp.strain(ramp.first_leg()) - ramp.strain(ramp.fast_steps);
   fmt::print("# before         strain {:.4g} at {:g}\n", static_cast<double>(slow), ramp.lowest);
   auto const top = ramp.piece(ramp.first_leg() + ramp.leg_steps() - 1);
   auto const leg = ramp.strain(ramp.first_leg() + ramp.leg_steps()) - ramp.strain(ramp.first_leg());
-  fmt::print("# ramp           {} times up to {:.4g} and down, each way {:.4g} tau_e, strain {:.4g}, in {} "
-             "rates of {} steps\n",
-             ramp.legs / 2, top.rate, tau(ramp.leg_steps()), static_cast<double>(leg), ramp.leg_pieces,
-             ramp.piece_steps);
+  fmt::print(
+      "# ramp           {} times up to {:.4g} and down, each way {:.4g} tau_e, strain {:.4g}, in "
+      "{} "
+      "rates of {} steps\n",
+      ramp.legs / 2, top.rate, tau(ramp.leg_steps()), static_cast<double>(leg), ramp.leg_pieces,
+      ramp.piece_steps);
 }
 
 /// What one run comes to.
@@ -40,30 +42,34 @@ void print_plan(Scene const& scene, Plan const& plan) {
   RunTime const time = estimated_time(scene, plan);
   if (plan.ramp) print_ramp(*plan.ramp);
   fmt::print("# strain         {:.6g}\n", plan.strain(plan.steps));
-  fmt::print("# steps          {}, {:.4g} million disk-steps\n", plan.steps, disk_steps(scene, plan) / 1e6);
+  fmt::print("# steps          {}, {:.4g} million disk-steps\n", plan.steps,
+             disk_steps(scene, plan) / 1e6);
   fmt::print("# windows        {} of {} steps, {}, evaluated every {} steps\n", plan.windows,
              plan.window_steps,
              scene.shear.discard || plan.ramp ? fmt::format("{} discarded", plan.discarded_windows)
                                               : "the transient discarded (MSER-5)",
              plan.every);
   for (auto const& [name, error] : scene.shear.target_error)
-    fmt::print("# until          relative error of {} is at most {}, or the strain is spent\n", name, error);
+    fmt::print("# until          relative error of {} is at most {}, or the strain is spent\n",
+               name, error);
   if (plan.trajectory_steps > 0) {  // 7 numbers a disk and frame, in parts and then in one file
     double const frames =
         1 + static_cast<double>(plan.steps) / static_cast<double>(plan.trajectory_steps);
     double const disks = static_cast<double>(scene.disks.count * scene.disks.replicas);
-    fmt::print("# trajectory     {:.0f} frames, {:.3g} MB, twice that at the end of the run\n", frames,
-               frames * 7 * 8 * disks / 1e6);
+    fmt::print("# trajectory     {:.0f} frames, {:.3g} MB, twice that at the end of the run\n",
+               frames, frames * 7 * 8 * disks / 1e6);
   }
   fmt::print("# memory         {:.3g} MB\n", memory_needed(scene, plan) / 1e6);
-  fmt::print("# estimated time {} to {} on one core\n", time_text(time.least), time_text(time.most));
+  fmt::print("# estimated time {} to {} on one core\n", time_text(time.least),
+             time_text(time.most));
 }
 
 }  // namespace
 
 int validate_command(RunOptions const& options) {
   auto const origin = options.scene_file.string();
-  if (sweep::is_sweep(read_text(options.scene_file), origin)) return validate_sweep_command(options);
+  if (sweep::is_sweep(read_text(options.scene_file), origin))
+    return validate_sweep_command(options);
   Scene scene = read_scene(options.scene_file, options.overrides);
   Plan const plan = checked_plan(scene, options.allow_unstable);
   auto const runs = runs_of(scene);
@@ -76,8 +82,7 @@ int validate_command(RunOptions const& options) {
              plan.time_step, contact_spectral_radius(scene, plan.time_step));
   if (scene.disks.replicas > 1)
     fmt::print("# replicas       {}, seeds {} to {}; the steps and windows below are of each\n",
-               scene.disks.replicas, scene.disks.seed,
-               scene.disks.seed + scene.disks.replicas - 1);
+               scene.disks.replicas, scene.disks.seed, scene.disks.seed + scene.disks.replicas - 1);
   RunTime all;
   for (auto const& run : runs) {
     Plan const of_run = make_plan(run);

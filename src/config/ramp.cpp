@@ -19,14 +19,13 @@ double Ramp::rate_of(std::int64_t power) const {
 long double Ramp::strain_up(std::int64_t steps) const {
   long double const step_time = time_step, q = growth;
   std::int64_t const whole = steps / piece_steps, rest = steps % piece_steps;
-  return step_time * (lowest * static_cast<long double>(piece_steps) *
-                          (std::expm1(q * whole) / std::expm1(q)) +
-                      rate_of(whole) * static_cast<long double>(rest));
+  return step_time *
+         (lowest * static_cast<long double>(piece_steps) * (std::expm1(q * whole) / std::expm1(q)) +
+          rate_of(whole) * static_cast<long double>(rest));
 }
 
 long double Ramp::strain_in_leg(std::int64_t leg, std::int64_t steps) const {
-  return leg % 2 == 0 ? strain_up(steps)
-                      : strain_up(leg_steps()) - strain_up(leg_steps() - steps);
+  return leg % 2 == 0 ? strain_up(steps) : strain_up(leg_steps()) - strain_up(leg_steps() - steps);
 }
 
 long double Ramp::strain(std::int64_t step) const {
@@ -34,7 +33,8 @@ long double Ramp::strain(std::int64_t step) const {
   if (step < fast_steps) return step_time * fast_rate * step;
   long double const fast = step_time * fast_rate * fast_steps;
   if (step < first_leg()) return fast + step_time * lowest * (step - fast_steps);
-  std::int64_t const leg = (step - first_leg()) / leg_steps(), in_leg = (step - first_leg()) % leg_steps();
+  std::int64_t const leg = (step - first_leg()) / leg_steps(),
+                     in_leg = (step - first_leg()) % leg_steps();
   return fast + step_time * lowest * slow_steps + leg * strain_up(leg_steps()) +
          strain_in_leg(leg, in_leg);
 }
@@ -76,11 +76,12 @@ Ramp make_ramp(Scene const& scene) {
   ramp.growth = shear.ramp_rate * shear.ramp_every * std::numbers::ln10;
   double const piece = whole_quotient(shear.ramp_every, ramp.time_step);
   if (piece == 0)
-    throw InputError(fmt::format(
-        "integration.time_step = {} (must divide shear.ramp_every = {}: the rate changes between steps); "
-        "use {} or leave it out",
-        ramp.time_step, shear.ramp_every,
-        shear.ramp_every / round_up(shear.ramp_every / ramp.time_step)));
+    throw InputError(
+        fmt::format("integration.time_step = {} (must divide shear.ramp_every = {}: the rate "
+                    "changes between steps); "
+                    "use {} or leave it out",
+                    ramp.time_step, shear.ramp_every,
+                    shear.ramp_every / round_up(shear.ramp_every / ramp.time_step)));
   double const window_pieces = whole_quotient(shear.ramp_window, shear.ramp_every);
   if (window_pieces == 0)
     throw InputError(fmt::format(
@@ -98,9 +99,10 @@ Ramp make_ramp(Scene const& scene) {
   double const legs = 2 * static_cast<double>(shear.cycles);
   double const steps = fast + slow + legs * leg;
   if (!(steps * static_cast<double>(scene.disks.replicas) <= most_steps))
-    throw InputError(fmt::format("shear.ramp_rate = {} takes {:.3g} steps (limit {:.0g}); raise it, or "
-                                 "shear.strain_rate = {}",
-                                 shear.ramp_rate, steps, most_steps, shear.strain_rate));
+    throw InputError(
+        fmt::format("shear.ramp_rate = {} takes {:.3g} steps (limit {:.0g}); raise it, or "
+                    "shear.strain_rate = {}",
+                    shear.ramp_rate, steps, most_steps, shear.strain_rate));
   ramp.piece_steps = static_cast<std::int64_t>(piece);
   ramp.window_steps = static_cast<std::int64_t>(window);
   ramp.fast_steps = static_cast<std::int64_t>(fast);

@@ -51,8 +51,8 @@ struct Ramp {
   double mean_rate(std::int64_t begin, std::int64_t end) const;
 
  private:
-  double rate_of(std::int64_t power) const;                    ///< gammadot_low e^(growth power)
-  long double strain_up(std::int64_t steps) const;             ///< of the first steps of a leg up
+  double rate_of(std::int64_t power) const;         ///< gammadot_low e^(growth power)
+  long double strain_up(std::int64_t steps) const;  ///< of the first steps of a leg up
   long double strain_in_leg(std::int64_t leg, std::int64_t steps) const;
 };
 

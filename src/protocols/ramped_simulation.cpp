@@ -26,8 +26,7 @@ double RampedSimulation::offset_of(Ramp::Piece const& piece, double box_length) 
   return static_cast<double>(turns * box_length);
 }
 
-void RampedSimulation::advance(std::int64_t steps, Sampling const& sampling,
-                               OpenWindows& windows) {
+void RampedSimulation::advance(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) {
   auto const end = std::min(step() + steps, sampling.last_step);
   while (step() < end) {
     auto const piece = ramp_.piece(step());

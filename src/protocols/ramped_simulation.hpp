@@ -9,9 +9,9 @@
 
 namespace bagnold {
 
-/// A simulation whose strain rate follows a ramp. Each piece is a simulation of its own at one rate,
-/// from the last state of the piece before, velocities and spins scaled by the ratio of the rates
-/// (P2 Eqs. 40-41). A step where a piece begins belongs to it.
+/// A simulation whose strain rate follows a ramp. Each piece is a simulation of its own at one
+/// rate, from the last state of the piece before, velocities and spins scaled by the ratio of the
+/// rates (P2 Eqs. 40-41). A step where a piece begins belongs to it.
 class RampedSimulation final : public Simulation {
  public:
   /// A simulation at one rate, [1/tau_e]. Its steps are those of the whole ramp.

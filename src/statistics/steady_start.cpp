@@ -25,7 +25,8 @@ SteadyStart steady_start(std::span<double const> series) {
   if (limit == 0) return middle;
   std::size_t best = limit;
   double least = std::numeric_limits<double>::infinity();
-  double mean = 0.0, squares = 0.0, count = 0.0;  // of means d .. m - 1, Welford's sums from the end
+  double mean = 0.0, squares = 0.0,
+         count = 0.0;  // of means d .. m - 1, Welford's sums from the end
   for (std::size_t d = means.size(); d-- > 0;) {
     count += 1.0;
     double const off = means[d] - mean;

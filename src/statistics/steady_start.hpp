@@ -9,7 +9,7 @@ namespace bagnold::statistics {
 /// Where a series becomes steady.
 struct SteadyStart {
   std::size_t first = 0;  ///< values before it belong to the transient
-  bool found = false;     ///< false: no minimum before the middle; `first` is the middle, rounded up
+  bool found = false;  ///< false: no minimum before the middle; `first` is the middle, rounded up
 };
 
 /// MSER-5: K. P. White Jr., Simulation 69, 323 (1997); White, Cobb and Spratt, Proc. Winter
@@ -23,10 +23,9 @@ struct SteadyStart {
 ///
 /// It cuts where the transient is as large as the noise of a batch. What is left of it biases the
 /// mean: at n = 4000 and 20 standard deviations at the start by 0.1 to 0.3 standard errors where it
-/// decays exponentially (in 50 values), 0.3 to 0.8 where it does as t^-2 (from 20 on). Of a stationary
-/// series 1 to 2% is lost on average (first-order autoregressive noise, n at least 100 correlation
-/// times), over a quarter in 1% of cases at most.
-/// Fewer than 10 values: not found.
+/// decays exponentially (in 50 values), 0.3 to 0.8 where it does as t^-2 (from 20 on). Of a
+/// stationary series 1 to 2% is lost on average (first-order autoregressive noise, n at least 100
+/// correlation times), over a quarter in 1% of cases at most. Fewer than 10 values: not found.
 SteadyStart steady_start(std::span<double const> series);
 
 }  // namespace bagnold::statistics

@@ -102,7 +102,8 @@ class Expansion {
           "alike); make two sweeps of them");
     if (is_cascade && chained_)
       throw InputError(
-          "sweep.chain does not go with shear.protocol = \"cascade\", which is a chain of its rates; "
+          "sweep.chain does not go with shear.protocol = \"cascade\", which is a chain of its "
+          "rates; "
           "leave it out");
     cascade_ = is_cascade;
     cascade_known_ = true;
@@ -175,7 +176,8 @@ Sweep read_sweep(std::filesystem::path const& file, PointCheck const& check) {
   for (auto const* keys : {&table.zip, &table.grid})
     for (auto const& key : *keys) sweep.keys.push_back(key.name);
   auto const all = rows(table, sweep.origin);
-  Expansion expansion(sweep, std::filesystem::absolute(file).parent_path(), !table.chain.empty(), check);
+  Expansion expansion(sweep, std::filesystem::absolute(file).parent_path(), !table.chain.empty(),
+                      check);
   for (std::size_t k = 0; k < all.size(); ++k) expansion.add(all[k], k + 1, all.size());
   sweep.keys = expansion.keys();
   return sweep;

@@ -11,7 +11,9 @@
 namespace bagnold {
 namespace {
 
-Scene ramp_scene(std::vector<std::string> const& overrides = {}) { return parse(ramp_text, overrides); }
+Scene ramp_scene(std::vector<std::string> const& overrides = {}) {
+  return parse(ramp_text, overrides);
+}
 
 std::string plan_refusal(std::vector<std::string> const& overrides) {
   try {
@@ -24,11 +26,11 @@ std::string plan_refusal(std::vector<std::string> const& overrides) {
 
 TEST(Ramp, HasTheLengthsOfItsScene) {
   Ramp const ramp = make_ramp(ramp_scene());
-  EXPECT_EQ(ramp.piece_steps, 20);          // 1 tau_e of 0.05
-  EXPECT_EQ(ramp.window_steps, 20'000);     // 1e3 tau_e
-  EXPECT_EQ(ramp.fast_steps, 40'000);       // strain 2 at 1e-3
-  EXPECT_EQ(ramp.slow_steps, 400'000);      // strain 2 at 1e-4
-  EXPECT_EQ(ramp.leg_pieces, 20'000);       // two decades at 1e-4 decades a tau_e
+  EXPECT_EQ(ramp.piece_steps, 20);       // 1 tau_e of 0.05
+  EXPECT_EQ(ramp.window_steps, 20'000);  // 1e3 tau_e
+  EXPECT_EQ(ramp.fast_steps, 40'000);    // strain 2 at 1e-3
+  EXPECT_EQ(ramp.slow_steps, 400'000);   // strain 2 at 1e-4
+  EXPECT_EQ(ramp.leg_pieces, 20'000);    // two decades at 1e-4 decades a tau_e
   EXPECT_EQ(ramp.steps(), 440'000 + 2 * 400'000);
   Plan const plan = make_plan(ramp_scene());
   EXPECT_EQ(plan.windows, 22 + 40);
@@ -76,7 +78,9 @@ TEST(Ramp, ManyPiecesAreSummedExactly) {
 
 TEST(Ramp, UpAndDownStrainAlike) {
   Ramp const ramp = make_ramp(ramp_scene({"shear.cycles=3"}));
-  auto const at = [&](std::int64_t leg) { return ramp.strain(ramp.first_leg() + leg * ramp.leg_steps()); };
+  auto const at = [&](std::int64_t leg) {
+    return ramp.strain(ramp.first_leg() + leg * ramp.leg_steps());
+  };
   for (int leg = 1; leg < 6; ++leg)
     EXPECT_NEAR(static_cast<double>((at(leg + 1) - at(leg)) / (at(1) - at(0))), 1, 1e-15);
   Plan const plan = make_plan(ramp_scene({"shear.cycles=3"}));
@@ -110,14 +114,16 @@ TEST(Ramp, TheTimeStepDividesThePiece) {
       << plan_refusal({"integration.time_step=0.03"});
   EXPECT_EQ(plan_refusal({"integration.time_step=0.03", "shear.ramp_every=3"}).find("integration"),
             std::string::npos);
-  EXPECT_NE(plan_refusal({"shear.ramp_every=3"}).find("shear.ramp_window = 1000 (must be a whole number"),
-            std::string::npos);
+  EXPECT_NE(
+      plan_refusal({"shear.ramp_every=3"}).find("shear.ramp_window = 1000 (must be a whole number"),
+      std::string::npos);
   EXPECT_EQ(plan_refusal({"shear.ramp_every=10"}), "accepted");
 }
 
 TEST(Ramp, TooLongIsRefused) {
   EXPECT_TRUE(has(plan_refusal({"shear.ramp_rate=1e-14"}), "shear.ramp_rate = 1e-14 takes"));
-  EXPECT_TRUE(has(plan_refusal({"shear.ramp_window=1", "shear.ramp_rate=1e-7"}), "shear.ramp_window = 1 makes"));
+  EXPECT_TRUE(has(plan_refusal({"shear.ramp_window=1", "shear.ramp_rate=1e-7"}),
+                  "shear.ramp_window = 1 makes"));
 }
 
 }  // namespace

@@ -55,7 +55,8 @@ State lattice(Scene const& scene) {
 
 Sampling sampling_of(Ramp const& ramp) { return {ramp.window_steps, 10, ramp.steps()}; }
 
-void advance_to(RampedSimulation& simulation, Ramp const& ramp, std::int64_t step, OpenWindows& windows) {
+void advance_to(RampedSimulation& simulation, Ramp const& ramp, std::int64_t step,
+                OpenWindows& windows) {
   while (simulation.step() < step)
     simulation.advance(step - simulation.step(), sampling_of(ramp), windows);
 }
@@ -85,7 +86,8 @@ TEST(RampedSimulation, ScalesTheFlowWithTheRate) {
       double const y = start.position[i][1];
       EXPECT_NEAR(state.velocity[i][0], rate * y, 1e-13);
       EXPECT_EQ(state.velocity[i][1], 0);
-      EXPECT_NEAR(std::remainder(state.position[i][0] - start.position[i][0] - gamma * y, L), 0, 1e-10);
+      EXPECT_NEAR(std::remainder(state.position[i][0] - start.position[i][0] - gamma * y, L), 0,
+                  1e-10);
       EXPECT_NEAR(state.spin[i], -rate / 2, 1e-15);
     }
   }
@@ -103,8 +105,8 @@ TEST(RampedSimulation, GoesOnBitForBit) {
     OpenWindows all;
     advance_to(straight, ramp, ramp.steps(), all);
     for (std::int64_t const stop :
-         {std::int64_t{1}, ramp.slow_steps - 1, ramp.slow_steps, ramp.slow_steps + 1, ramp.slow_steps + 20,
-          ramp.slow_steps + 333, ramp.steps() - 1, ramp.steps()}) {
+         {std::int64_t{1}, ramp.slow_steps - 1, ramp.slow_steps, ramp.slow_steps + 1,
+          ramp.slow_steps + 20, ramp.slow_steps + 333, ramp.steps() - 1, ramp.steps()}) {
       auto first = simulate(scene, start);
       OpenWindows windows;
       advance_to(first, ramp, stop, windows);
@@ -116,7 +118,8 @@ TEST(RampedSimulation, GoesOnBitForBit) {
       EXPECT_EQ(second.state().spin, straight.state().spin) << stop;
       EXPECT_EQ(second.snapshot().initial_offset, start.initial_offset);
       ASSERT_EQ(windows.sums.size(), all.sums.size());
-      for (std::size_t w = 0; w < all.sums.size(); ++w) EXPECT_EQ(windows.sums[w].sums, all.sums[w].sums);
+      for (std::size_t w = 0; w < all.sums.size(); ++w)
+        EXPECT_EQ(windows.sums[w].sums, all.sums[w].sums);
     }
   }
 }
@@ -130,11 +133,12 @@ TEST(RampedSimulation, WindowsHoldTheirEvaluations) {
   Measurement measurement{{static_cast<std::size_t>(simulation.columns()), {}, {}}, {}, {}};
   EXPECT_TRUE(run_steady(simulation, plan, measurement, [] { return true; }));
   ASSERT_EQ(static_cast<std::int64_t>(measurement.windows.size()), plan.windows);
-  for (double const weight : measurement.windows.weight) EXPECT_EQ(weight, 20);  // 200 steps, every 10
+  for (double const weight : measurement.windows.weight)
+    EXPECT_EQ(weight, 20);  // 200 steps, every 10
 }
 
-/// Finer pieces come to the same end: with pieces of T the flow is behind Eq. (38) by half of kappa T,
-/// so that differences fall with T.
+/// Finer pieces come to the same end: with pieces of T the flow is behind Eq. (38) by half of kappa
+/// T, so that differences fall with T.
 TEST(RampedSimulation, ConvergesInThePieces) {
   auto const strain_with = [](double every) {
     Scene scene = scene_of(0.82, 1e-3);

@@ -12,7 +12,8 @@
 namespace bagnold::statistics {
 namespace {
 
-/// The definition, sum by sum: batches of 5, all truncations up to the middle, the earliest of equals.
+/// The definition, sum by sum: batches of 5, all truncations up to the middle, the earliest of
+/// equals.
 std::size_t plain_mser(std::vector<double> const& series) {
   std::vector<double> z;
   for (std::size_t j = 0; j + 5 <= series.size(); j += 5)
@@ -106,9 +107,9 @@ TEST(SteadyStart, LosesLittleOfAStationarySeries) {
   }
 }
 
-/// A transient f(t) on noise whose batches of 5 have the standard deviation s is cut where f(d) = s:
-/// there -f^2 - s^2 + 2 S/(n - d) = 0, the derivative of S/(n - d)^2 with S = s^2 (n - d). What is left
-/// of it biases the mean by F = (1/(n - d)) sum_{t > d} f.
+/// A transient f(t) on noise whose batches of 5 have the standard deviation s is cut where f(d) =
+/// s: there -f^2 - s^2 + 2 S/(n - d) = 0, the derivative of S/(n - d)^2 with S = s^2 (n - d). What
+/// is left of it biases the mean by F = (1/(n - d)) sum_{t > d} f.
 struct Transient {
   std::function<double(double)> at, inverse, sum_after;
 };
@@ -120,7 +121,8 @@ Transient const algebraic{[](double t) { return 20 * std::pow(1 + t / 20, -2.0);
                           [](double t) { return 400 / (1 + t / 20); }};
 
 double normal_within(double width, double bias) {  // P(|x + bias| < width)
-  return (std::erf((width - bias) / std::sqrt(2.0)) + std::erf((width + bias) / std::sqrt(2.0))) / 2;
+  return (std::erf((width - bias) / std::sqrt(2.0)) + std::erf((width + bias) / std::sqrt(2.0))) /
+         2;
 }
 
 TEST(SteadyStart, CutsWhereTheTransientIsAsLargeAsTheNoise) {
