@@ -440,7 +440,66 @@ def power_of_ten(value):
     return f"$10^{{{power}}}$" if digits == "1" else rf"${digits}\times 10^{{{power}}}$"
 
 
+def loop_of(run, name, direction):
+    """Strain rates and values of the windows on the way up or down, [R, n] each; else empty."""
+    way = run["direction"] == direction
+    values = run.each[name] if name in run.each else run[name][None]
+    return run["strain_rate"][way], values[:, way]
+
+
+def draw_loop(axes, run, name, label):
+    """One quantity against the strain rate, up filled, down open, as in P2 Fig. 31."""
+    every = max(1, int((run["direction"] != 0).sum()) // 400)
+    for direction, colour, text in ((1, VERMILION, "up"), (-1, BLUE, "down")):
+        rate, values = loop_of(run, name, direction)
+        for replica, row in enumerate(values):
+            shown = np.isfinite(row) & (row > 0)
+            axes.plot(rate[shown][::every], row[shown][::every], "o", ms=3.5, color=colour, mew=0.8,
+                      mfc=colour if direction > 0 else "none", alpha=0.7,
+                      label=text if replica == 0 else None)
+    axes.set_xscale("log")
+    axes.set_yscale("log", nonpositive="mask")
+    axes.set_xlabel(r"strain rate $\dot\gamma\tau_e$")
+    axes.set_ylabel(label)
+    axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncol=2, borderaxespad=0.1)
+
+
+def add_slope(axes, rate, values, slope, text):
+    """A dashed line of this slope through the middle of the values."""
+    good = np.isfinite(values) & (values > 0)
+    if not good.any():
+        return
+    middle = np.exp(np.mean(np.log(rate[good]))), np.exp(np.mean(np.log(values[good])))
+    ends = np.array([rate.min(), rate.max()])
+    axes.plot(ends, middle[1] * (ends / middle[0]) ** slope, color=GREY, lw=0.9, ls=(0, (4, 2)),
+              zorder=0)
+    axes.annotate(text, (ends[-1], middle[1] * (ends[-1] / middle[0]) ** slope), color=GREY,
+                  fontsize=9, ha="right")
+
+
+def draw_ramp(run):
+    """The hysteresis loop of a ramp."""
+    figure = plt.figure(figsize=(15.5, 10.0))
+    left = figure.add_gridspec(1, 1, left=0.075, right=0.47, bottom=0.07, top=0.86)
+    right = figure.add_gridspec(2, 2, left=0.55, right=0.985, bottom=0.07, top=0.86, wspace=0.3,
+                                hspace=0.32)
+    main = figure.add_subplot(left[0])
+    draw_loop(main, run, "sigma", r"$\Sigma = \sigma\tau_e^2/m$")
+    rate, values = loop_of(run, "sigma", 1)
+    low, high = main.get_ylim()
+    add_slope(main, rate, values[0], 2, r"Bagnoldian, $\dot\gamma^2$")
+    add_slope(main, rate, values[0], 1, r"Newtonian, $\dot\gamma$")
+    main.set_ylim(low, high)
+    for spot, name, label in ((right[0, 0], "B_p", "$B_p$"), (right[0, 1], "eta_p", r"$\eta_p$"),
+                              (right[1, 0], "Z", "$Z$"), (right[1, 1], "R_v", "$R_v$")):
+        draw_loop(figure.add_subplot(spot), run, name, label)
+    add_heading(figure, run)
+    return figure
+
+
 def draw(run):
+    if "direction" in run.series:
+        return draw_ramp(run)
     figure = plt.figure(figsize=(15.5, 10.0))
     top = figure.add_gridspec(1, 3, left=0.075, right=0.985, bottom=0.585, top=0.875, wspace=0.24)
     bottom = figure.add_gridspec(1, 3, left=0.075, right=0.985, bottom=0.06, top=0.49,
@@ -456,6 +515,11 @@ def draw(run):
         ("spin_mean", GREEN, r"$\langle\dot\theta\rangle/\dot\gamma$", "", False, -0.5)])
     draw_profile(figure, bottom[1], run)
     draw_packing(figure, bottom[2], run)
+    add_heading(figure, run)
+    return figure
+
+
+def add_heading(figure, run):
     title, parameters = heading(run)
     figure.text(0.075, 0.96, title, fontsize=15, weight="bold", va="center")
     figure.text(0.075, 0.925, parameters, fontsize=11.5, va="center")
@@ -463,7 +527,6 @@ def draw(run):
     version = " ".join(str(part) for part in provenance if part)
     figure.text(0.985, 0.96, f"bagnold {version}", fontsize=9, color=GREY, ha="right",
                 va="center")
-    return figure
 
 
 def main(arguments):

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "src/cli/checked_scene.hpp"
 #include "src/cli/commands.hpp"
 #include "src/io/state_file.hpp"
 #include "src/start/start.hpp"
@@ -13,7 +14,7 @@ namespace bagnold {
 
 sweep::Sweep read_checked_sweep(std::filesystem::path const& file, bool allow_unstable) {
   auto const sweep = sweep::read_sweep(file, [&](Scene const& scene, Plan const& plan) {
-    check_feasible(scene, plan, allow_unstable);
+    check_scene(scene, plan, allow_unstable);
     bool const later =
         !scene.start.file.empty() && !std::filesystem::path(scene.start.file).is_absolute();
     if (scene.start.kind == "state" && !later)

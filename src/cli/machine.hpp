@@ -23,12 +23,17 @@ Machine choose(Machine machine, Scene const& scene);
 /// Kokkos, running. Replicas bring their own threads, each a system's only one.
 class KokkosScope {
  public:
-  KokkosScope(Machine const& machine, Scene const& scene) {
-    initialize_kokkos(scene.disks.replicas > 1 ? 1 : machine.threads);
+  KokkosScope(Machine const& machine, Scene const& scene) : outermost_(!Kokkos::is_initialized()) {
+    if (outermost_) initialize_kokkos(scene.disks.replicas > 1 ? 1 : machine.threads);
   }
-  ~KokkosScope() { Kokkos::finalize(); }
+  ~KokkosScope() {
+    if (outermost_) Kokkos::finalize();
+  }
   KokkosScope(KokkosScope const&) = delete;
   KokkosScope& operator=(KokkosScope const&) = delete;
+
+ private:
+  bool outermost_;  ///< Kokkos can be started once in a process
 };
 
 }  // namespace bagnold

@@ -41,8 +41,21 @@ std::vector<fs::path> trajectories(fs::path const& folder,
   return found;
 }
 
+/// Those of a cascade.
+std::vector<fs::path> stages(fs::path const& folder) {
+  std::regex const name("[0-9]{4}_strain_rate=[-+.e0-9]+");
+  std::vector<fs::path> found;
+  std::error_code none_there;
+  for (fs::directory_iterator file(folder, none_there), end; !none_there && file != end;
+       file.increment(none_there))
+    if (std::regex_match(file->path().filename().string(), name)) found.push_back(file->path());
+  return found;
+}
+
 std::vector<fs::path> files_of_run(fs::path const& folder) {
   auto files = trajectories(folder, {".h5md", ".xdmf", ".parts"});
+  auto const below = stages(folder);
+  files.insert(files.end(), below.begin(), below.end());
   std::error_code ignored;
   for (auto const* name : run_files)
     if (fs::exists(folder / name, ignored)) files.push_back(folder / name);

@@ -6,7 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "src/cli/hysteresis.hpp"
 #include "src/cli/provenance.hpp"
+#include "src/cli/target_error.hpp"
 #include "src/config/keys.hpp"
 #include "src/config/scene_file.hpp"
 #include "src/io/result_file.hpp"
@@ -24,9 +26,13 @@ Json number(std::optional<double> const& value) {
 Json scene_json(Scene const& scene) {
   Json all = Json::object();
   for_each_key(scene, [&](Key const& key, auto const& member) {
+    if (!belongs(key, scene.shear.protocol)) return;
+    using Member = std::decay_t<decltype(member)>;
     Json value;
-    if constexpr (std::is_same_v<std::decay_t<decltype(member)>, std::optional<double>>)
-      value = number(member);
+    if constexpr (std::is_same_v<Member, std::optional<double>>)
+      value = member ? Json(*member) : Json("auto");
+    else if constexpr (std::is_same_v<Member, Strain>)
+      value = member.is_list() ? Json(member.each) : Json(member.at(0));
     else
       value = member;
     auto const dot = key.name.find('.');
@@ -38,13 +44,13 @@ Json scene_json(Scene const& scene) {
   return all;
 }
 
-double step_strain(Run const& run) { return run.plan.time_step * run.scene.shear.strain_rate; }
+/// Step after the last one of a window.
+std::int64_t end_of(Run const& run, std::size_t window) {
+  return run.plan.window_end(static_cast<std::int64_t>(window));
+}
 
-/// Strain at the end of a window.
-double strain_at_end(Run const& run, std::size_t window) {
-  auto const end =
-      std::min(static_cast<std::int64_t>(window + 1) * run.plan.window_steps, run.plan.steps);
-  return step_strain(run) * static_cast<double>(end);
+double rate_of(Run const& run, std::size_t window) {
+  return run.plan.mean_rate(static_cast<std::int64_t>(window));
 }
 
 /// Windows of the replica that has most: all have as many once the run is done.
@@ -106,10 +112,33 @@ statistics::ReplicaEstimate estimate(Run const& run, statistics::Function const&
 
 std::vector<NamedEstimate> estimates(Run const& run) {
   std::vector<NamedEstimate> list;
+  if (run.plan.ramp) return list;  // there is no one rate to average at
   for (auto const& observable : observables(run.scene, run.box_length))
     list.push_back({observable, estimate(run, observable.value)});
   return list;
 }
+
+namespace {
+
+/// All observables in every window, each at the window's rate.
+void add_observables(Run const& run, std::vector<io::Series>& all) {
+  std::vector<std::vector<Observable>> at_rate;  // [windows]; one for all at one rate
+  Scene scene = run.scene;
+  for (std::size_t w = 0; w == 0 || (run.plan.ramp && w < most_windows(run)); ++w) {
+    scene.shear.strain_rate = rate_of(run, w);
+    at_rate.push_back(observables(scene, run.box_length));
+  }
+  for (std::size_t k = 0; k < at_rate.front().size(); ++k) {
+    auto const& first = at_rate.front()[k];
+    all.push_back(series(run, first.name, first.unit, first.meaning,
+                         [&](Replica const& replica, std::size_t w) {
+                           auto const& here = at_rate[run.plan.ramp ? w : 0][k];
+                           return here.value(replica.measurement.windows.mean(w, w + 1));
+                         }));
+  }
+}
+
+}  // namespace
 
 void write_result_file(RunFolder const& folder, Run const& run) {
   io::Result result;
@@ -127,6 +156,7 @@ void write_result_file(RunFolder const& folder, Run const& run) {
                        {"count", disks.count},
                        {"packing_fraction", disks.packing_fraction},
                        {"elasticity", disks.elasticity},
+                       {"protocol", run.scene.shear.protocol},
                        {"strain_rate", run.scene.shear.strain_rate},
                        {"seed", disks.seed},
                        {"box_length", run.box_length},
@@ -142,26 +172,27 @@ void write_result_file(RunFolder const& folder, Run const& run) {
   result.discarded_windows = static_cast<std::int64_t>(discarded(run));
   result.replicas = run.replicas.size();
 
-  double const rate = run.scene.shear.strain_rate;
-  auto const strain = [&](Replica const&, std::size_t w) { return strain_at_end(run, w); };
+  auto const strain = [&](Replica const&, std::size_t w) {
+    return run.plan.strain(end_of(run, w));
+  };
   auto const time = [&](Replica const& replica, std::size_t w) {
-    return replica.initial_time + strain_at_end(run, w) / rate;
+    return replica.initial_time + run.plan.time_step * static_cast<double>(end_of(run, w));
   };
   result.series = {
       series(run, "strain", "1", "at the end of the window, from 0 at the start", strain),
       series(run, "time", "tau_e", "at the end of the window", time),
-      series(run, "strain_rate", "1/tau_e", "gammadot",
-             [&](Replica const&, std::size_t) { return rate; }),
+      series(run, "strain_rate", "1/tau_e", run.plan.ramp ? "gammadot, mean over the window" : "gammadot",
+             [&](Replica const&, std::size_t w) { return rate_of(run, w); }),
       series(run, "evaluations", "1", "configurations evaluated in the window",
              [](Replica const& replica, std::size_t w) {
                return replica.measurement.windows.weight[w];
              })};
-  for (auto const& observable : observables(run.scene, run.box_length))
-    result.series.push_back(series(run, observable.name, observable.unit, observable.meaning,
-                                   [&](Replica const& replica, std::size_t w) {
-                                     return observable.value(
-                                         replica.measurement.windows.mean(w, w + 1));
+  if (run.plan.ramp)
+    result.series.push_back(series(run, "direction", "1", "+1 up, -1 down, 0 before the ramp",
+                                   [&](Replica const&, std::size_t w) {
+                                     return run.plan.direction(static_cast<std::int64_t>(w));
                                    }));
+  add_observables(run, result.series);
   auto found = on_frames(run);
   result.histograms = std::move(found.histograms);
   result.profiles = std::move(found.profiles);
@@ -186,6 +217,36 @@ struct JsonEstimate {
   }
 };
 
+Json bins_json(std::vector<LoopBin> const& bins) {
+  Json all = Json::array();
+  for (auto const& bin : bins) {
+    Json one{{"strain_rate", bin.strain_rate}, {"windows", bin.windows}};
+    for (std::size_t k = 0; k < bin.observables.size(); ++k)
+      one["observables"][std::string(bin.observables[k].name)] = {
+          {"mean", number(bin.estimates[k].mean)}, {"error", number(bin.estimates[k].error)}};
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
+/// What the protocol came to, beyond averages.
+void add_protocol(Json& summary, Run const& run) {
+  auto const& shear = run.scene.shear;
+  if (run.plan.ramp) {
+    Loop const loop = loop_of(run);
+    summary["loop"] = {{"up", bins_json(loop.up)}, {"down", bins_json(loop.down)}};
+    return;
+  }
+  if (!shear.discard)
+    summary["steady_state"] = {{"method", "MSER-5 of B_p and B_sigma"},
+                               {"found", run.steady_found},
+                               {"discarded_windows", run.plan.discarded_windows}};
+  for (auto const& [name, error] : run.reached)
+    summary["target_error"][name] = {{"wanted", shear.target_error.at(name)},
+                                     {"reached", number(error)}};
+  if (!run.reached.empty()) summary["target_error_reached"] = all_reached(run);
+}
+
 /// Each replica's own means and errors.
 Json replicas_json(Run const& run, std::vector<JsonEstimate> const& list) {
   Json all = Json::array();
@@ -204,8 +265,8 @@ Json replicas_json(Run const& run, std::vector<JsonEstimate> const& list) {
 void write_summary(RunFolder const& folder, Run const& run,
                    std::vector<NamedEstimate> const& list) {
   Provenance const made = provenance();
-  double const total = step_strain(run) * static_cast<double>(run.plan.steps);
-  double const first = discarded(run) == 0 ? 0.0 : strain_at_end(run, discarded(run) - 1);
+  double const total = run.plan.strain(run.plan.steps);
+  double const first = discarded(run) == 0 ? 0.0 : run.plan.strain(end_of(run, discarded(run) - 1));
   double const disk_steps = static_cast<double>(run.plan.steps) *
                             static_cast<double>(run.scene.disks.count) *
                             static_cast<double>(run.replicas.size());
@@ -219,8 +280,9 @@ void write_summary(RunFolder const& folder, Run const& run,
   summary["wall_seconds"] = run.wall_seconds;
   summary["disk_steps_per_second"] =
       number(run.wall_seconds > 0 ? disk_steps / run.wall_seconds : nan);
-  double const window_strain = step_strain(run) * static_cast<double>(run.plan.window_steps);
-  double const frame_strain = step_strain(run) * static_cast<double>(run.plan.frame_steps);
+  add_protocol(summary, run);
+  double const window_strain = run.plan.strain(run.plan.window_steps);
+  double const frame_strain = run.plan.strain(run.plan.frame_steps);
   if (run.replicas.size() > 1)
     summary["errors_from"] = statistics::error_source(run.replicas.size());
   std::vector<JsonEstimate> all;
@@ -228,6 +290,7 @@ void write_summary(RunFolder const& folder, Run const& run,
     all.push_back({std::string(observable.name), estimate, window_strain});
   for (auto const& scalar : on_frames(run).scalars)
     all.push_back({scalar.name, scalar.estimate, frame_strain});
+  summary["observables"] = Json::object();
   for (auto const& one : all) summary["observables"][one.name] = one.json(one.estimate.all);
   if (run.replicas.size() > 1) summary["replicas"] = replicas_json(run, all);
   RunFolder::write_text(folder.summary(), summary.dump(2) + "\n");

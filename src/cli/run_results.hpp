@@ -32,6 +32,8 @@ struct Run {
   std::vector<Replica> replicas;
   std::string backend;
   double wall_seconds = 0.0;  ///< of stepping, resumes included
+  bool steady_found = true;   ///< by shear.discard = "auto"; false: the middle was taken
+  std::map<std::string, std::optional<double>> reached;  ///< relative errors, of those with a target
 };
 
 struct NamedEstimate {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "src/cli/commands.hpp"
@@ -10,11 +11,14 @@
 #include "src/cli/progress.hpp"
 #include "src/cli/provenance.hpp"
 #include "src/cli/signals.hpp"
+#include "src/cli/target_error.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/scene_file.hpp"
 #include "src/io/state_file.hpp"
 #include "src/measure/contacts.hpp"
 #include "src/measure/make_frames.hpp"
+#include "src/protocols/ramped_simulation.hpp"
+#include "src/protocols/steady.hpp"
 #include "src/simulation/make_simulation.hpp"
 #include "src/start/start.hpp"
 
@@ -34,6 +38,7 @@ struct ReplicaFailure {
 Runner::Runner(RunFolder const& folder, Run run, Machine const& machine, bool quiet)
     : folder_(folder),
       run_(std::move(run)),
+      whole_(run_.plan),
       machine_(machine),
       quiet_(quiet),
       simulations_(run_.replicas.size()),
@@ -54,6 +59,7 @@ void Runner::make(std::size_t r, std::optional<Snapshot> snapshot) {
   if (!snapshot) {
     Scene scene = run_.scene;
     scene.disks.seed = seed(r);
+    if (whole_.ramp) scene.shear.strain_rate = whole_.ramp->piece(0).rate;
     StartedState started;
     try {
       started = random_start(scene);
@@ -66,12 +72,22 @@ void Runner::make(std::size_t r, std::optional<Snapshot> snapshot) {
   replica.initial_time = snapshot->initial_time;
   if (r == 0) run_.box_length = snapshot->state.box_length;
   try {
-    simulations_[r] = make_simulation(run_.scene, *snapshot, machine_.backend);
+    simulations_[r] = simulation_of(*snapshot);
   } catch (NumericalError const& error) {
     throw ReplicaFailure{r, error.what(), snapshot->state};
   }
   watch(r, snapshot->state);
   steps_[r] = simulations_[r]->step();
+}
+
+std::unique_ptr<Simulation> Runner::simulation_of(Snapshot snapshot) const {
+  auto make = [scene = run_.scene, backend = machine_.backend](double strain_rate,
+                                                               Snapshot const& from) mutable {
+    scene.shear.strain_rate = strain_rate;
+    return make_simulation(scene, from, backend);
+  };
+  if (whole_.ramp) return std::make_unique<RampedSimulation>(*whole_.ramp, std::move(make), std::move(snapshot));
+  return make_simulation(run_.scene, snapshot, machine_.backend);
 }
 
 void Runner::watch(std::size_t r, State const& start) {
@@ -96,14 +112,27 @@ std::int64_t Runner::seed(std::size_t r) const {
   return run_.scene.disks.seed + static_cast<std::int64_t>(r);
 }
 
-int Runner::run(Protocol const& protocol) {
+Plan Runner::next_leg() const {
+  std::int64_t done = run_.plan.windows < whole_.windows ? run_.plan.windows + 1 : 0;
+  for (auto const& replica : run_.replicas)
+    done = std::max(done, static_cast<std::int64_t>(replica.measurement.windows.size()));
+  return shortened(run_.scene, whole_, next_look(done, whole_.windows));
+}
+
+bool Runner::enough() {
+  discard_transient(run_);
+  run_.reached = reached_errors(run_);
+  return run_.plan.windows == whole_.windows || all_reached(run_);
+}
+
+int Runner::run() {
   started_ = checkpointed_ = SteadyClock::now();
   Progress progress(run_.scene, run_.plan, steps(), quiet_);
   SideBySide all;
   all.further = [&](std::size_t r, std::function<bool()> const& go_on) {
     Simulation& simulation = *simulations_[r];
     try {
-      return protocol(simulation, run_.replicas[r].measurement, [&] {
+      return run_steady(simulation, run_.plan, run_.replicas[r].measurement, [&] {
         steps_[r] = simulation.step();
         return go_on();
       });
@@ -116,10 +145,14 @@ int Runner::run(Protocol const& protocol) {
     return wish();
   };
   all.held = [&] { checkpoint(); };
-  bool const finished = work(all);
+  bool done = false;
+  do {
+    if (!run_.scene.shear.target_error.empty()) run_.plan = next_leg();
+    done = (work(all) || steps() == steps_wanted()) && enough();
+  } while (!done && stop_signal() == 0);
   progress.finish(steps());
   checkpoint();
-  if (!finished && steps() < steps_wanted()) return interrupted();
+  if (!done) return interrupted();
   finish();
   return 0;
 }
@@ -183,6 +216,7 @@ io::SystemCheckpoint Runner::checkpoint_of(std::size_t r) {
 }
 
 void Runner::checkpoint() {
+  discard_transient(run_);
   std::chrono::duration<double> const stepping = SteadyClock::now() - started_;
   run_.wall_seconds = wall_before_ + stepping.count();
   io::Checkpoint c;
@@ -196,7 +230,7 @@ void Runner::checkpoint() {
 
 int Runner::interrupted() const {
   fmt::print(stderr, "bagnold: stopped at step {} of {}{}; `bagnold resume {}` goes on\n", steps(),
-             steps_wanted(), simulations_.size() > 1 ? ", all replicas together" : "",
+             whole_.steps * run_.scene.disks.replicas, simulations_.size() > 1 ? ", all replicas together" : "",
              folder_.path().string());
   return 128 + stop_signal();
 }

@@ -3,7 +3,6 @@
 
 #include <atomic>
 #include <chrono>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -17,12 +16,10 @@
 
 namespace bagnold {
 
-/// How one system is taken through its run: which rates, which windows. Goes on from wherever the
-/// system is until all is done (returns true) or `go_on`, asked about twenty times a second, says
-/// no.
-using Protocol = std::function<bool(Simulation&, Measurement&, std::function<bool()> const& go_on)>;
-
 /// A run in its folder: its replicas side by side, steps, checkpoints, results.
+///
+/// Where the scene has a target error, all replicas are taken to the same number of windows, from a
+/// grid that depends on nothing else (target_error.hpp), before it is seen whether that is enough.
 class Runner {
  public:
   Runner(RunFolder const& folder, Run run, Machine const& machine, bool quiet);
@@ -31,16 +28,19 @@ class Runner {
   /// made side by side. NumericalError names the replica and leaves its state in the folder.
   void start(std::vector<std::optional<Snapshot>> snapshots);
 
-  /// Takes all replicas through the protocol. Returns the exit code: 0 done, 128 + signal stopped.
-  int run(Protocol const& protocol);
+  /// Takes all replicas to the end. Returns the exit code: 0 done, 128 + signal stopped.
+  int run();
 
  private:
   void make(std::size_t replica, std::optional<Snapshot> snapshot);
+  std::unique_ptr<Simulation> simulation_of(Snapshot snapshot) const;
+  Plan next_leg() const;     ///< to where the target error is looked at next
+  bool enough();             ///< whether the run may end there
   void watch(std::size_t replica, State const& start);  ///< makes its frames
   std::int64_t seed(std::size_t replica) const;
   bool work(SideBySide& all);
   std::int64_t steps() const;         ///< of all replicas together
-  std::int64_t steps_wanted() const;  ///< likewise, in the end
+  std::int64_t steps_wanted() const;  ///< likewise, at the end of the leg
   SideBySide::Wish wish() const;
   io::SystemCheckpoint checkpoint_of(std::size_t replica);
   void checkpoint();
@@ -50,7 +50,8 @@ class Runner {
   using SteadyClock = std::chrono::steady_clock;
 
   RunFolder const& folder_;
-  Run run_;
+  Run run_;   ///< its plan ends where this leg does
+  Plan whole_;
   Machine machine_;
   bool quiet_;
   std::vector<std::unique_ptr<Simulation>> simulations_;  ///< [R]

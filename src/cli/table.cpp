@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
 #include "src/analysis/paper_values.hpp"
+#include "src/cli/hysteresis.hpp"
 #include "src/cli/run_results.hpp"
 
 namespace bagnold {
@@ -19,9 +21,38 @@ std::string with_error(statistics::Estimate const& estimate) {
 
 }  // namespace
 
+namespace {
+
+/// Shear stress up and down, every few rates.
+void print_loop(Run const& run) {
+  Loop const loop = loop_of(run);
+  auto const sigma = [](LoopBin const& bin) {
+    auto const at = std::ranges::find(bin.observables, "sigma", &Observable::name);
+    return with_error(bin.estimates[static_cast<std::size_t>(at - bin.observables.begin())]);
+  };
+  fmt::print("\n{:<13} {:<28} {}\n", "strain rate", "sigma up [m/tau_e^2]", "sigma down");
+  for (std::size_t k = 0; k < std::min(loop.up.size(), loop.down.size()); k += loop_bins_a_decade / 4)
+    fmt::print("{:<13.3g} {:<28} {}\n", loop.up[k].strain_rate, sigma(loop.up[k]),
+               sigma(loop.down[k]));
+}
+
+/// Where a run that looks at errors ended, and what "auto" discarded.
+void print_ends(Run const& run) {
+  if (!run.scene.shear.discard)
+    fmt::print("\nsteady {} (MSER-5): {} of {} windows discarded\n",
+               run.steady_found ? "state found" : "state not found, so half discarded: run longer",
+               run.plan.discarded_windows, run.plan.windows);
+  for (auto const& [name, error] : run.reached)
+    fmt::print("relative error of {}: {} wanted, {} reached at strain {:.4g}\n", name,
+               run.scene.shear.target_error.at(name),
+               error ? fmt::format("{:.2g}", *error) : "none", run.plan.strain(run.plan.steps));
+}
+
+}  // namespace
+
 void print_table(Run const& run, std::vector<NamedEstimate> const& list) {
-  double const window_strain =
-      run.plan.time_step * run.scene.shear.strain_rate * static_cast<double>(run.plan.window_steps);
+  if (run.plan.ramp) return print_loop(run);
+  double const window_strain = run.plan.strain(run.plan.window_steps);
   fmt::print("\n{:<13} {:<26} {:<17} {:<19} {}\n", "quantity", "mean +- standard error", "unit",
              "correlation strain", "what it is");
   for (auto const& [observable, estimate] : list)
@@ -32,6 +63,7 @@ void print_table(Run const& run, std::vector<NamedEstimate> const& list) {
                    : "-",
                observable.meaning);
 
+  print_ends(run);
   if (run.replicas.size() > 1)
     fmt::print("\n{} replicas, seeds {} to {}; errors: {}\n", run.replicas.size(),
                run.scene.disks.seed,

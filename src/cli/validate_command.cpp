@@ -1,52 +1,99 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include "src/cli/checked_scene.hpp"
 #include "src/cli/commands.hpp"
-#include "src/config/plan.hpp"
+#include "src/cli/run_in_folder.hpp"
+#include "src/config/cascade.hpp"
 #include "src/config/run_time.hpp"
 #include "src/config/scene_file.hpp"
 #include "src/config/time_step.hpp"
 #include "src/config/toml_text.hpp"
-#include "src/io/state_file.hpp"
-#include "src/start/start.hpp"
 #include "src/sweep/sweep_table.hpp"
 
 namespace bagnold {
 
+namespace {
+
+double disk_steps(Scene const& scene, Plan const& plan) {
+  return static_cast<double>(plan.steps) *
+         static_cast<double>(scene.disks.count * scene.disks.replicas);
+}
+
+void print_ramp(Ramp const& ramp) {
+  auto const tau = [&](std::int64_t steps) { return static_cast<double>(steps) * ramp.time_step; };
+  if (ramp.fast_steps > 0)
+    fmt::print("# before         strain {:.4g} at {:g}\n",
+               static_cast<double>(ramp.strain(ramp.fast_steps)), Ramp::fast_rate);
+  auto const slow = ramp.strain(ramp.first_leg()) - ramp.strain(ramp.fast_steps);
+  fmt::print("# before         strain {:.4g} at {:g}\n", static_cast<double>(slow), ramp.lowest);
+  auto const top = ramp.piece(ramp.first_leg() + ramp.leg_steps() - 1);
+  auto const leg = ramp.strain(ramp.first_leg() + ramp.leg_steps()) - ramp.strain(ramp.first_leg());
+  fmt::print(
+      "# ramp           {} times up to {:.4g} and down, each way {:.4g} tau_e, strain {:.4g}, in "
+      "{} "
+      "rates of {} steps\n",
+      ramp.legs / 2, top.rate, tau(ramp.leg_steps()), static_cast<double>(leg), ramp.leg_pieces,
+      ramp.piece_steps);
+}
+
+/// What one run comes to.
+void print_plan(Scene const& scene, Plan const& plan) {
+  RunTime const time = estimated_time(scene, plan);
+  if (plan.ramp) print_ramp(*plan.ramp);
+  fmt::print("# strain         {:.6g}\n", plan.strain(plan.steps));
+  fmt::print("# steps          {}, {:.4g} million disk-steps\n", plan.steps,
+             disk_steps(scene, plan) / 1e6);
+  fmt::print("# windows        {} of {} steps, {}, evaluated every {} steps\n", plan.windows,
+             plan.window_steps,
+             scene.shear.discard || plan.ramp ? fmt::format("{} discarded", plan.discarded_windows)
+                                              : "the transient discarded (MSER-5)",
+             plan.every);
+  for (auto const& [name, error] : scene.shear.target_error)
+    fmt::print("# until          relative error of {} is at most {}, or the strain is spent\n",
+               name, error);
+  if (plan.trajectory_steps > 0) {  // 7 numbers a disk and frame, in parts and then in one file
+    double const frames =
+        1 + static_cast<double>(plan.steps) / static_cast<double>(plan.trajectory_steps);
+    double const disks = static_cast<double>(scene.disks.count * scene.disks.replicas);
+    fmt::print("# trajectory     {:.0f} frames, {:.3g} MB, twice that at the end of the run\n",
+               frames, frames * 7 * 8 * disks / 1e6);
+  }
+  fmt::print("# memory         {:.3g} MB\n", memory_needed(scene, plan) / 1e6);
+  fmt::print("# estimated time {} to {} on one core\n", time_text(time.least),
+             time_text(time.most));
+}
+
+}  // namespace
+
 int validate_command(RunOptions const& options) {
   auto const origin = options.scene_file.string();
-  if (sweep::is_sweep(read_text(options.scene_file), origin)) return validate_sweep_command(options);
+  if (sweep::is_sweep(read_text(options.scene_file), origin))
+    return validate_sweep_command(options);
   Scene scene = read_scene(options.scene_file, options.overrides);
-  Plan const plan = make_plan(scene);
-  check_feasible(scene, plan, options.allow_unstable);
-  warn(plan_warning(plan));
-  if (scene.start.kind == "state") fit_to_scene(io::read_states(scene.start.file), scene);
+  Plan const plan = checked_plan(scene, options.allow_unstable);
+  auto const runs = runs_of(scene);
+  states_in_file(runs.front());
   scene.integration.time_step = plan.time_step;
 
-  double const disk_steps =
-      static_cast<double>(plan.steps) * static_cast<double>(scene.disks.count * scene.disks.replicas);
-  RunTime const time = estimated_time(scene, plan);
   fmt::print("{}\n", write_scene(scene));
   fmt::print("# box            {:.6g} d_s wide\n", scene.box_length());
   fmt::print("# time step      {:.6g} tau_e, spectral radius of a single contact {:.6f}\n",
              plan.time_step, contact_spectral_radius(scene, plan.time_step));
   if (scene.disks.replicas > 1)
     fmt::print("# replicas       {}, seeds {} to {}; the steps and windows below are of each\n",
-               scene.disks.replicas, scene.disks.seed,
-               scene.disks.seed + scene.disks.replicas - 1);
-  fmt::print("# steps          {}, {:.4g} million disk-steps\n", plan.steps, disk_steps / 1e6);
-  fmt::print("# windows        {} of {} steps, {} discarded, evaluated every {} steps\n",
-             plan.windows, plan.window_steps, plan.discarded_windows, plan.every);
-  if (plan.trajectory_steps > 0) {  // 7 numbers a disk and frame, in parts and then in one file
-    double const frames =
-        1 + static_cast<double>(plan.steps) / static_cast<double>(plan.trajectory_steps);
-    double const disks = static_cast<double>(scene.disks.count * scene.disks.replicas);
-    fmt::print("# trajectory     {:.0f} frames, {:.3g} MB, twice that at the end of the run\n", frames,
-               frames * 7 * 8 * disks / 1e6);
+               scene.disks.replicas, scene.disks.seed, scene.disks.seed + scene.disks.replicas - 1);
+  RunTime all;
+  for (auto const& run : runs) {
+    Plan const of_run = make_plan(run);
+    if (runs.size() > 1) fmt::print("#\n# strain rate    {:g}\n", run.shear.strain_rate);
+    print_plan(run, of_run);
+    RunTime const time = estimated_time(run, of_run);
+    all = {all.least + time.least, all.most + time.most};
   }
-  fmt::print("# memory         {:.3g} MB\n", memory_needed(scene, plan) / 1e6);
-  fmt::print("# estimated time {} to {} on one core\n", time_text(time.least),
-             time_text(time.most));
+  if (runs.size() > 1)
+    fmt::print("#\n# all {} rates    {} to {} on one core\n", runs.size(), time_text(all.least),
+               time_text(all.most));
   return 0;
 }
 

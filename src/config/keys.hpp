@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <string_view>
 #include <vector>
@@ -19,7 +20,14 @@ struct Key {
   double most = std::numeric_limits<double>::infinity();
   bool open_below = false;  ///< `least` itself is not allowed
   std::vector<std::string_view> words = {};
+  std::vector<std::string_view> protocols = {};  ///< that know the key; empty: all
 };
+
+/// Whether a protocol knows a key.
+inline bool belongs(Key const& key, std::string_view protocol) {
+  return key.protocols.empty() ||
+         std::find(key.protocols.begin(), key.protocols.end(), protocol) != key.protocols.end();
+}
 
 inline constexpr bool required = true;
 inline constexpr bool optional = false;
@@ -31,6 +39,12 @@ template <class SceneType, class Visitor>
 void for_each_key(SceneType& scene, Visitor&& visit) {
   auto& [title, disks, start, shear, integration, measure, output] = scene;
   constexpr double many = std::numeric_limits<double>::infinity();
+  // asked again at each key: a reader learns the protocol on the way
+  auto const is = [&](std::string_view protocol) { return shear.protocol == protocol; };
+  auto const of = [](std::initializer_list<std::string_view> protocols, Key key) {
+    key.protocols = protocols;
+    return key;
+  };
 
   visit(Key{"title", "", "shown in output", optional}, title);
 
@@ -66,11 +80,28 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
         start.iterations);
 
   visit(Key{"shear.protocol", "", "what is done to the strain rate", optional, 0, 0, false,
-            {"steady"}}, shear.protocol);
-  visit(Key{"shear.strain_rate", "1/tau_e", "gammadot", required, 0, 1, above}, shear.strain_rate);
-  visit(Key{"shear.strain", "", "gamma, total", required, 0, 1e9, above}, shear.strain);
-  visit(Key{"shear.discard", "", "share of the strain not measured, rounded up to whole windows",
-            optional, 0, 1}, shear.discard);
+            {"steady", "cascade", "ramp"}}, shear.protocol);
+  visit(of({"steady", "ramp"}, Key{"shear.strain_rate", "1/tau_e", "gammadot; of a ramp the lowest",
+            !is("cascade"), 0, 1, above}), shear.strain_rate);
+  visit(of({"cascade"}, Key{"shear.strain_rates", "1/tau_e", "gammadot of each stage, largest first",
+            is("cascade"), 0, 1, above}), shear.strain_rates);
+  visit(Key{"shear.strain", "", "gamma, total; of a ramp at its lowest rate, before it", !is("ramp"), 0, 1e9,
+            above}, shear.strain);
+  visit(of({"steady", "cascade"}, Key{"shear.discard", "",
+            "share of the strain not measured, rounded up to whole windows, or \"auto\": MSER-5",
+            optional, 0, 1}), shear.discard);
+  visit(of({"steady", "cascade"}, Key{"shear.target_error", "",
+            "relative standard errors of NAMEs at which a run ends before `strain`", optional, 0, 1,
+            above}), shear.target_error);
+  visit(of({"ramp"}, Key{"shear.ramp_rate", "1/tau_e", "kappa~, decades a time, P2 Eq. 39", is("ramp"), 0,
+            0.1, above}), shear.ramp_rate);
+  visit(of({"ramp"}, Key{"shear.strain_rate_high", "1/tau_e", "gammadot up to which a ramp goes", is("ramp"),
+            0, 1, above}), shear.strain_rate_high);
+  visit(of({"ramp"}, Key{"shear.cycles", "", "times up and down", optional, 1, 1e6}), shear.cycles);
+  visit(of({"ramp"}, Key{"shear.ramp_window", "tau_e", "window whose averages are recorded", optional,
+            0, many, above}), shear.ramp_window);
+  visit(of({"ramp"}, Key{"shear.ramp_every", "tau_e", "between changes of the strain rate", optional,
+            0, 1e6, above}), shear.ramp_every);
 
   visit(Key{"integration.scheme", "", "P2 Eqs. 21-24", optional, 0, 0, false,
             {"modified-velocity-verlet"}}, integration.scheme);
@@ -83,19 +114,23 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
 
   visit(Key{"measure.every", "steps", "between evaluations inside a window", optional, 1, 1e12},
         measure.every);
-  visit(Key{"measure.contacts", "", "durations, rate, angles and clusters of contacts", optional},
-        measure.contacts);
-  visit(Key{"measure.profiles", "", "profiles over y of flow, packing and stress; band fractions",
-            optional}, measure.profiles);
-  visit(Key{"measure.fields", "", "packing fraction and strain rate within 4 d_s of each disk",
-            optional}, measure.fields);
-  visit(Key{"measure.rotation", "", "histogram of thetadot/gammadot", optional}, measure.rotation);
-  visit(Key{"measure.frame_strain", "", "between the frames that these three look at", optional, 0,
-            many, above}, measure.frame_strain);
+  visit(of({"steady", "cascade"}, Key{"measure.contacts", "",
+            "durations, rate, angles and clusters of contacts", optional}), measure.contacts);
+  visit(of({"steady", "cascade"}, Key{"measure.profiles", "",
+            "profiles over y of flow, packing and stress; band fractions", optional}),
+        measure.profiles);
+  visit(of({"steady", "cascade"}, Key{"measure.fields", "",
+            "packing fraction and strain rate within 4 d_s of each disk", optional}), measure.fields);
+  visit(of({"steady", "cascade"}, Key{"measure.rotation", "", "histogram of thetadot/gammadot",
+            optional}), measure.rotation);
+  visit(of({"steady", "cascade"}, Key{"measure.frame_strain", "",
+            "between the frames that these three look at", optional, 0, many, above}),
+        measure.frame_strain);
 
-  visit(Key{"output.sample_strain", "", "window whose averages are recorded", optional, 0, many,
-            above}, output.sample_strain);
-  visit(Key{"output.trajectory_strain", "", "between the frames of trajectory.h5md; 0: none", optional, 0, many},
+  visit(of({"steady", "cascade"}, Key{"output.sample_strain", "",
+            "window whose averages are recorded", optional, 0, many, above}), output.sample_strain);
+  visit(of({"steady", "cascade"}, Key{"output.trajectory_strain", "",
+            "between the frames of trajectory.h5md; 0: none", optional, 0, many}),
         output.trajectory_strain);
   visit(Key{"output.checkpoint_minutes", "min", "wall time between checkpoints", optional, 0, many,
             above}, output.checkpoint_minutes);

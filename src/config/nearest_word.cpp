@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace bagnold {
 
@@ -25,9 +26,11 @@ std::size_t edits(std::string const& a, std::string const& b) {
 }  // namespace
 
 std::string nearest_word(std::string const& word, std::vector<std::string> const& candidates) {
-  return *std::min_element(
-      candidates.begin(), candidates.end(),
-      [&](auto const& a, auto const& b) { return edits(word, a) < edits(word, b); });
+  auto const cost = [&](std::string const& candidate) {  // of equals, one of the same length
+    return std::pair(edits(word, candidate), candidate.size() != word.size());
+  };
+  return *std::min_element(candidates.begin(), candidates.end(),
+                           [&](auto const& a, auto const& b) { return cost(a) < cost(b); });
 }
 
 }  // namespace bagnold

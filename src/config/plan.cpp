@@ -34,10 +34,40 @@ double memory_of_frames(Scene const& scene, Plan const& plan) {
   return bytes;
 }
 
+constexpr double default_discard = 0.5;  // until "auto" has looked at windows
+
+std::int64_t discarded_of(Scene const& scene, std::int64_t windows) {
+  double const share = scene.shear.discard.value_or(default_discard);
+  return static_cast<std::int64_t>(round_up(share * static_cast<double>(windows)));
+}
+
+void refuse_many_windows(double windows, std::string const& key, double value, double least) {
+  if (windows > most_windows)
+    throw InputError(fmt::format("{} = {} makes {:.0f} windows (limit {:.0f}); use at least {}", key, value,
+                                 windows, most_windows, least));
+}
+
+Plan plan_of_ramp(Scene const& scene) {
+  Plan plan;
+  plan.ramp = make_ramp(scene);
+  plan.time_step = plan.ramp->time_step;
+  plan.every = scene.measure.every;
+  plan.steps = plan.ramp->steps();
+  plan.window_steps = plan.ramp->window_steps;
+  plan.windows = plan.steps / plan.window_steps;
+  plan.discarded_windows = plan.ramp->first_leg() / plan.window_steps;
+  auto const windows = static_cast<double>(plan.windows);
+  refuse_many_windows(windows, "shear.ramp_window", scene.shear.ramp_window,
+                      scene.shear.ramp_window * std::ceil(windows / most_windows));
+  return plan;
+}
+
 }  // namespace
 
 Plan make_plan(Scene const& scene) {
+  if (scene.shear.protocol == "ramp") return plan_of_ramp(scene);
   Plan plan;
+  plan.strain_rate = scene.shear.strain_rate;
   plan.time_step = time_step(scene);
   plan.every = scene.measure.every;
   double const step_strain = plan.time_step * scene.shear.strain_rate;
@@ -46,18 +76,14 @@ Plan make_plan(Scene const& scene) {
     throw InputError(fmt::format(
         "shear.strain = {} takes {:.3g} steps (limit {:.0g}); raise shear.strain_rate = {} or lower "
         "shear.strain",
-        scene.shear.strain, steps, most_steps, scene.shear.strain_rate));
+        scene.shear.strain.at(0), steps, most_steps, scene.shear.strain_rate));
   double const window = std::max(1.0, round_up(scene.output.sample_strain / step_strain));
   plan.steps = std::max<std::int64_t>(1, static_cast<std::int64_t>(steps));
   plan.window_steps = static_cast<std::int64_t>(std::min(window, most_steps));
   plan.windows = (plan.steps + plan.window_steps - 1) / plan.window_steps;
-  if (static_cast<double>(plan.windows) > most_windows)
-    throw InputError(fmt::format("output.sample_strain = {} makes {} windows (limit {:.0f}); use at "
-                                 "least {}",
-                                 scene.output.sample_strain, plan.windows, most_windows,
-                                 std::ceil(steps / most_windows) * step_strain));
-  plan.discarded_windows = static_cast<std::int64_t>(
-      round_up(scene.shear.discard * static_cast<double>(plan.windows)));
+  refuse_many_windows(static_cast<double>(plan.windows), "output.sample_strain",
+                      scene.output.sample_strain, std::ceil(steps / most_windows) * step_strain);
+  plan.discarded_windows = discarded_of(scene, plan.windows);
   auto const steps_between = [&](double strain) {
     return static_cast<std::int64_t>(
         std::clamp(round_up(strain / step_strain), 1.0, most_steps));
@@ -66,6 +92,30 @@ Plan make_plan(Scene const& scene) {
   if (scene.output.trajectory_strain > 0)
     plan.trajectory_steps = steps_between(scene.output.trajectory_strain);
   return plan;
+}
+
+Plan shortened(Scene const& scene, Plan plan, std::int64_t windows) {
+  plan.steps = plan.window_end(windows - 1);
+  plan.windows = windows;
+  plan.discarded_windows = discarded_of(scene, windows);
+  return plan;
+}
+
+std::int64_t Plan::window_end(std::int64_t window) const {
+  return std::min((window + 1) * window_steps, steps);
+}
+
+double Plan::strain(std::int64_t step) const {
+  if (ramp) return static_cast<double>(ramp->strain(step));
+  return time_step * strain_rate * static_cast<double>(step);
+}
+
+double Plan::mean_rate(std::int64_t window) const {
+  return ramp ? ramp->mean_rate(window * window_steps, window_end(window)) : strain_rate;
+}
+
+int Plan::direction(std::int64_t window) const {
+  return ramp ? ramp->piece(window * window_steps).direction : 0;
 }
 
 double least_box_for_fields() {

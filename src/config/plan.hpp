@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
+#include "src/config/ramp.hpp"
 #include "src/config/scene.hpp"
 
 namespace bagnold {
@@ -18,6 +20,15 @@ struct Plan {
   std::int64_t every = 1;              ///< steps between evaluations inside a window
   std::int64_t frame_steps = 1;        ///< between frames that are measured
   std::int64_t trajectory_steps = 0;   ///< between frames of the trajectory; 0: none
+  double strain_rate = 0;              ///< gammadot, where there is one, [1/tau_e]
+  std::optional<Ramp> ramp;            ///< how it changes, where it does
+
+  /// Step after the last one of a window.
+  std::int64_t window_end(std::int64_t window) const;
+
+  double strain(std::int64_t step) const;      ///< from step 0 to the start of `step`
+  double mean_rate(std::int64_t window) const;  ///< gammadot over a window, [1/tau_e]
+  int direction(std::int64_t window) const;     ///< of a ramp: +1 up, -1 down; 0: none
 };
 
 /// R: radius about a disk within which measure.fields averages, P2 Fig. 27, [d_s].
@@ -29,6 +40,9 @@ double least_box_for_fields();
 /// Strain, window and discarded share, rounded up to whole steps and windows. Throws InputError
 /// where that is more than can be run or kept.
 Plan make_plan(Scene const& scene);
+
+/// The same, ending after so many windows.
+Plan shortened(Scene const& scene, Plan plan, std::int64_t windows);
 
 /// Memory a run needs, all in, [bytes].
 double memory_needed(Scene const& scene, Plan const& plan);

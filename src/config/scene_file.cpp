@@ -30,8 +30,10 @@ class Reader {
     for_each_key(scene, [&](Key const& key, auto&) { known_.push_back(std::string(key.name)); });
     for (auto const& [name, node] : table_) refuse_unknown(std::string(name.str()), node);
     for_each_key(scene, [&](Key const& key, auto& member) {
-      if (toml::node const* node = table_.at_path(key.name).node())
+      if (toml::node const* node = table_.at_path(key.name).node()) {
+        refuse_other_protocol(key, *node, scene.shear.protocol);
         take(key, *node, member);
+      }
       else if (key.required)
         throw InputError(fmt::format("{}: {} is missing ({}); every scene must give it", origin_,
                                      key.name, key.meaning));
@@ -72,6 +74,18 @@ class Reader {
   [[noreturn]] void refuse(Key const& key, toml::node const& node, std::string const& why) const {
     throw InputError(
         fmt::format("{}{} = {} ({}): {}", place(key.name, node), key.name, describe(node), why, key.meaning));
+  }
+
+  void refuse_other_protocol(Key const& key, toml::node const& node,
+                             std::string const& protocol) const {
+    if (!belongs(key, protocol))
+      throw InputError(fmt::format(
+          "{}{} = {} (belongs to shear.protocol = \"{}\", not \"{}\"): {}; leave it out or change "
+          "shear.protocol",
+          place(key.name, node), key.name, describe(node), fmt::join(key.protocols, "\" or \""),
+          protocol, key.meaning));
+    if (key.name == "shear.strain" && node.is_array() && protocol != "cascade")
+      refuse(key, node, "must be a number; a list belongs to shear.protocol = \"cascade\"");
   }
 
   void in_range(Key const& key, toml::node const& node, double value) const {
@@ -122,6 +136,27 @@ class Reader {
     take(key, node, member.emplace());
   }
 
+  void take(Key const& key, toml::node const& node, std::vector<double>& member) const {
+    auto const* list = node.as_array();
+    if (!list || list->empty()) refuse(key, node, "must be a list of numbers, [1e-3, 1e-4]");
+    member.clear();
+    for (auto const& one : *list) take(key, one, member.emplace_back());
+  }
+
+  void take(Key const& key, toml::node const& node, Strain& member) const {
+    if (node.is_array())
+      take(key, node, member.each);
+    else
+      take(key, node, (member = 0.0).each.front());
+  }
+
+  void take(Key const& key, toml::node const& node, std::map<std::string, double>& member) const {
+    auto const* table = node.as_table();
+    if (!table) refuse(key, node, "must be a table, { B_p = 0.02 }");
+    member.clear();
+    for (auto const& [name, one] : *table) take(key, one, member[std::string(name.str())]);
+  }
+
   toml::table const& table_;
   std::string origin_;
   std::map<std::string, std::string> const& overrides_;
@@ -168,6 +203,28 @@ Override from_command_line(std::string const& text) {
 
 constexpr std::int64_t most_trajectories = 256;  // systems often allow 1024 open files
 
+void refuse_bad_protocol(Scene const& scene, auto const& refuse) {
+  auto const& shear = scene.shear;
+  auto const& rates = shear.strain_rates;
+  for (std::size_t k = 1; k < rates.size(); ++k)
+    if (rates[k] >= rates[k - 1])
+      refuse(fmt::format("shear.strain_rates = [{:g}] (each must be below the one before: it starts from "
+                         "the state of the next larger); write the largest first, none twice",
+                         fmt::join(rates, ", ")));
+  if (shear.strain.is_list() && shear.strain.each.size() != rates.size())
+    refuse(fmt::format("shear.strain = [{:g}] has {} numbers, shear.strain_rates has {} (must be as many); "
+                       "give one for each rate, or one number for all",
+                       fmt::join(shear.strain.each, ", "), shear.strain.each.size(), rates.size()));
+  if (shear.protocol == "ramp" && shear.strain_rate_high <= shear.strain_rate)
+    refuse(fmt::format("shear.strain_rate_high = {} (must be more than shear.strain_rate = {}, the lowest); "
+                       "raise it",
+                       shear.strain_rate_high, shear.strain_rate));
+  if (!shear.target_error.empty() &&
+      (scene.measure.profiles || scene.measure.fields || scene.measure.rotation))
+    refuse("shear.target_error does not go with measure.profiles, measure.fields or measure.rotation "
+           "(where their frames begin depends on where the run ends); give shear.strain alone");
+}
+
 void refuse_contradictions(Scene const& scene, std::string const& origin) {
   auto const refuse = [&](std::string const& message) {
     throw InputError(fmt::format("{}: {}", origin, message));
@@ -192,7 +249,8 @@ void refuse_contradictions(Scene const& scene, std::string const& origin) {
     refuse(fmt::format("start.file = \"{}\" is not used by start.kind = \"random\"; set "
                        "start.kind = \"state\" or leave it out",
                        scene.start.file));
-  if (scene.shear.discard >= 1)
+  refuse_bad_protocol(scene, refuse);
+  if (scene.shear.discard && *scene.shear.discard >= 1)
     refuse("shear.discard = 1 (must be below 1) would leave nothing to measure");
   if (scene.output.trajectory_strain > 0 && disks.replicas > most_trajectories)
     refuse(fmt::format("output.trajectory_strain = {} with disks.replicas = {} (must be at most {}: a "
@@ -272,6 +330,20 @@ std::string toml_value(double number) {
 std::string toml_value(std::optional<double> const& number) {
   return number ? toml_value(*number) : "\"auto\"";
 }
+std::string toml_value(std::vector<double> const& list) {
+  std::string text;
+  for (double const one : list) text += (text.empty() ? "" : ", ") + toml_value(one);
+  return "[" + text + "]";
+}
+std::string toml_value(Strain const& strain) {
+  return strain.is_list() ? toml_value(strain.each) : toml_value(strain.at(0));
+}
+std::string toml_value(std::map<std::string, double> const& table) {
+  std::string text;
+  for (auto const& [name, one] : table)
+    text += fmt::format("{} {} = {}", text.empty() ? "" : ",", toml_value(name), toml_value(one));
+  return "{" + text + " }";
+}
 
 }  // namespace
 
@@ -280,6 +352,7 @@ std::string write_scene(Scene const& scene) {
   for_each_key(scene, [&](Key const& key, auto const& member) {
     auto const dot = key.name.find('.');
     if (key.name == "start.file" && scene.start.file.empty()) return;
+    if (!belongs(key, scene.shear.protocol)) return;
     if (dot != std::string_view::npos && key.name.substr(0, dot) != table) {
       table = key.name.substr(0, dot);
       text += fmt::format("\n[{}]\n", table);

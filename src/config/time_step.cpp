@@ -15,7 +15,10 @@ double paper_time_step(Scene::Disks const& disks) {
 }
 
 double time_step(Scene const& scene) {
-  return scene.integration.time_step.value_or(paper_time_step(scene.disks));
+  if (scene.integration.time_step) return *scene.integration.time_step;
+  double const paper = paper_time_step(scene.disks), piece = scene.shear.ramp_every;
+  if (scene.shear.protocol != "ramp") return paper;
+  return piece / std::ceil(piece / paper * (1 - 1e-12));
 }
 
 namespace {

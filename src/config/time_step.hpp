@@ -11,7 +11,7 @@ namespace bagnold {
 /// max(0.01, 0.1 Q), after P2 Sec. II D, which says "down to 0.01".
 double paper_time_step(Scene::Disks const& disks);
 
-/// The time step of a scene: as given, or the papers'.
+/// The time step of a scene: as given, or the papers', of a ramp shortened to divide ramp_every.
 double time_step(Scene const& scene);
 
 /// Spectral radius of one step of the modified velocity Verlet scheme (P2 Eqs. 21-24) for two small

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "src/config/cascade.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/scene_file.hpp"
 #include "src/config/toml_text.hpp"
@@ -57,50 +58,96 @@ void check_step(Point const& from, Point const& to) {
         "and disks.packing_fraction cannot change along a chain; vary them outside it");
 }
 
-/// Expands the rows of one file.
+/// Expands the rows of one file: a row is a run or, of a cascade, a run for each of its rates.
 class Expansion {
  public:
-  Expansion(Sweep& sweep, std::filesystem::path folder, PointCheck const& check)
-      : sweep_(sweep), folder_(std::move(folder)), check_(check) {}
+  Expansion(Sweep& sweep, std::filesystem::path folder, bool chained, PointCheck const& check)
+      : sweep_(sweep), folder_(std::move(folder)), chained_(chained), check_(check) {}
 
-  void add(Row const& row, std::size_t count) {
-    std::size_t const index = sweep_.points.size();
+  void add(Row const& row, std::size_t number, std::size_t count) {
     Point point;
-    point.name = message_name(index + 1, count, sweep_.keys, row);
+    point.name = message_name(number, count, sweep_.keys, row);
     for (auto const* given : row.values) point.values.push_back(given->value);
-    point.folder = folder_name(index + 1, sweep_.keys, point.values);
     if (row.chain == sweep_.chains.size()) sweep_.chains.emplace_back();
     auto& chain = sweep_.chains[row.chain];
     if (!chain.empty()) point.previous = chain.back();
+    auto const name = point.name;
     try {
       read_point(point, row);
-      refuse_double(point);
+      refuse_mixture(point.scene);
+      if (cascade_)
+        add_stages(point, row.chain);
+      else
+        add_run(std::move(point), row.chain);
     } catch (InputError const& error) {
-      throw InputError(fmt::format("{}: {}", point.name, error.what()));
+      throw InputError(fmt::format("{}: {}", name, error.what()));
     }
-    chain.push_back(index);
-    sweep_.points.push_back(std::move(point));
+  }
+
+  /// The varied keys; of cascades also the rate of the stage.
+  std::vector<std::string> keys() const {
+    auto all = sweep_.keys;
+    if (cascade_) all.emplace_back(rate_key);
+    return all;
   }
 
  private:
+  static constexpr auto rate_key = "shear.strain_rate";
+
+  void refuse_mixture(Scene const& scene) {
+    bool const is_cascade = scene.shear.protocol == "cascade";
+    if (cascade_known_ && is_cascade != cascade_)
+      throw InputError(
+          "shear.protocol: some points are cascades, of a row for each rate, some are not (must be "
+          "alike); make two sweeps of them");
+    if (is_cascade && chained_)
+      throw InputError(
+          "sweep.chain does not go with shear.protocol = \"cascade\", which is a chain of its "
+          "rates; "
+          "leave it out");
+    cascade_ = is_cascade;
+    cascade_known_ = true;
+  }
+
+  /// Plans, checks and adds one run.
+  void add_run(Point point, std::size_t chain) {
+    std::size_t const index = sweep_.points.size();
+    point.folder = folder_name(index + 1, keys(), point.values);
+    point.plan = make_plan(point.scene);
+    if (point.previous) {
+      auto const& before = sweep_.points[*point.previous];
+      point.scene.start.file = "../" + before.folder + "/state.h5";
+      check_step(before, point);
+    }
+    check_(point.scene, point.plan);
+    point.scene.integration.time_step = point.plan.time_step;
+    refuse_double(point);
+    sweep_.chains[chain].push_back(index);
+    sweep_.points.push_back(std::move(point));
+  }
+
+  /// The runs of a cascade, a chain.
+  void add_stages(Point const& cascade, std::size_t chain) {
+    for (std::size_t k = 0; k < cascade.scene.shear.strain_rates.size(); ++k) {
+      Point point = cascade;
+      point.values.emplace_back(cascade.scene.shear.strain_rates[k]);
+      if (k > 0) point.previous = sweep_.points.size() - 1;
+      point.scene = stage_of(cascade.scene, k, "");
+      point.name += fmt::format(", rate {}", point.scene.shear.strain_rate);
+      add_run(std::move(point), chain);
+    }
+  }
+
   void read_point(Point& point, Row const& row) const {
     std::vector<Override> values;
     for (std::size_t k = 0; k < sweep_.keys.size(); ++k)
       values.push_back({sweep_.keys[k], row.values[k]->toml, row.values[k]->place});
-    std::string before;
     if (point.previous) {
-      before = "../" + sweep_.points[*point.previous].folder + "/state.h5";
+      auto const before = "../" + sweep_.points[*point.previous].folder + "/state.h5";
       values.push_back({"start.kind", "\"state\"", "sweep.chain"});
       values.push_back({"start.file", "\"" + before + "\"", "sweep.chain"});
     }
     point.scene = parse_point(sweep_.text, sweep_.origin, folder_, values);
-    point.plan = make_plan(point.scene);
-    if (point.previous) {
-      point.scene.start.file = before;
-      check_step(sweep_.points[*point.previous], point);
-    }
-    check_(point.scene, point.plan);
-    point.scene.integration.time_step = point.plan.time_step;
   }
 
   void refuse_double(Point const& point) {
@@ -112,6 +159,8 @@ class Expansion {
 
   Sweep& sweep_;
   std::filesystem::path folder_;
+  bool chained_;
+  bool cascade_ = false, cascade_known_ = false;  ///< what the points are, after the first
   PointCheck const& check_;
   std::map<std::string, std::size_t> seen_;
 };
@@ -127,8 +176,10 @@ Sweep read_sweep(std::filesystem::path const& file, PointCheck const& check) {
   for (auto const* keys : {&table.zip, &table.grid})
     for (auto const& key : *keys) sweep.keys.push_back(key.name);
   auto const all = rows(table, sweep.origin);
-  Expansion expansion(sweep, std::filesystem::absolute(file).parent_path(), check);
-  for (auto const& row : all) expansion.add(row, all.size());
+  Expansion expansion(sweep, std::filesystem::absolute(file).parent_path(), !table.chain.empty(),
+                      check);
+  for (std::size_t k = 0; k < all.size(); ++k) expansion.add(all[k], k + 1, all.size());
+  sweep.keys = expansion.keys();
   return sweep;
 }
 

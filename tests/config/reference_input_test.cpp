@@ -68,7 +68,7 @@ TEST(ReferenceInput, RequiredKeysAloneResolveToTheSame) {
     line.precision(17);
     if constexpr (std::is_same_v<decltype(value), std::string const&>)
       line << key.name.substr(dot + 1) << " = \"" << value << "\"\n";
-    else if constexpr (!std::is_same_v<decltype(value), std::optional<double> const&>)
+    else if constexpr (requires { line << value; })
       line << key.name.substr(dot + 1) << " = " << value << "\n";
     text += line.str();
   });

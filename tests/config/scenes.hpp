@@ -24,6 +24,37 @@ strain_rate = 1e-4
 strain = 20.0
 )";
 
+/// The same for a cascade and a ramp.
+inline std::string const cascade_text = R"([disks]
+model = "CD_rot"
+count = 1024
+packing_fraction = 0.82
+elasticity = 1.0
+mass = "equal"
+[shear]
+protocol = "cascade"
+strain_rates = [1e-3, 1e-4, 1e-5]
+strain = [10, 20, 5.5]
+)";
+inline std::string const ramp_text = R"([disks]
+model = "CD_rot"
+count = 1024
+packing_fraction = 0.82
+elasticity = 1.0
+mass = "equal"
+[shear]
+protocol = "ramp"
+strain_rate = 1e-4
+strain_rate_high = 1e-2
+ramp_rate = 1e-4
+)";
+
+/// One of the three that may have this key.
+inline std::string const& text_for(Key const& key) {
+  if (belongs(key, "steady")) return minimal_text;
+  return belongs(key, "ramp") ? ramp_text : cascade_text;
+}
+
 inline Scene parse(std::string const& text, std::vector<std::string> const& overrides = {}) {
   return parse_scene(text, "scene.toml", "/folder", overrides);
 }

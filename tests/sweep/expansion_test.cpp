@@ -128,5 +128,41 @@ grid = { "disks.seed" = [1, 2] })");
   EXPECT_EQ(sweep.chains, (std::vector<std::vector<std::size_t>>{{0, 2, 4}, {1, 3, 5}}));
 }
 
+std::string const cascade = R"([disks]
+model = "CD"
+count = 64
+packing_fraction = 0.8
+elasticity = 1.0
+mass = "equal"
+[shear]
+protocol = "cascade"
+strain_rates = [1e-2, 1e-3]
+strain = [1, 2]
+)";
+
+TEST(SweepExpansion, ACascadeIsAChainOfItsRates) {
+  auto const sweep = expand("[sweep]\ngrid = { \"disks.seed\" = [1, 2] }", cascade);
+  EXPECT_EQ(sweep.keys, (std::vector<std::string>{"disks.seed", "shear.strain_rate"}));
+  EXPECT_EQ(sweep.chains, (std::vector<std::vector<std::size_t>>{{0, 1}, {2, 3}}));
+  ASSERT_EQ(sweep.points.size(), 4u);
+  EXPECT_EQ(sweep.points[2].scene.start.kind, "random");
+  auto const& last = sweep.points[3];
+  EXPECT_EQ(last.folder, "0004_seed=2_strain_rate=0.001");
+  EXPECT_EQ(last.name, "point 2 of 2 (disks.seed = 2), rate 0.001");
+  EXPECT_EQ(last.previous, 2u);
+  EXPECT_EQ(last.scene.start.file, "../0003_seed=2_strain_rate=0.01/state.h5");
+  EXPECT_EQ(last.scene.shear.protocol, "steady");
+  EXPECT_EQ(last.scene.shear.strain, 2.0);
+  EXPECT_EQ(std::get<double>(last.values.at(1)), 1e-3);
+}
+
+TEST(SweepExpansion, CascadesOfDifferentRates) {
+  auto const sweep = expand(
+      "[sweep]\nzip = { \"shear.strain_rates\" = [[1e-2], [1e-2, 1e-3]], \"shear.strain\" = [3, [4, 5]] }",
+      cascade);
+  EXPECT_EQ(sweep.chains, (std::vector<std::vector<std::size_t>>{{0}, {1, 2}}));
+  EXPECT_EQ(sweep.points[2].scene.shear.strain, 5.0);
+}
+
 }  // namespace
 }  // namespace bagnold::sweep

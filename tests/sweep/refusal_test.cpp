@@ -51,6 +51,19 @@ TEST(SweepRefusal, NamesKeyValueReasonAndRemedy) {
   }
 }
 
+TEST(SweepRefusal, OfCascades) {
+  std::string cascade = base;
+  auto const at = cascade.find("strain_rate = 1e-3");
+  cascade.replace(at, 18, "protocol = \"cascade\"\nstrain_rates = [1e-2, 1e-3]");
+  auto const refused = [&](std::string const& table) { return refusal(table, cascade); };
+  EXPECT_EQ(refused("[sweep]\ngrid = { \"disks.seed\" = [1, 2] }"), "accepted");
+  EXPECT_NE(refused("[sweep]\nchain = \"disks.seed\"\ngrid = { \"disks.seed\" = [1, 2] }")
+                .find("sweep.chain does not go with shear.protocol = \"cascade\""),
+            std::string::npos);
+  EXPECT_NE(refused("[sweep]\ngrid = { \"shear.strain_rate\" = [1e-2] }").find("belongs to"),
+            std::string::npos);
+}
+
 TEST(SweepRefusal, TooManyPoints) {
   std::string list = "0";
   for (int k = 1; k < 400; ++k) list += ", " + std::to_string(k);

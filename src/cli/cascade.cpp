@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/cli/cascade.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "src/cli/provenance.hpp"
+#include "src/cli/run_in_folder.hpp"
+#include "src/cli/signals.hpp"
+#include "src/config/cascade.hpp"
+#include "src/config/scene_file.hpp"
+#include "src/config/toml_text.hpp"
+#include "src/io/atomic_file.hpp"
+
+namespace bagnold {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+bool begun(fs::path const& folder) {
+  for (auto const* name : {"checkpoint.h5", "checkpoint.previous.h5", "checkpoint.h5.tmp"})
+    if (fs::exists(folder / name)) return true;
+  return false;
+}
+
+/// Runs a stage, or goes on with it, unless it is finished.
+int run_stage(fs::path const& path, Scene const& scene, Machine const& machine, bool quiet) {
+  if (fs::exists(path / "summary.json")) return 0;
+  if (begun(path)) return go_on_in(RunFolder::open(path), machine, quiet);
+  auto from_file = states_in_file(scene);
+  RunFolder const folder = RunFolder::make(path, /*force=*/true);
+  RunFolder::write_text(folder.scene(), write_scene(scene));
+  return run_from_start(folder, scene, machine, quiet, std::move(from_file));
+}
+
+/// What all stages found, without times.
+void write_summary(RunFolder const& folder, Scene const& cascade) {
+  Provenance const made = provenance();
+  Json summary{{"schema", 1},
+               {"bagnold", {{"version", made.version}, {"git", made.git}}},
+               {"points", Json::array()}};
+  for (std::size_t k = 0; k < cascade.shear.strain_rates.size(); ++k) {
+    auto const name = stage_folder(cascade, k);
+    auto const bytes = io::read_file(folder.path() / name / "summary.json");
+    auto const* text = reinterpret_cast<char const*>(bytes.data());
+    Json const stage = Json::parse(text, text + bytes.size());
+    summary["points"].push_back({{"folder", name},
+                                 {"strain_rate", cascade.shear.strain_rates[k]},
+                                 {"strain", stage.at("strain")},
+                                 {"observables", stage.at("observables")}});
+  }
+  RunFolder::write_text(folder.summary(), summary.dump(2) + "\n");
+}
+
+}  // namespace
+
+std::optional<Scene> cascade_in(RunFolder const& folder) {
+  if (!fs::exists(folder.scene())) return std::nullopt;
+  Scene scene = read_scene(folder.scene());
+  return scene.shear.protocol == "cascade" ? std::optional(scene) : std::nullopt;
+}
+
+int run_cascade(RunFolder const& folder, Scene const& cascade, Machine const& machine, bool quiet) {
+  KokkosScope const kokkos(machine, cascade);
+  auto const stages = cascade.shear.strain_rates.size();
+  std::string before;
+  for (std::size_t k = 0; k < stages; ++k) {
+    if (stop_signal() != 0) {
+      fmt::print(stderr, "bagnold: stopped before rate {} of {}; `bagnold resume {}` goes on\n",
+                 k + 1, stages, folder.path().string());
+      return 128 + stop_signal();
+    }
+    auto const path = fs::absolute(folder.path()).lexically_normal() / stage_folder(cascade, k);
+    if (!quiet)
+      fmt::print("strain rate {}, {} of {}\n", cascade.shear.strain_rates[k], k + 1, stages);
+    int const code = run_stage(path, stage_of(cascade, k, before), machine, quiet);
+    if (code != 0) return code;
+    before = (path / "state.h5").string();
+  }
+  write_summary(folder, cascade);
+  return 0;
+}
+
+}  // namespace bagnold
