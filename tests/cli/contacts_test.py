@@ -39,8 +39,9 @@ class ContactsTest(CliTest):
         for engine in ENGINES:
             for fraction in (0.6, 0.82):
                 with self.subTest(engine=engine, fraction=fraction):
-                    out = self.run_new(f"{engine}{fraction}", integration__engine=engine, disks__count=128,
-                                       disks__packing_fraction=fraction, shear__strain=8.0,
+                    out = self.run_new(f"{engine}{fraction}", integration__engine=engine,
+                                       disks__packing_fraction=fraction, shear__strain=32.0,
+                                       disks__replicas=4,
                                        output__sample_strain=2.0**-5, **ON)
                     found = read_summary(out)["observables"]
                     z, tau, nu = (found[k] for k in ("Z", "tau_dur", "nu_coll"))

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "kernels/observables/sums.hpp"
-
 #include "src/config/time_step.hpp"
 #include "src/simulation/observables.hpp"
 
