@@ -473,8 +473,9 @@ def add_slope(axes, rate, values, slope, text):
     ends = np.array([rate.min(), rate.max()])
     axes.plot(ends, middle[1] * (ends / middle[0]) ** slope, color=GREY, lw=0.9, ls=(0, (4, 2)),
               zorder=0)
-    axes.annotate(text, (ends[-1], middle[1] * (ends[-1] / middle[0]) ** slope), color=GREY,
-                  fontsize=9, ha="right")
+    label = ends[0] if slope > 1 else ends[-1]  # where the steeper line is inside
+    axes.annotate(text, (label, middle[1] * (label / middle[0]) ** slope), (0, 4), color=GREY,
+                  textcoords="offset points", fontsize=9, ha="left" if slope > 1 else "right")
 
 
 def draw_ramp(run):

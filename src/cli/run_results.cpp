@@ -181,7 +181,7 @@ void write_result_file(RunFolder const& folder, Run const& run) {
   result.series = {
       series(run, "strain", "1", "at the end of the window, from 0 at the start", strain),
       series(run, "time", "tau_e", "at the end of the window", time),
-      series(run, "strain_rate", "1/tau_e", run.plan.ramp ? "gammadot, mean over the window" : "gammadot",
+      series(run, "strain_rate", "1/tau_e", "gammadot, mean over the window",
              [&](Replica const&, std::size_t w) { return rate_of(run, w); }),
       series(run, "evaluations", "1", "configurations evaluated in the window",
              [](Replica const& replica, std::size_t w) {
@@ -283,7 +283,8 @@ void write_summary(RunFolder const& folder, Run const& run,
   add_protocol(summary, run);
   double const window_strain = run.plan.strain(run.plan.window_steps);
   double const frame_strain = run.plan.strain(run.plan.frame_steps);
-  if (run.replicas.size() > 1)
+  bool const several = run.replicas.size() > 1 && !run.plan.ramp;
+  if (several)
     summary["errors_from"] = statistics::error_source(run.replicas.size());
   std::vector<JsonEstimate> all;
   for (auto const& [observable, estimate] : list)
@@ -292,7 +293,7 @@ void write_summary(RunFolder const& folder, Run const& run,
     all.push_back({scalar.name, scalar.estimate, frame_strain});
   summary["observables"] = Json::object();
   for (auto const& one : all) summary["observables"][one.name] = one.json(one.estimate.all);
-  if (run.replicas.size() > 1) summary["replicas"] = replicas_json(run, all);
+  if (several) summary["replicas"] = replicas_json(run, all);
   RunFolder::write_text(folder.summary(), summary.dump(2) + "\n");
 }
 

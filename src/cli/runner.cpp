@@ -86,7 +86,8 @@ std::unique_ptr<Simulation> Runner::simulation_of(Snapshot snapshot) const {
     scene.shear.strain_rate = strain_rate;
     return make_simulation(scene, from, backend);
   };
-  if (whole_.ramp) return std::make_unique<RampedSimulation>(*whole_.ramp, std::move(make), std::move(snapshot));
+  if (whole_.ramp)
+    return std::make_unique<RampedSimulation>(*whole_.ramp, std::move(make), std::move(snapshot));
   return make_simulation(run_.scene, snapshot, machine_.backend);
 }
 
@@ -230,8 +231,8 @@ void Runner::checkpoint() {
 
 int Runner::interrupted() const {
   fmt::print(stderr, "bagnold: stopped at step {} of {}{}; `bagnold resume {}` goes on\n", steps(),
-             whole_.steps * run_.scene.disks.replicas, simulations_.size() > 1 ? ", all replicas together" : "",
-             folder_.path().string());
+             whole_.steps * run_.scene.disks.replicas,
+             simulations_.size() > 1 ? ", all replicas together" : "", folder_.path().string());
   return 128 + stop_signal();
 }
 

@@ -34,8 +34,8 @@ class Runner {
  private:
   void make(std::size_t replica, std::optional<Snapshot> snapshot);
   std::unique_ptr<Simulation> simulation_of(Snapshot snapshot) const;
-  Plan next_leg() const;     ///< to where the target error is looked at next
-  bool enough();             ///< whether the run may end there
+  Plan next_leg() const;  ///< to where the target error is looked at next
+  bool enough();          ///< whether the run may end there
   void watch(std::size_t replica, State const& start);  ///< makes its frames
   std::int64_t seed(std::size_t replica) const;
   bool work(SideBySide& all);
@@ -50,8 +50,8 @@ class Runner {
   using SteadyClock = std::chrono::steady_clock;
 
   RunFolder const& folder_;
-  Run run_;   ///< its plan ends where this leg does
-  Plan whole_;
+  Run run_;     ///< its plan ends where this leg does
+  Plan whole_;  ///< to where the strain is spent
   Machine machine_;
   bool quiet_;
   std::vector<std::unique_ptr<Simulation>> simulations_;  ///< [R]

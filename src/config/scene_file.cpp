@@ -221,8 +221,9 @@ void refuse_bad_protocol(Scene const& scene, auto const& refuse) {
                        shear.strain_rate_high, shear.strain_rate));
   if (!shear.target_error.empty() &&
       (scene.measure.profiles || scene.measure.fields || scene.measure.rotation))
-    refuse("shear.target_error does not go with measure.profiles, measure.fields or measure.rotation "
-           "(where their frames begin depends on where the run ends); give shear.strain alone");
+    refuse(
+        "shear.target_error does not go with measure.profiles, measure.fields or measure.rotation "
+        "(where their frames begin depends on where the run ends); give shear.strain alone");
 }
 
 void refuse_contradictions(Scene const& scene, std::string const& origin) {
