@@ -75,7 +75,7 @@ class SameBits(Replicas):
 
 
 class Resumed(Replicas):
-    LONG = {"shear__strain": 16.0, "output__sample_strain": 0.25, "disks__packing_fraction": 0.82,
+    LONG = {"shear__strain": 64.0, "output__sample_strain": 1.0, "disks__packing_fraction": 0.82,
             "output__checkpoint_minutes": 0.0005}
 
     def test_stopped_killed_and_resumed(self):
