@@ -241,10 +241,14 @@ BAGNOLD_INLINE Records load_differences(Record const* records, LocalPair const* 
   return r;
 }
 
-BAGNOLD_INLINE Records load_records(Record const* r, std::uint16_t const* index4) {
+namespace detail {
+
+/// Eight records, row(k) each.
+template <class Row>
+BAGNOLD_INLINE Records load_rows(Row const& row) {
   Records s;
   for (int k = 0; k < width; ++k) {
-    Record const& from = at(r, index4[k]);
+    Record const& from = row(k);
     s.x.v[k] = from.x;
     s.y.v[k] = from.y;
     s.vx.v[k] = from.vx;
@@ -253,19 +257,39 @@ BAGNOLD_INLINE Records load_records(Record const* r, std::uint16_t const* index4
   return s;
 }
 
-BAGNOLD_INLINE void store_records(Record* r, std::uint16_t const* index4, Records const& s) {
-  for (int k = 0; k < width; ++k) at(r, index4[k]) = {s.x.v[k], s.y.v[k], s.vx.v[k], s.vy.v[k]};
-}
-
-BAGNOLD_INLINE ForceComponents load_forces(TurningForce const* f, std::uint16_t const* index4) {
+/// The forces on eight disks, row(k) each.
+template <class Row>
+BAGNOLD_INLINE ForceComponents load_turning(Row const& row) {
   ForceComponents s;
   for (int k = 0; k < width; ++k) {
-    TurningForce const& from = at(f, index4[k]);
+    TurningForce const& from = row(k);
     s.x.v[k] = from.x;
     s.y.v[k] = from.y;
     s.turn.v[k] = from.turn;
   }
   return s;
+}
+
+}  // namespace detail
+
+BAGNOLD_INLINE Records load_records(Record const* r) {
+  return detail::load_rows([&](int k) -> Record const& { return r[k]; });
+}
+
+BAGNOLD_INLINE Records load_records(Record const* r, std::uint16_t const* index4) {
+  return detail::load_rows([&](int k) -> Record const& { return at(r, index4[k]); });
+}
+
+BAGNOLD_INLINE ForceComponents load_forces(TurningForce const* f) {
+  return detail::load_turning([&](int k) -> TurningForce const& { return f[k]; });
+}
+
+BAGNOLD_INLINE ForceComponents load_forces(TurningForce const* f, std::uint16_t const* index4) {
+  return detail::load_turning([&](int k) -> TurningForce const& { return at(f, index4[k]); });
+}
+
+BAGNOLD_INLINE void store_records(Record* r, std::uint16_t const* index4, Records const& s) {
+  for (int k = 0; k < width; ++k) at(r, index4[k]) = {s.x.v[k], s.y.v[k], s.vx.v[k], s.vy.v[k]};
 }
 
 BAGNOLD_INLINE void fly(Record* to, Record const* from, std::uint32_t count, double time) {
@@ -285,31 +309,10 @@ BAGNOLD_INLINE ForceComponents load_forces(Force const* f) {
   return s;
 }
 
-BAGNOLD_INLINE ForceComponents load_forces(TurningForce const* f) {
-  ForceComponents s;
-  for (int k = 0; k < width; ++k) {
-    s.x.v[k] = f[k].x;
-    s.y.v[k] = f[k].y;
-    s.turn.v[k] = f[k].turn;
-  }
-  return s;
-}
-
 BAGNOLD_INLINE Mask nonzero(std::uint8_t const* bytes) {
   Mask mask{};
   for (int k = 0; k < width; ++k) mask.bits[k] = bytes[k] != 0 ? -1 : 0;
   return mask;
-}
-
-BAGNOLD_INLINE Records load_records(Record const* r) {
-  Records s;
-  for (int k = 0; k < width; ++k) {
-    s.x.v[k] = r[k].x;
-    s.y.v[k] = r[k].y;
-    s.vx.v[k] = r[k].vx;
-    s.vy.v[k] = r[k].vy;
-  }
-  return s;
 }
 
 BAGNOLD_INLINE void store_records(Record* r, Records const& s) {

@@ -14,19 +14,6 @@ namespace bagnold {
 
 namespace {
 
-Snapshot snapshot_of(io::SystemCheckpoint& checkpoint) {
-  Snapshot snapshot;
-  snapshot.state = std::move(checkpoint.state);
-  snapshot.list_position = std::move(checkpoint.list_position);
-  snapshot.list_step = checkpoint.list_step;
-  snapshot.step = checkpoint.step;
-  snapshot.initial_offset = checkpoint.initial_offset;
-  snapshot.initial_time = checkpoint.initial_time;
-  snapshot.list_builds = checkpoint.builds;
-  snapshot.engine = std::move(checkpoint.engine);
-  return snapshot;
-}
-
 Replica replica_of(io::SystemCheckpoint& checkpoint) {
   Replica replica;
   replica.start_record = std::move(checkpoint.start_record);
@@ -66,7 +53,7 @@ int run_from_checkpoint(RunFolder const& folder, io::Checkpoint checkpoint, Mach
   std::vector<std::optional<Snapshot>> snapshots;
   for (auto& system : checkpoint.systems) {
     run.replicas.push_back(replica_of(system));
-    snapshots.push_back(snapshot_of(system));
+    snapshots.push_back(std::move(static_cast<Snapshot&>(system)));
   }
   Runner runner(folder, std::move(run), machine, quiet);
   runner.start(std::move(snapshots));

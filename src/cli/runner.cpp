@@ -193,16 +193,9 @@ SideBySide::Wish Runner::wish() const {
 
 io::SystemCheckpoint Runner::checkpoint_of(std::size_t r) {
   Replica& replica = run_.replicas[r];
-  Snapshot snapshot = simulations_[r]->snapshot();
   io::SystemCheckpoint c;
-  c.state = std::move(snapshot.state);
-  c.list_position = std::move(snapshot.list_position);
-  c.list_step = snapshot.list_step;
-  c.step = snapshot.step;
-  c.initial_offset = snapshot.initial_offset;
-  c.initial_time = snapshot.initial_time;
-  c.builds = snapshot.list_builds;
-  c.engine = replica.engine = std::move(snapshot.engine);
+  static_cast<Snapshot&>(c) = simulations_[r]->snapshot();
+  replica.engine = c.engine;
   auto& [windows, open, frames] = replica.measurement;
   c.columns = static_cast<std::int64_t>(windows.columns);
   c.window_sums = windows.sums;

@@ -59,7 +59,7 @@ void put_system(Hdf5Writer& file, SystemCheckpoint const& system, std::string co
   file.dataset(at + "/list/position", flat(system.list_position), {system.state.count(), 2},
                {{"unit", "d_s"}});
   file.attribute(at + "/list", "step", system.list_step);
-  file.attribute(at + "/list", "builds", system.builds);
+  file.attribute(at + "/list", "builds", system.list_builds);
 
   file.group(at + "/run");
   file.attribute(at + "/run", "step", system.step);
@@ -99,7 +99,7 @@ SystemCheckpoint get_system(Hdf5Reader const& file, std::string const& at) {
   system.state = std::move(states.front());
   system.list_position = file.pairs(at + "/list/position", {system.state.count()});
   system.list_step = file.integer(at + "/list", "step");
-  system.builds = file.integer(at + "/list", "builds");
+  system.list_builds = file.integer(at + "/list", "builds");
 
   system.step = file.integer(at + "/run", "step");
   system.initial_offset = file.number(at + "/run", "initial_offset");

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -10,27 +9,19 @@
 #include <string>
 #include <vector>
 
-#include "src/state/state.hpp"
+#include "src/state/snapshot.hpp"
 
 namespace bagnold::io {
 
 /// All that one system needs to go on bit for bit, and what was measured on it.
-struct SystemCheckpoint {
-  State state;  ///< as the engine holds it: positions may lie outside the box
-  std::vector<std::array<double, 2>> list_position;  ///< [N], at the last list build, [d_s]
-  std::int64_t list_step = 0;                        ///< step of that build
-  std::int64_t step = 0;                             ///< steps done
-  double initial_offset = 0.0;                       ///< gamma_0 L at step 0, [d_s]
-  double initial_time = 0.0;                         ///< at step 0, [tau_e]
-  std::vector<double> window_sums;                   ///< finished windows, [n][columns]
-  std::int64_t columns = 0;                          ///< sums a window
-  std::vector<double> window_weight;                 ///< [n]
-  std::vector<double> open_sums;                     ///< of the window in progress
+struct SystemCheckpoint : Snapshot {
+  std::vector<double> window_sums;    ///< finished windows, [n][columns]
+  std::int64_t columns = 0;           ///< sums a window
+  std::vector<double> window_weight;  ///< [n]
+  std::vector<double> open_sums;      ///< of the window in progress
   double open_weight = 0.0;
   std::map<std::string, double> start_record;  ///< e.g. relaxation iterations, remaining overlap
   std::map<std::string, std::vector<double>> frames;  ///< what observers of frames know
-  std::int64_t builds = 0;                            ///< of the neighbour list, so far
-  std::map<std::string, double> engine;  ///< what else the engine needs: ages, bounds, counters
 };
 
 /// All that a run needs to go on bit for bit. Form of the file: SCHEMA.md.

@@ -392,13 +392,12 @@ class BlockEngine final : public Simulation {
     inner_.step = step_;
     inner_.drift = 0;
     if (!holds_next(inner_.step, inner_.drift, inner_.margin)) inner_.margin = skin_;
+    choose_dense();
     fill_inner();
     ++prunings_;
     near_pairs_ = 0;
     for (std::uint32_t b = 0; b < kernels_.blocks.count; ++b)
       for (auto const n : kernels_.blocks.block(b).near[inner_list]) near_pairs_ += n;
-    choose_dense();
-    if (dense_) dense_step_.resize(space_, kernels_.blocks);
   }
 
   void choose_dense() {

@@ -12,37 +12,27 @@
 /// What the tests of scenes start from.
 namespace bagnold {
 
-/// The required keys and nothing else, one a line: model is line 2, strain line 9.
-inline std::string const minimal_text = R"([disks]
+inline std::string const disks_text = R"([disks]
 model = "CD_rot"
 count = 1024
 packing_fraction = 0.82
 elasticity = 1.0
 mass = "equal"
-[shear]
+)";
+
+/// The required keys and nothing else, one a line: model is line 2, strain line 9.
+inline std::string const minimal_text = disks_text + R"([shear]
 strain_rate = 1e-4
 strain = 20.0
 )";
 
 /// The same for a cascade and a ramp.
-inline std::string const cascade_text = R"([disks]
-model = "CD_rot"
-count = 1024
-packing_fraction = 0.82
-elasticity = 1.0
-mass = "equal"
-[shear]
+inline std::string const cascade_text = disks_text + R"([shear]
 protocol = "cascade"
 strain_rates = [1e-3, 1e-4, 1e-5]
 strain = [10, 20, 5.5]
 )";
-inline std::string const ramp_text = R"([disks]
-model = "CD_rot"
-count = 1024
-packing_fraction = 0.82
-elasticity = 1.0
-mass = "equal"
-[shear]
+inline std::string const ramp_text = disks_text + R"([shear]
 protocol = "ramp"
 strain_rate = 1e-4
 strain_rate_high = 1e-2

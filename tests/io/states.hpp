@@ -43,7 +43,7 @@ inline SystemCheckpoint some_system(std::size_t count, std::int64_t step) {
   system.open_weight = 3.0;
   system.start_record = {{"iterations", 12.0}, {"overlap", 1e-9}};
   system.frames = {{"profiles", {0.1 * static_cast<double>(step), -0.0, 5e-324}}, {"fields", {}}};
-  system.builds = 42;
+  system.list_builds = 42;
   system.engine = {{"margin", 0.015}, {"prune_step", 117.0}};
   return system;
 }
