@@ -120,6 +120,10 @@ int emit_slurm(sweep::Sweep const& sweep, sweep::SweepFolder const& folder,
 
 int sweep_command(SweepOptions const& options) {
   auto const sweep = read_checked_sweep(options.sweep_file, options.allow_unstable);
+  return run_sweep(sweep, options);
+}
+
+int run_sweep(sweep::Sweep const& sweep, SweepOptions const& options) {
   auto const name =
       options.folder.empty() ? fs::path("results") / options.sweep_file.stem() : options.folder;
   catch_signals();

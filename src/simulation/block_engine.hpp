@@ -359,7 +359,7 @@ class BlockEngine final : public Simulation {
     }
     reports_ = Blocks::Array<BlockReport>(named("dynamics::reports"), blocks.count);
     sums_ = Blocks::Array<Sums<rotates>>(named("observables::block_sums"), blocks.count);
-    windowed_.rearranged(kernels_);
+    windowed_.rearranged();
     watch_.rearranged();
 
     for (std::uint32_t b = 0; b < blocks.count; ++b) make_inert(blocks.block(b));

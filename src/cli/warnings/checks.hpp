@@ -12,8 +12,14 @@ using Check = std::optional<Warning>(Finished const&);
 /// phi > phi_J: a yield stress is left as the rate vanishes, so that neither B nor eta has a limit.
 Check above_jamming;
 
+/// Disks so soft, at this rate, that B_p or eta_p of hard ones would be another.
+Check hard_core_limit;
+
 /// Contacts so deep that disks are no grains.
 Check large_overlap;
+
+/// Work is done on the disks that is neither dissipated nor kept: the time step is too coarse.
+Check energy_balance;
 
 /// B_p or B_sigma drifts while it is measured.
 Check steady_state;
@@ -23,6 +29,9 @@ Check error_bar;
 
 /// So few collisions that the state cannot have forgotten its start.
 Check few_collisions;
+
+/// The motion is that of the whole box: bands, or a box too small.
+Check box_size;
 
 /// Mean relative overlap of contacts, 1 - r_ij/d_ij, from elastic pressure and contacts:
 ///
