@@ -1,48 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // No more than a scene needs: what is allocated for each law, engine and measurement, by the labels of
-// Views (Kokkos' own tool callbacks) and by the heap (operator new, replaced here).
-#include <malloc.h>
-
-#include <atomic>
-#include <cstdlib>
+// Views (Kokkos' own tool callbacks) and by the heap (operator new, replaced in tests/support/heap.cpp).
 #include <map>
 #include <mutex>
-#include <new>
 #include <set>
 
 #include "src/measure/contacts.hpp"
 #include "src/measure/make_frames.hpp"
+#include "tests/support/heap.hpp"
 #include "tests/support/simulations.hpp"
-
-namespace {
-
-std::atomic<std::int64_t> heap_bytes{0};  ///< live
-
-}  // namespace
-
-namespace {
-
-void* counted(void* at) {
-  if (!at) throw std::bad_alloc();
-  heap_bytes += static_cast<std::int64_t>(malloc_usable_size(at));
-  return at;
-}
-
-}  // namespace
-
-void* operator new(std::size_t size) { return counted(std::malloc(size)); }
-void* operator new(std::size_t size, std::align_val_t align) {
-  auto const unit = static_cast<std::size_t>(align);
-  return counted(std::aligned_alloc(unit, (size + unit - 1) / unit * unit));
-}
-void operator delete(void* at) noexcept {
-  heap_bytes -= static_cast<std::int64_t>(malloc_usable_size(at));
-  std::free(at);
-}
-void operator delete(void* at, std::size_t) noexcept { operator delete(at); }
-void operator delete(void* at, std::align_val_t) noexcept { operator delete(at); }
-void operator delete(void* at, std::size_t, std::align_val_t) noexcept { operator delete(at); }
 
 namespace bagnold::test {
 namespace {
@@ -73,26 +40,37 @@ Scene scene_of(std::string const& law, std::string const& engine, std::int64_t c
   return scene;
 }
 
+/// One start for all laws.
+State start_of(Scene scene) {
+  static std::map<std::pair<double, std::int64_t>, State> made;
+  bool const spins = scene.rotates();
+  auto const [at, fresh] =
+      made.try_emplace({scene.disks.packing_fraction, scene.disks.count}, State{});
+  scene.disks.model = "CD_rot";
+  scene.start.overlap = 1e-2;
+  if (fresh) at->second = random_start(scene).state;
+  State state = at->second;
+  if (!spins) state.spin.clear();
+  return state;
+}
+
 /// What a simulation holds after some steps of which one is evaluated.
 Allocated held(Scene const& scene, bool contacts = false) {
-  Scene slow = scene;
-  slow.start.overlap = 1e-2;
-  State const state = random_start(slow).state;
+  State const state = start_of(scene);
   using namespace Kokkos::Tools::Experimental;
   views.clear();
   set_allocate_data_callback(allocated);
   set_deallocate_data_callback(freed);
-  auto const before = heap_bytes.load();
+  auto const before = heap_bytes();
   Allocated result;
   {
     auto const simulation = simulate(scene, state, backend_names().front());
     OpenWindows windows;
     Frames frames;
-    if (contacts) {
+    if (contacts)
       windows.contacts = watch_contacts(scene, make_plan(scene), simulation->columns(), frames);
-    }
     simulation->advance(40, Sampling{1 << 20, 1 << 20, 1 << 20}, windows);
-    result.heap = static_cast<double>(heap_bytes.load() - before);
+    result.heap = static_cast<double>(heap_bytes() - before);
     std::scoped_lock const lock(of_views);
     for (auto const& [label, bytes] : views)
       if (bytes != 0) result.views[label] = bytes;
@@ -150,16 +128,17 @@ TEST(Allocations, LawsDifferInNothingElse) {
       auto const slots = of.at("state::record") / 32;
       EXPECT_EQ(of.at("dynamics::trial_record"), 32 * slots);
       EXPECT_EQ(of.at("neighbors::at_build"), 16 * slots);
-      EXPECT_EQ(of.at("state::species"), slots);
+      EXPECT_NEAR(static_cast<double>(of.at("state::species")), slots, 8);  // Kokkos rounds up
       for (auto const* label : {"state::spin", "dynamics::trial_spin"})
         if (rotates(law)) {
           EXPECT_EQ(of.at(label), 8 * slots) << law << ' ' << label;
           of.erase(label);
         }
       EXPECT_EQ(labels(of), labels(plain)) << law << ' ' << engine;
-      for (auto const& [label, bytes] : plain)
-        if (label != "simulation::scratch" && label != "observables::block_sums")
-          EXPECT_EQ(of[label], bytes) << law << ' ' << engine << ' ' << label;
+      for (auto const& [label, bytes] : plain) {
+        if (label == "simulation::scratch" || label == "observables::block_sums") continue;
+        EXPECT_EQ(of[label], bytes) << law << ' ' << engine << ' ' << label;
+      }
     }
   }
 }
@@ -198,11 +177,11 @@ TEST(Allocations, TheHeapHasDiametersAndWhatIsAskedFor) {
 /// No frames, no memory for them.
 TEST(Allocations, FramesTakeNoneUnlessAskedFor) {
   auto const heap = [](Scene const& scene) {
-    State const state = random_start(scene).state;
-    auto const before = heap_bytes.load();
+    State const state = start_of(scene);
+    auto const before = heap_bytes();
     Frames const frames = make_frames(scene, make_plan(scene), state,
                                       std::filesystem::temp_directory_path() / "none.h5md", "0");
-    return heap_bytes.load() - before;
+    return heap_bytes() - before;
   };
   Scene scene = scene_of("CD", "reference");
   EXPECT_EQ(heap(scene), 0);
