@@ -80,11 +80,20 @@ Allocated held(Scene const& scene, bool contacts = false) {
   return result;
 }
 
-/// Heap a disk: what twice as many disks take more.
-double heap_per_disk(std::string const& law, std::string const& engine, bool contacts = false) {
-  double const few = held(scene_of(law, engine, 4096), contacts).heap;
-  double const many = held(scene_of(law, engine, 8192), contacts).heap;
-  return (many - few) / 4096;
+struct PerDisk {
+  double views, heap;  ///< [bytes]
+};
+
+/// What twice as many disks take more.
+PerDisk per_disk(std::string const& law, std::string const& engine, bool contacts = false) {
+  auto const few = held(scene_of(law, engine, 4096), contacts);
+  auto const many = held(scene_of(law, engine, 8192), contacts);
+  auto const sum = [](Bytes const& of) {
+    double bytes = 0;
+    for (auto const& [label, size] : of) bytes += static_cast<double>(size);
+    return bytes;
+  };
+  return {(sum(many.views) - sum(few.views)) / 4096, (many.heap - few.heap) / 4096};
 }
 
 std::set<std::string> labels(Bytes const& bytes, std::string const& part = "") {
@@ -162,15 +171,32 @@ TEST(Allocations, ArraysOfAWayOfSteppingAreOnlyThere) {
 /// windows only where there are windows, that for contacts only where these are asked for.
 TEST(Allocations, TheHeapHasDiametersAndWhatIsAskedFor) {
   for (std::string const engine : {"reference", "dense", "contact-rich", "windowed"}) {
-    double const plain = heap_per_disk("CD_n", engine);
-    double const watched = heap_per_disk("CD_n", engine, true);
-    RecordProperty(engine + "_heap_per_disk", std::to_string(plain));
-    RecordProperty(engine + "_heap_per_disk_with_contacts", std::to_string(watched));
+    double const plain = per_disk("CD_n", engine).heap;
+    double const watched = per_disk("CD_n", engine, true).heap;
+    RecordProperty(engine + "_heap", std::to_string(plain));
+    RecordProperty(engine + "_heap_with_contacts", std::to_string(watched));
     if (engine == "windowed")
       EXPECT_GT(plain, 8 + 9);  // whose result, in which batch, which node
     else
       EXPECT_NEAR(plain, 8, 0.5) << engine;
     EXPECT_GT(watched, plain + 1) << engine;
+  }
+}
+
+/// A law that rotates takes at least its two spins a disk more, and in blocks not many more: halos.
+TEST(Allocations, ViewsADiskAreThoseOfTheLaw) {
+  for (std::string const engine : {"reference", "dense", "contact-rich", "windowed"}) {
+    std::map<std::string, double> views;
+    for (auto const& law : law_names()) {
+      views[law] = per_disk(law, engine).views;
+      RecordProperty(engine + "_" + law + "_views", std::to_string(views[law]));
+    }
+    double const islands = engine == "windowed" ? 5 : 0.01;  // these depend on what meets
+    EXPECT_NEAR(views["CD"], views["CD_n"], islands) << engine;
+    EXPECT_NEAR(views["CD_rot"], views["general"], islands) << engine;
+    EXPECT_GT(views["CD_rot"], views["CD"] + 15) << engine;
+    EXPECT_LT(views["CD_rot"], views["CD"] + 24) << engine;
+    EXPECT_LT(views["CD_rot"], 260) << engine;
   }
 }
 
