@@ -237,7 +237,7 @@ void Runner::finish() {
   for (auto const& simulation : simulations_) states.push_back(simulation->state());
   io::write_states(folder_.state(), states);
   auto const list = estimates(run_);
-  auto const suspect = warnings({run_, list, states});
+  auto const suspect = warnings({run_, list});
   write_summary(folder_, run_, list, suspect);
   for (auto& replica : run_.replicas) replica.measurement.frames.tidy();
   if (run_.scene.output.plot) {  // shows the summary's errors

@@ -10,8 +10,12 @@ namespace bagnold {
 
 namespace {
 
-constexpr double divergence = 2.5;  ///< of B and eta as (phi_J - phi)^-divergence, roughly
-constexpr double most_off = 0.1;    ///< relative
+constexpr double most_off = 0.1;  ///< relative
+
+/// beta of B and eta ~ (phi_J - phi)^-beta, roughly: where contacts last as tried in docs/stability.md;
+/// in a gas 1, p growing with the collision rate and the temperature not, since shear heats and
+/// collisions cool in proportion to it.
+double divergence(double contacts_per_disk) { return contacts_per_disk < 1 ? 1.0 : 2.5; }
 
 }  // namespace
 
@@ -21,7 +25,7 @@ std::optional<Warning> hard_core_limit(Finished const& finished) {
   if (!(phi < jamming_fraction) || !(overlap > 0)) return {};
   // Disks that overlap by x on average are hard ones with (1 - x) of the diameter: of phi - 2 phi x.
   double const looser = 2 * phi * overlap / (jamming_fraction - phi);
-  double const off = 1 - std::pow(1 + looser, -divergence);
+  double const off = 1 - std::pow(1 + looser, -divergence(finished.mean("Z")));
   if (off < most_off) return {};
   return Warning{
       "hard_core_limit",

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "src/cli/run_results.hpp"
-#include "src/state/state.hpp"
 
 namespace bagnold {
 
@@ -24,7 +23,6 @@ struct Warning {
 struct Finished {
   Run const& run;
   std::vector<NamedEstimate> const& found;  ///< of estimates(run): empty of a ramp
-  std::vector<State> const& last;           ///< [R], the last states
 
   /// What was found under a name of summary.json; null where there is none.
   NamedEstimate const* of(std::string_view name) const;
