@@ -13,6 +13,10 @@ struct PairForce {
   Vec2<T> elastic;      ///< on i from j, [m d_s / tau_e^2]
   Vec2<T> dissipative;  ///< on i from j, [m d_s / tau_e^2]
   T relative_overlap;   ///< 1 - r_ij / d_ij
+  Vec2<T> velocity;     ///< of i against j where the dissipative force acts, [d_s / tau_e]
+
+  /// What the dissipative force takes out of the motion, -f_dis . v, [m d_s^2 / tau_e^3].
+  KOKKOS_FUNCTION T dissipation() const { return -dot(dissipative, velocity); }
 
   /// Torque on i over d_i, and on j over d_j, [m d_s / tau_e^2]:
   /// -1/(d_i + d_j) r_ij x f_dis, P2 Eq. (7).
@@ -44,7 +48,7 @@ KOKKOS_FUNCTION PairForce<T> pair_force(Law const& law, Repulsion const& repulsi
     contact.velocity = velocity - rolling * perpendicular(separation);
   }
   return {separation, repulsion.magnitude(contact) * contact.normal, law.dissipative_force(contact),
-          contact.relative_overlap};
+          contact.relative_overlap, contact.velocity};
 }
 
 }  // namespace bagnold

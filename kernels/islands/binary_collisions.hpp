@@ -260,7 +260,7 @@ struct BinaryCollisions {
     using C = SumColumns;
     auto* const to = sums.value;
     if (f.touching.lanes() >> k & 1) {
-      auto const& [r, elastic, dissipative, overlap] = f.force;
+      auto const& [r, elastic, dissipative, overlap, velocity] = f.force;
       to[C::elastic_xx] += elastic.x.v[k] * r.x.v[k];
       to[C::elastic_xy] += elastic.x.v[k] * r.y.v[k];
       to[C::elastic_yy] += elastic.y.v[k] * r.y.v[k];
@@ -268,6 +268,7 @@ struct BinaryCollisions {
       to[C::dissipative_xy] += dissipative.x.v[k] * r.y.v[k];
       to[C::dissipative_yx] += dissipative.y.v[k] * r.x.v[k];
       to[C::dissipative_yy] += dissipative.y.v[k] * r.y.v[k];
+      to[C::dissipation] -= dissipative.x.v[k] * velocity.x.v[k] + dissipative.y.v[k] * velocity.y.v[k];
       to[C::contacts] += 2;
     }
     Real const time = time_step * step;

@@ -15,7 +15,7 @@ struct PackSums {
   Real value[SumColumns::contacts + 1]{};
 
   void operator()(PackOfPairs const& p) {
-    auto const& [r, elastic, dissipative, overlap] = p.force;
+    auto const& [r, elastic, dissipative, overlap, velocity] = p.force;
     using C = SumColumns;
     alignas(64) Real of[C::contacts][simd::width];
     (elastic.x * r.x).store(of[C::elastic_xx]);
@@ -25,10 +25,11 @@ struct PackSums {
     (dissipative.x * r.y).store(of[C::dissipative_xy]);
     (dissipative.y * r.x).store(of[C::dissipative_yx]);
     (dissipative.y * r.y).store(of[C::dissipative_yy]);
+    p.force.dissipation().store(of[C::dissipation]);
     for (unsigned lanes = p.touching.lanes(); lanes != 0; lanes &= lanes - 1) {
       int const k = __builtin_ctz(lanes);
       Real const weight = std::max(p.pairs[k].a(), p.pairs[k].b()) < padded ? 1.0 : 0.5;
-      for (int c = 0; c <= C::dissipative_yy; ++c) value[c] += weight * of[c][k];
+      for (int c = 0; c <= C::dissipation; ++c) value[c] += weight * of[c][k];
       value[C::contacts] += 2 * weight;
     }
   }
@@ -67,7 +68,7 @@ Sums<Law::rotates> measure_block(BlockStep<Law, Repulsion> const& step, std::uin
   Sums<Law::rotates> sums;
   for (int c : {C::kinetic_xx, C::kinetic_xy, C::kinetic_yy, C::velocity_x2, C::velocity_y2})
     sums.value[c] = simd::sum(v[c]);
-  for (int c = C::elastic_xx; c <= C::dissipative_yy; ++c) sums.value[c] = pairs.value[c];
+  for (int c = C::elastic_xx; c <= C::dissipation; ++c) sums.value[c] = pairs.value[c];
   sums.value[C::contacts] = pairs.value[C::contacts];
   if constexpr (Law::rotates) {
     sums.value[C::spin] = simd::sum(spin);

@@ -18,6 +18,7 @@ struct SumColumns {
     dissipative_xy,  ///< sum f_x r_y: the one that closes the energy balance
     dissipative_yx,
     dissipative_yy,
+    dissipation,     ///< -sum f_dis . v over pairs: power that leaves the motion, [m d_s^2 / tau_e^3]
     kinetic_xx,      ///< sum m dv_x dv_x, [m d_s^2 / tau_e^2]
     kinetic_xy,
     kinetic_yy,
@@ -52,6 +53,7 @@ struct PairSums {
     s[SumColumns::dissipative_xy] += pair.dissipative.x * half.y;
     s[SumColumns::dissipative_yx] += pair.dissipative.y * half.x;
     s[SumColumns::dissipative_yy] += pair.dissipative.y * half.y;
+    s[SumColumns::dissipation] += Real(0.5) * pair.dissipation();
     s[SumColumns::contacts] += 1;
   }
 };

@@ -12,14 +12,18 @@
 
 namespace bagnold {
 
-sweep::Sweep read_checked_sweep(std::filesystem::path const& file, bool allow_unstable) {
-  auto const sweep = sweep::read_sweep(file, [&](Scene const& scene, Plan const& plan) {
+sweep::PointCheck point_check(bool allow_unstable) {
+  return [allow_unstable](Scene const& scene, Plan const& plan) {
     check_scene(scene, plan, allow_unstable);
     bool const later =
         !scene.start.file.empty() && !std::filesystem::path(scene.start.file).is_absolute();
     if (scene.start.kind == "state" && !later)
       fit_to_scene(io::read_states(scene.start.file), scene);
-  });
+  };
+}
+
+sweep::Sweep read_checked_sweep(std::filesystem::path const& file, bool allow_unstable) {
+  auto const sweep = sweep::read_sweep(file, point_check(allow_unstable));
   auto const worth_a_word = [](auto const& point) { return !plan_warning(point.plan).empty(); };
   auto const first = std::ranges::find_if(sweep.points, worth_a_word);
   if (first != sweep.points.end())

@@ -12,4 +12,7 @@ namespace bagnold {
 /// InputError.
 sweep::Sweep read_checked_sweep(std::filesystem::path const& file, bool allow_unstable);
 
+/// What read_checked_sweep() asks of each point.
+sweep::PointCheck point_check(bool allow_unstable);
+
 }  // namespace bagnold

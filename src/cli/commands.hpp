@@ -11,6 +11,10 @@
 
 namespace bagnold {
 
+namespace sweep {
+struct Sweep;
+}
+
 struct RunOptions {
   std::filesystem::path scene_file;
   std::vector<std::string> overrides;  ///< "table.key=value"
@@ -47,6 +51,12 @@ struct SweepOptions {
   bool allow_unstable = false;
 };
 
+struct CheckLimitOptions {
+  RunOptions run;           ///< folder "": results/NAME-limit
+  int jobs = 0;             ///< runs at a time; 0: as many as the cores take
+  double tolerance = 0.05;  ///< relative change that counts as none
+};
+
 /// A line on stderr, quiet or not; nothing for no message.
 void warn(std::string const& message);
 
@@ -63,6 +73,13 @@ std::string analyse_kinds();
 
 /// 1 where points failed or, with `collect`, have no result yet; 0, 130 and 143 as the others.
 int sweep_command(SweepOptions const& options);
+
+/// All points of a sweep and its tables, into options.folder; what sweep_command() does.
+int run_sweep(sweep::Sweep const& sweep, SweepOptions const& options);
+
+/// Whether a scene's rate is in a limit (src/analysis/rate_limit.hpp): runs it at its rate and at half of
+/// it, as a sweep that goes on where it stopped, and writes check_limit.json. 0 whatever the answer.
+int check_limit_command(CheckLimitOptions const& options);
 
 /// Prints what a sweep file comes to: points, chains, steps, time.
 int validate_sweep_command(RunOptions const& options);

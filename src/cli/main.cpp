@@ -98,6 +98,18 @@ int main(int argc, char** argv) try {
   auto* analyse_command = app.add_subcommand("analyse", "fits and phase boundaries from a sweep");
   bagnold::add_analyse_options(*analyse_command, analyse);
 
+  bagnold::CheckLimitOptions limit;
+  auto* limit_command = app.add_subcommand(
+      "check-limit", "is the rate small enough? The scene at its rate and at half of it, compared");
+  limit_command->footer(units);
+  add_scene(*limit_command, limit.run);
+  limit_command->add_option("--out", limit.run.folder, "folder for both runs [results/SCENE-limit]");
+  limit_command->add_option("--jobs", limit.jobs, "runs at a time [default: cores / threads]")
+      ->check(CLI::Range(1, 4096));
+  limit_command->add_option("--tolerance", limit.tolerance, "relative change that counts as none [0.05]")
+      ->check(CLI::Range(1e-6, 0.3));
+  add_machine(*limit_command, limit.run.machine, limit.run.quiet);
+
   auto* info_command = app.add_subcommand("info", "version, git hash, Kokkos, backends, CPU");
   info_command->footer(units);
 
@@ -112,6 +124,7 @@ int main(int argc, char** argv) try {
   if (*resume_command) return bagnold::resume_command(resume);
   if (*sweep_command) return bagnold::sweep_command(sweep);
   if (*analyse_command) return bagnold::analyse_command(analyse);
+  if (*limit_command) return bagnold::check_limit_command(limit);
   if (*info_command) return bagnold::info_command();
   return bad_input;
 } catch (bagnold::InputError const& error) {

@@ -359,7 +359,7 @@ class BlockEngine final : public Simulation {
     at_build_ = loop_->zeros<Vec2<Real>>("neighbors::at_build", slots);
     reports_ = loop_->zeros<BlockReport>("dynamics::reports", blocks.count);
     sums_ = loop_->zeros<Sums<rotates>>("observables::block_sums", blocks.count);
-    windowed_.rearranged(kernels_);
+    windowed_.rearranged();
     watch_.rearranged();
 
     for (std::uint32_t b = 0; b < blocks.count; ++b) make_inert(blocks.block(b));

@@ -104,7 +104,10 @@ std::vector<Observable> observables(Scene const& scene, double box_length) {
        [=](Averages a) { return pressure(a, kinetic) / n; }},
       {"Z", "1", "contacts per disk", [=](Averages a) { return a[C::contacts] / n; }},
       {"R_v", "1", "<dv_x^2>/<v_y^2>, P2 Eq. 37",
-       [=](Averages a) { return a[C::velocity_x2] / a[C::velocity_y2]; }}};
+       [=](Averages a) { return a[C::velocity_x2] / a[C::velocity_y2]; }},
+      {"energy_gap", "1", "1 - dissipated power/(sigma gammadot L^2): 0 if no energy is lost or made", [=](Averages a) {
+         return 1 - a[C::dissipation] / (shear_stress(a) * rate);
+       }}};
   if (scene.rotates()) {
     list.push_back({"spin_mean", "1", "<thetadot>/gammadot",
                     [=](Averages a) { return a[C::spin] / (n * rate); }});

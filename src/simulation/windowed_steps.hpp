@@ -53,11 +53,10 @@ class WindowedSteps {
   Real usual = 0;      ///< stray that one disk in a hundred exceeds, [d_s]
   bool cautious = false;  ///< near pairs of disks that meet others are stepped from the first
 
-  void rearranged(Step const& all) {
-    finder_.resize(all.blocks.slots);
-    result_of_.assign(all.blocks.slots, none);
-    in_batch_.assign(all.blocks.slots, 0);
+  /// The disks have other slots.
+  void rearranged() {
     results_.clear();
+    arranged_ = false;
   }
 
   /// Does the window, adding its sampled configurations to `windows`. False, and nothing is changed,
@@ -66,6 +65,7 @@ class WindowedSteps {
   bool run(BlockLoop& loop, Step& all, Clock const& clock, Window& window,
            Sampling const& sampling, OpenWindows& windows, ContactWatch& watch, Real most_active) {
     forget();
+    if (!arranged_) arrange(all.blocks.slots);
     list_samples(window, clock, sampling);
     Real const duration = static_cast<Real>(window.end - window.begin) * clock.time_step;
     ShearedBox const start = box_at(clock, window, window.begin);
@@ -117,6 +117,14 @@ class WindowedSteps {
 
   static ShearedBox box_at(Clock const& clock, Window const& window, std::int64_t step) {
     return {clock.box_length, clock.offset(step, window.list_step), clock.strain_rate};
+  }
+
+  /// Room by slot, which runs without windows do not need.
+  void arrange(std::uint32_t slots) {
+    finder_.resize(slots);
+    result_of_.assign(slots, none);
+    in_batch_.assign(slots, 0);
+    arranged_ = true;
   }
 
   void forget() {
@@ -551,6 +559,7 @@ class WindowedSteps {
     bool bad = false;
   };
 
+  bool arranged_ = false;  ///< the room by slot is that of the blocks
   IslandFinder finder_;
   Islands islands_, larger_;
   std::vector<Islands::Pair> binary_;

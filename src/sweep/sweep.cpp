@@ -168,16 +168,21 @@ class Expansion {
 }  // namespace
 
 Sweep read_sweep(std::filesystem::path const& file, PointCheck const& check) {
+  return parse_sweep(read_text(file), file.string(), std::filesystem::absolute(file).parent_path(),
+                     check);
+}
+
+Sweep parse_sweep(std::string const& text, std::string const& origin,
+                  std::filesystem::path const& folder, PointCheck const& check) {
   Sweep sweep;
-  sweep.origin = file.string();
-  sweep.text = read_text(file);
+  sweep.origin = origin;
+  sweep.text = text;
   SweepTable const table = read_sweep_table(sweep.text, sweep.origin);
   sweep.base = without_sweep(sweep.text, sweep.origin);
   for (auto const* keys : {&table.zip, &table.grid})
     for (auto const& key : *keys) sweep.keys.push_back(key.name);
   auto const all = rows(table, sweep.origin);
-  Expansion expansion(sweep, std::filesystem::absolute(file).parent_path(), !table.chain.empty(),
-                      check);
+  Expansion expansion(sweep, folder, !table.chain.empty(), check);
   for (std::size_t k = 0; k < all.size(); ++k) expansion.add(all[k], k + 1, all.size());
   sweep.keys = expansion.keys();
   return sweep;

@@ -42,4 +42,8 @@ using PointCheck = std::function<void(Scene const& scene, Plan const& plan)>;
 /// the point and the key.
 Sweep read_sweep(std::filesystem::path const& file, PointCheck const& check);
 
+/// The same from its text; `origin` names it in messages, `folder` is where start.file is sought.
+Sweep parse_sweep(std::string const& text, std::string const& origin,
+                  std::filesystem::path const& folder, PointCheck const& check);
+
 }  // namespace bagnold::sweep

@@ -22,6 +22,7 @@ struct Means {
   double p_el[2][2], p_dis[2][2], p_kin[2][2];  ///< [m / tau_e^2]
   double contacts;                              ///< of a disk
   double dvx2, vy2;                             ///< P2 Eqs. (35), (36)
+  double dissipation;                           ///< of an area, [m / tau_e^3]
   double spin, spin2;                           ///< thetadot/gammadot and its square, P2 Eq. (29)
 };
 
@@ -41,6 +42,7 @@ Means random_means(std::uint64_t seed) {
   m.contacts = 3.7;
   m.dvx2 = positive(random);
   m.vy2 = positive(random);
+  m.dissipation = positive(random);
   m.spin = -0.5 + some(random);
   m.spin2 = 0.7;
   return m;
@@ -58,6 +60,7 @@ std::vector<double> columns(Scene const& scene, double length, Means const& m) {
   a[C::dissipative_xy] = m.p_dis[0][1] * area;
   a[C::dissipative_yx] = m.p_dis[1][0] * area;
   a[C::dissipative_yy] = m.p_dis[1][1] * area;
+  a[C::dissipation] = m.dissipation * area;
   a[C::kinetic_xx] = m.p_kin[0][0] * area;
   a[C::kinetic_xy] = m.p_kin[0][1] * area;
   a[C::kinetic_yy] = m.p_kin[1][1] * area;
@@ -103,6 +106,7 @@ Values by_the_papers(Scene const& scene, double length, Means const& m) {
       v["p_kin"] / (static_cast<double>(scene.disks.count) / (length * length));  // p_kin = n T_g
   v["Z"] = m.contacts;
   v["R_v"] = m.dvx2 / m.vy2;  // P2 Eq. (37)
+  v["energy_gap"] = (v["sigma"] * rate - m.dissipation) / (v["sigma"] * rate);
   if (scene.rotates()) {
     v["spin_mean"] = m.spin;
     v["spin_var"] = m.spin2 - m.spin * m.spin;  // P2 Eq. (28)
@@ -144,7 +148,7 @@ TEST(Observables, NamesAndOrderAreThoseOfTheContract) {
       "sigma_dis", "sigma_kin", "delta_p",   "sigma_dev",    "B_p",         "B_p_el",
       "B_p_dis",   "B_p_kin",   "B_sigma",   "B_sigma_el",   "B_sigma_dis", "B_sigma_kin",
       "eta_p",     "eta_p_el",  "eta_sigma", "eta_sigma_el", "mu",          "I",
-      "T_g",       "Z",         "R_v",       "spin_mean",    "spin_var"};
+      "T_g",       "Z",         "R_v",       "energy_gap",   "spin_mean",   "spin_var"};
   for (auto const* model : {"CD", "CD_rot"}) {
     Scene const scene = scene_of(model, 1.0);
     auto expected = names;
@@ -178,7 +182,7 @@ TEST(Observables, AreUndefinedWithoutMotion) {
   std::vector<double> const nothing(C::count_rotating, 0.0);
   for (auto const& observable : observables(scene, 10.0)) {
     double const value = observable.value(nothing);
-    if (observable.name == "mu" || observable.name == "R_v")
+    if (observable.name == "mu" || observable.name == "R_v" || observable.name == "energy_gap")
       EXPECT_TRUE(std::isnan(value)) << observable.name;
     else if (observable.name == "I")
       EXPECT_FALSE(std::isfinite(value));

@@ -27,7 +27,7 @@ STRESSES = "p p_el p_dis p_kin sigma sigma_el sigma_dis sigma_kin"
 NAMES = (
     f"{STRESSES} delta_p sigma_dev "
     + " ".join("B_" + name for name in STRESSES.split())
-    + " eta_p eta_p_el eta_sigma eta_sigma_el mu I T_g Z R_v"
+    + " eta_p eta_p_el eta_sigma eta_sigma_el mu I T_g Z R_v energy_gap"
 ).split()
 SPIN_NAMES = ["spin_mean", "spin_var"]
 LAWS = ("CD", "CD_n", "CD_rot", "general")
@@ -197,7 +197,7 @@ class CliTest(unittest.TestCase):
         for name in one:
             self.assertTrue(same_bits(one[name], two[name]), f"/series/{name} differs")
         one, two = read_summary(first), read_summary(second)
-        for name in ("observables", "strain", "steps", "scene"):
+        for name in ("observables", "strain", "steps", "scene", "warnings"):
             self.assertEqual(one[name], two[name])
 
 

@@ -124,13 +124,13 @@ class Information(CliTest):
         self.assertRegex(text, r"kokkos\D*\d+\.\d+")
 
     def test_help(self):
-        for command in ("run", "validate", "info", "resume"):
+        for command in ("run", "validate", "info", "resume", "check-limit"):
             result = self.bagnold(command, "--help")
             self.assertEqual((result.returncode, result.stderr), (0, ""))
             self.assertIn(command, result.stdout)
         result = self.bagnold("--help")
         self.assertEqual(result.returncode, 0)
-        for word in ("run", "validate", "info", "resume"):
+        for word in ("run", "validate", "info", "resume", "check-limit"):
             self.assertIn(word, result.stdout)
 
     def test_help_gives_units(self):

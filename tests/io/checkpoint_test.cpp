@@ -62,11 +62,11 @@ TEST(Checkpoint, ReplicasAtStepsOfTheirOwn) {
 }
 
 TEST(Checkpoint, ImpossibleNumbersOfReplicasAreRefused) {
-  for (std::int64_t const replicas : {std::int64_t{0}, std::int64_t{-1}, std::int64_t{3},
+  for (std::int64_t const replicas : {std::int64_t{0}, std::int64_t{-1}, std::int64_t{4},
                                       std::numeric_limits<std::int64_t>::max()}) {
     Hdf5Writer file(Hashed::yes);
     file.attribute("/", "format", "bagnold-checkpoint");
-    file.attribute("/", "schema", std::int64_t{3});
+    file.attribute("/", "schema", std::int64_t{4});
     file.attribute("/", "replicas", replicas);
     file.text("/scene", "");
     auto image = file.image();

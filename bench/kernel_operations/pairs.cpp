@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The pair loop of each law, compiled as engines compile it, for count.py to look at. Nothing runs.
+#include "kernels/contact/cd.hpp"
+#include "kernels/contact/cd_n.hpp"
+#include "kernels/contact/cd_rot.hpp"
+#include "kernels/contact/general.hpp"
+#include "kernels/contact/repulsion.hpp"
+#include "kernels/dynamics/block_step.hpp"
+
+namespace bagnold {
+
+template <ContactLaw Law>
+struct PairLoop {
+  using Step = BlockStep<Law, HarmonicRepulsion>;
+
+  /// The evaluation of the second half of a step, which looks at overlaps.
+  [[gnu::noinline]] static BlockReport run(Step const& step, Block const& block,
+                                           typename Step::Force* force) {
+    OverlapWatch watch;
+    step.evaluate(block, step.trial, force, watch);
+    return {0, simd::largest(watch.largest), watch.touching, 0};
+  }
+};
+
+template struct PairLoop<CD>;
+template struct PairLoop<CDn>;
+template struct PairLoop<CDrot>;
+template struct PairLoop<General>;
+
+}  // namespace bagnold

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "src/analysis/rate_limit.hpp"
+#include "src/cli/checked_sweep.hpp"
+#include "src/cli/commands.hpp"
+#include "src/cli/run_folder.hpp"
+#include "src/config/errors.hpp"
+#include "src/config/scene_file.hpp"
+#include "src/io/atomic_file.hpp"
+
+namespace bagnold {
+
+namespace {
+
+namespace fs = std::filesystem;
+using analysis::AtTwoRates;
+using analysis::Measured;
+using Json = nlohmann::ordered_json;
+
+sweep::Sweep both_rates(Scene const& scene, RunOptions const& options) {
+  if (scene.shear.protocol != "steady")
+    throw InputError(fmt::format(
+        "{}: shear.protocol = \"{}\" (must be \"steady\": a limit is checked at one rate); make a scene "
+        "of the rate in question",
+        options.scene_file.string(), scene.shear.protocol));
+  double const rate = scene.shear.strain_rate;
+  auto const text = fmt::format("{}\n[sweep]\ngrid = {{ \"shear.strain_rate\" = [{}, {}] }}\n",
+                                write_scene(scene), rate, rate / 2);
+  return sweep::parse_sweep(text, options.scene_file.string(),
+                            fs::absolute(options.scene_file).parent_path(),
+                            point_check(options.allow_unstable));
+}
+
+Json summary_of(fs::path const& point) {
+  auto const bytes = io::read_file(point / "summary.json");
+  auto const* text = reinterpret_cast<char const*>(bytes.data());
+  return Json::parse(text, text + bytes.size());
+}
+
+Measured measured(Json const& summary, std::string const& name) {
+  Json const& one = summary.at("observables").at(name);
+  auto const number = [](Json const& json, double none) {
+    return json.is_number() ? json.get<double>() : none;
+  };
+  return {number(one.at("mean"), std::nan("")), number(one.at("error"), INFINITY)};
+}
+
+Json json_of(Measured const& one) {
+  auto const number = [](double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); };
+  return {{"value", number(one.value)}, {"error", number(one.error)}};
+}
+
+Json json_of(analysis::RateLimit const& found, double rate, double tolerance) {
+  Json json{{"schema", 1}, {"verdict", found.verdict()}, {"strain_rates", {rate, rate / 2}},
+            {"tolerance", tolerance}};
+  for (auto const& limit : found.limits) {
+    Json& one = json["limits"][limit.name];
+    one["verdict"] = analysis::word(limit.verdict);
+    for (auto const& [name, ratio] : limit.ratios) one["ratios"][name] = json_of(ratio);
+  }
+  for (auto const& [name, exponent] : found.exponents) json["exponents"][name] = json_of(exponent);
+  return json;
+}
+
+std::string text_of(Measured const& one) {
+  if (!std::isfinite(one.value)) return "undefined";
+  if (!std::isfinite(one.error)) return fmt::format("{:.4g} (no error)", one.value);
+  return fmt::format("{:.4g} +- {:.1g}", one.value, one.error);
+}
+
+void print(analysis::RateLimit const& found, std::map<std::string, AtTwoRates> const& measured,
+           double rate, double tolerance) {
+  fmt::print("\n{:<10} {:<22} {:<22} {}\n", "quantity", fmt::format("at {:g}", rate),
+             fmt::format("at {:g}", rate / 2), "ratio");
+  for (auto const& limit : found.limits)
+    for (auto const& [name, ratio] : limit.ratios)
+      fmt::print("{:<10} {:<22} {:<22} {}\n", name, text_of(measured.at(name).whole),
+                 text_of(measured.at(name).half), text_of(ratio));
+  for (auto const& [name, exponent] : found.exponents)
+    fmt::print("{} ~ gammadot^x, x = {}\n", name, text_of(exponent));
+  for (auto const& limit : found.limits) {
+    auto longer = limit.longer < 1e6 ? fmt::format("; about {:.2g} times the strain would tell", limit.longer)
+                                     : std::string("; raise shear.strain");
+    if (limit.verdict != analysis::Verdict::undecided) longer.clear();
+    fmt::print("{}'s limit, within {:g}%: {}{}\n", limit.name, 100 * tolerance,
+               analysis::word(limit.verdict), longer);
+  }
+  fmt::print("verdict: {}\n", found.verdict());
+}
+
+}  // namespace
+
+int check_limit_command(CheckLimitOptions const& options) {
+  Scene const scene = read_scene(options.run.scene_file, options.run.overrides);
+  auto const sweep = both_rates(scene, options.run);
+  SweepOptions points;
+  points.sweep_file = options.run.scene_file;
+  points.folder = options.run.folder.empty()
+                      ? fs::path("results") / (options.run.scene_file.stem().string() + "-limit")
+                      : options.run.folder;
+  points.machine = options.run.machine;
+  points.jobs = options.jobs;
+  points.quiet = options.run.quiet;
+  points.allow_unstable = options.run.allow_unstable;
+  if (int const code = run_sweep(sweep, points); code != 0) return code;
+
+  auto const folder = points.folder / "points";
+  auto const whole = summary_of(folder / sweep.points.at(0).folder);
+  auto const half = summary_of(folder / sweep.points.at(1).folder);
+  std::map<std::string, AtTwoRates> found;
+  for (auto const* name : {"B_p", "B_sigma", "eta_p", "eta_sigma", "p", "sigma"})
+    found[name] = {measured(whole, name), measured(half, name)};
+  auto const limit = analysis::rate_limit(found, options.tolerance);
+  RunFolder::write_text(points.folder / "check_limit.json",
+                        json_of(limit, scene.shear.strain_rate, options.tolerance).dump(2) + "\n");
+  if (!options.run.quiet) print(limit, found, scene.shear.strain_rate, options.tolerance);
+  return 0;
+}
+
+}  // namespace bagnold
