@@ -31,8 +31,7 @@ std::unique_ptr<Simulation> make_on_backend(Scene const& scene, Snapshot const& 
                                       time_step(scene), scene.integration.skin, snapshot);
     };
     auto const& engine = scene.integration.engine;
-    if constexpr (Kokkos::SpaceAccessibility<Kokkos::HostSpace,
-                                             typename Space::memory_space>::accessible)
+    if constexpr (!is_device<Space>)
       if (engine != "reference")
         return make_engine(std::type_identity<BlockEngine<Law, Repulsion, Space>>{},
                            engine == "contact-rich" ? Stepping::contact_rich
@@ -41,9 +40,7 @@ std::unique_ptr<Simulation> make_on_backend(Scene const& scene, Snapshot const& 
                                                     : Stepping::automatic);
     return make_engine(std::type_identity<ReferenceEngine<Law, Repulsion, Space>>{});
   };
-  if (scene.disks.force_exponent == HertzianRepulsion::force_exponent)
-    return make(HertzianRepulsion{});
-  return make(HarmonicRepulsion{});
+  return with_repulsion(scene.disks, make);
 }
 
 template <ContactLaw Law, class... Spaces>

@@ -6,12 +6,17 @@
 
 #include "src/config/errors.hpp"
 #include "src/simulation/backends.hpp"
+#include "src/simulation/ensemble.hpp"
 #include "src/simulation/laws.hpp"
 
 namespace bagnold {
 
 template <ContactLaw Law>
 std::unique_ptr<Simulation> make_for_law(Scene const&, Snapshot const&, std::string const&);
+
+template <ContactLaw Law>
+std::shared_ptr<Ensemble> make_together_for_law(Scene const&, std::vector<Snapshot> const&,
+                                                std::string const&);
 
 namespace {
 
@@ -22,6 +27,23 @@ std::unique_ptr<Simulation> make_any(std::tuple<L...> const*, Scene const& scene
   ((scene.disks.model == L::name ? void(made = make_for_law<L>(scene, snapshot, backend)) : void()),
    ...);
   return made;
+}
+
+template <class... L>
+std::shared_ptr<Ensemble> make_any_together(std::tuple<L...> const*, Scene const& scene,
+                                            std::vector<Snapshot> const& snapshots,
+                                            std::string const& backend) {
+  std::shared_ptr<Ensemble> made;
+  ((scene.disks.model == L::name
+        ? void(made = make_together_for_law<L>(scene, snapshots, backend))
+        : void()),
+   ...);
+  return made;
+}
+
+template <class... Spaces>
+bool is_any_device(std::tuple<Spaces...> const*, std::string const& backend) {
+  return ((is_device<Spaces> && backend == backend_name<Spaces>) || ...);
 }
 
 template <class... Spaces>
@@ -41,6 +63,23 @@ std::unique_ptr<Simulation> make_simulation(Scene const& scene, Snapshot const& 
     throw InputError(fmt::format("--backend {}: not in this build (has: {})", backend,
                                  fmt::join(backend_names(), ", ")));
   return made;
+}
+
+bool is_device_backend(std::string const& backend) {
+  return is_any_device(static_cast<Backends const*>(nullptr), backend);
+}
+
+bool steps_together(Scene const& scene, std::string const& backend) {
+  return is_device_backend(backend) && scene.disks.replicas > 1 &&
+         scene.integration.engine != "reference" &&
+         !scene.measure.contacts && scene.shear.protocol != "ramp";
+}
+
+std::vector<std::unique_ptr<Simulation>> make_together(Scene const& scene,
+                                                       std::vector<Snapshot> const& snapshots,
+                                                       std::string const& backend) {
+  return members_of(
+      make_any_together(static_cast<Laws const*>(nullptr), scene, snapshots, backend));
 }
 
 }  // namespace bagnold
