@@ -9,6 +9,8 @@ namespace bagnold {
 /// lie in team scratch where they fit; velocities are read in contacts only and stay in memory.
 template <ContactLaw Law, class Repulsion, class Space>
 struct AdvanceSystems {
+  /// A team of 512 leaves each of its threads 128 registers, of which it uses most.
+  using Policy = Kokkos::TeamPolicy<Space, Kokkos::LaunchBounds<512, 1>>;
   using Run = SystemRun<Law, Repulsion, Space>;
   using Team = typename Run::Team;
 

@@ -125,7 +125,7 @@ class EnsembleEngine final : public Ensemble {
   }
 
   void launch(std::int64_t end, Sampling const& sampling) {
-    using Policy = Kokkos::TeamPolicy<Space>;
+    using Policy = typename Kernel::Policy;
     auto const scratch = Kernel::scratch_size(disks_);
     bool const in_scratch = scratch <= static_cast<std::size_t>(Policy::scratch_size_max(0));
     Kernel const kernel{views_, device_constants_, device_progress_, rules_,
