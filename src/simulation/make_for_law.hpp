@@ -30,7 +30,7 @@ std::unique_ptr<Simulation> make_on_backend(Scene const& scene, Snapshot const& 
       return std::make_unique<Engine>(stepping..., law, table, scene.shear.strain_rate,
                                       time_step(scene), scene.integration.skin, snapshot);
     };
-    auto const& engine = scene.integration.engine;
+    [[maybe_unused]] auto const& engine = scene.integration.engine;
     if constexpr (!is_device<Space>)
       if (engine != "reference")
         return make_engine(std::type_identity<BlockEngine<Law, Repulsion, Space>>{},
