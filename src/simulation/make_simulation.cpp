@@ -51,13 +51,28 @@ std::vector<std::string> names(std::tuple<Spaces...> const*) {
   return {std::string(backend_name<Spaces>)...};
 }
 
+/// Disks up to which a team, so one multiprocessor, should be quicker than launches for each step.
+constexpr std::int64_t most_disks_of_a_team = 2048;
+
+/// Whether nothing is asked for that members of an ensemble do not do.
+bool suits_ensembles(Scene const& scene) {
+  return scene.integration.engine != "reference" && !scene.measure.contacts;
+}
+
 }  // namespace
 
 std::vector<std::string> backend_names() { return names(static_cast<Backends const*>(nullptr)); }
 
+bool is_device_backend(std::string const& backend) {
+  return is_any_device(static_cast<Backends const*>(nullptr), backend);
+}
+
 std::unique_ptr<Simulation> make_simulation(Scene const& scene, Snapshot const& snapshot,
                                             std::string const& backend) {
   auto const chosen = backend.empty() ? backend_names().front() : backend;
+  if (is_device_backend(chosen) && suits_ensembles(scene) &&
+      static_cast<std::int64_t>(snapshot.state.count()) <= most_disks_of_a_team)
+    return std::move(make_together(scene, {snapshot}, chosen).front());
   auto made = make_any(static_cast<Laws const*>(nullptr), scene, snapshot, chosen);
   if (!made)
     throw InputError(fmt::format("--backend {}: not in this build (has: {})", backend,
@@ -65,14 +80,9 @@ std::unique_ptr<Simulation> make_simulation(Scene const& scene, Snapshot const& 
   return made;
 }
 
-bool is_device_backend(std::string const& backend) {
-  return is_any_device(static_cast<Backends const*>(nullptr), backend);
-}
-
 bool steps_together(Scene const& scene, std::string const& backend) {
-  return is_device_backend(backend) && scene.disks.replicas > 1 &&
-         scene.integration.engine != "reference" &&
-         !scene.measure.contacts && scene.shear.protocol != "ramp";
+  return is_device_backend(backend) && scene.disks.replicas > 1 && suits_ensembles(scene) &&
+         scene.shear.protocol != "ramp";
 }
 
 std::vector<std::unique_ptr<Simulation>> make_together(Scene const& scene,
