@@ -7,8 +7,9 @@
 
 namespace bagnold {
 
-/// A number of twice the digits of a double, 106 bits, as the sum of two doubles; |low| is at most half
-/// a last place of high. The same bits on every backend. (T. J. Dekker, Numer. Math. 18, 224 (1971).)
+/// A number of twice the digits of a double, 106 bits, as the sum of two doubles; |low| is at most
+/// half a last place of high. The same bits on every backend. (T. J. Dekker, Numer. Math. 18, 224
+/// (1971).)
 struct DoubleDouble {
   double high = 0, low = 0;
 

@@ -29,8 +29,7 @@ struct TeamSums {
       std::int32_t const begin = block * static_cast<std::int32_t>(measured_block);
       std::int32_t const full = begin + static_cast<std::int32_t>(measured_block);
       Real sum = 0;
-      for (auto i = begin; i < (full < count ? full : count); ++i)
-        sum += of_disk(i).value[column];
+      for (auto i = begin; i < (full < count ? full : count); ++i) sum += of_disk(i).value[column];
       of_block(block).value[column] = sum;
     });
     team::for_all(members, columns, [&](std::int32_t column) {

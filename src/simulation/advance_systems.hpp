@@ -5,8 +5,9 @@
 
 namespace bagnold {
 
-/// Many systems in one launch, a team a system. Positions, which a disk reads of all its neighbours,
-/// lie in team scratch where they fit; velocities are read in contacts only and stay in memory.
+/// Many systems in one launch, a team a system. Positions, which a disk reads of all its
+/// neighbours, lie in team scratch where they fit; velocities are read in contacts only and stay in
+/// memory.
 template <ContactLaw Law, class Repulsion, class Space>
 struct AdvanceSystems {
   /// A team of 512 leaves each of its threads 128 registers, of which it uses most.
@@ -32,8 +33,8 @@ struct AdvanceSystems {
     auto work = home;
     auto const count = static_cast<std::int32_t>(home.position.extent(0));
     if (in_scratch) {
-      auto* const scratch = static_cast<Vec2<Real>*>(
-          team.team_scratch(0).get_shmem(2 * count * sizeof(Vec2<Real>)));
+      auto* const scratch =
+          static_cast<Vec2<Real>*>(team.team_scratch(0).get_shmem(2 * count * sizeof(Vec2<Real>)));
       work.position = Kokkos::View<Vec2<Real>*, Space>(scratch, count);
       work.trial_position = Kokkos::View<Vec2<Real>*, Space>(scratch + count, count);
       team::for_all(team, count, [&](std::int32_t i) { work.position(i) = home.position(i); });

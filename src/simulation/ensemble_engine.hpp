@@ -14,8 +14,8 @@
 namespace bagnold {
 
 /// Many small systems, stepped by launches that hold the time loop, lists and samples included: the
-/// host is needed where a launch ends, where its room for samples is used up, or a list has outgrown
-/// its own. The bits of each are those of ReferenceEngine on the same backend.
+/// host is needed where a launch ends, where its room for samples is used up, or a list has
+/// outgrown its own. The bits of each are those of ReferenceEngine on the same backend.
 template <ContactLaw Law, class Repulsion, class Space>
 class EnsembleEngine final : public Ensemble {
  public:
@@ -108,10 +108,10 @@ class EnsembleEngine final : public Ensemble {
     Kokkos::deep_copy(part(views_.position, s), view_of(vectors(state.position)));
     Kokkos::deep_copy(part(views_.motion, s), view_of(motions<rotates>(state)));
     Kokkos::deep_copy(part(views_.species, s), view_of(species_of(state.diameter)));
-    constants_.push_back({{strain_rate, time_step, state.box_length, snapshot.initial_offset,
-                           snapshot.initial_time},
-                          cells_along(state.box_length, big_diameter + rules_.skin,
-                                      static_cast<std::int64_t>(disks_))});
+    constants_.push_back(
+        {{strain_rate, time_step, state.box_length, snapshot.initial_offset, snapshot.initial_time},
+         cells_along(state.box_length, big_diameter + rules_.skin,
+                     static_cast<std::int64_t>(disks_))});
     SystemProgress progress;
     progress.step = snapshot.step;
     progress.list_builds = snapshot.list_builds;
@@ -128,8 +128,8 @@ class EnsembleEngine final : public Ensemble {
     using Policy = typename Kernel::Policy;
     auto const scratch = Kernel::scratch_size(disks_);
     bool const in_scratch = scratch <= static_cast<std::size_t>(Policy::scratch_size_max(0));
-    Kernel const kernel{views_, device_constants_, device_progress_, rules_,
-                        sampling, end, in_scratch};
+    Kernel const kernel{views_, device_constants_, device_progress_, rules_, sampling,
+                        end,    in_scratch};
     auto const policy_of = [&](int threads) {
       Policy policy(space_, static_cast<int>(systems()), threads);
       if (in_scratch) policy.set_scratch_size(0, Kokkos::PerTeam(scratch));
@@ -186,8 +186,8 @@ class EnsembleEngine final : public Ensemble {
     auto const& p = progress_[system];
     Clock const& clock = constants_[system].clock;
     ShearedBox const box{clock.box_length, clock.offset(p.step, p.list_step), clock.strain_rate};
-    return {of.position, of.motion, of.species, of.neighbors, rules_.table, box, rules_.law,
-            Repulsion{}};
+    return {of.position,  of.motion, of.species, of.neighbors,
+            rules_.table, box,       rules_.law, Repulsion{}};
   }
 
   State raw_state(std::size_t system) const {
@@ -201,10 +201,10 @@ class EnsembleEngine final : public Ensemble {
   int threads_;
   std::size_t disks_;  ///< of a system
   Views views_;
-  std::vector<SystemConstants> constants_;        ///< [S]
-  std::vector<SystemProgress> progress_;          ///< [S]
-  std::vector<std::vector<double>> diameter_;     ///< [S][N]: files have it, steps do not need it
-  std::vector<std::vector<Sample>> pending_;      ///< [S]
+  std::vector<SystemConstants> constants_;     ///< [S]
+  std::vector<SystemProgress> progress_;       ///< [S]
+  std::vector<std::vector<double>> diameter_;  ///< [S][N]: files have it, steps do not need it
+  std::vector<std::vector<Sample>> pending_;   ///< [S]
   Kokkos::View<SystemConstants*, Space> device_constants_;
   Kokkos::View<SystemProgress*, Space> device_progress_;
 };

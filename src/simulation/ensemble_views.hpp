@@ -76,13 +76,19 @@ struct EnsembleViews {
   }
 
   KOKKOS_FUNCTION SystemViews<Rotates, Space> of(std::int32_t s) const {
-    return {part(position, s),     part(trial_position, s),
-            part(at_build, s),     part(motion, s),
-            part(trial_motion, s), part(species, s),
+    return {part(position, s),
+            part(trial_position, s),
+            part(at_build, s),
+            part(motion, s),
+            part(trial_motion, s),
+            part(species, s),
             {part(row, s), part(entries, s)},
-            part(cell_first, s),   part(cell_members, s),
-            part(cell_filled, s),  part(disk_sums, s),
-            part(block_sums, s),   part(samples, s)};
+            part(cell_first, s),
+            part(cell_members, s),
+            part(cell_filled, s),
+            part(disk_sums, s),
+            part(block_sums, s),
+            part(samples, s)};
   }
 };
 

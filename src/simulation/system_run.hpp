@@ -21,16 +21,22 @@ struct SystemConstants {
 
 /// Where a system stands, and what it waits for.
 struct SystemProgress {
-  enum class List { lost, missing, stands };                              ///< lost: to be built now
-  enum class Wait { none, for_samples, for_entries, too_fast, unsound };  ///< the last two: for ever
+  enum class List { lost, missing, stands };  ///< lost: to be built now
+  enum class Wait {
+    none,
+    for_samples,
+    for_entries,
+    too_fast,
+    unsound
+  };  ///< the last two: for ever
 
   std::int64_t step = 0;
   std::int64_t list_step = 0;
   std::int64_t list_builds = 0;
   List list = List::lost;
   Wait wait = Wait::none;
-  std::int32_t samples = 0;   ///< measured since the host took them
-  std::uint32_t entries = 0;  ///< neighbours in its list, or wanted
+  std::int32_t samples = 0;                             ///< measured since the host took them
+  std::uint32_t entries = 0;                            ///< neighbours in its list, or wanted
   Kokkos::ValLocScalar<Real, std::int64_t> farthest{};  ///< |w|^2 of who was too fast, [d_s^2]
 };
 
@@ -93,24 +99,23 @@ class SystemRun {
   }
 
   KOKKOS_FUNCTION ShearedBox box_at(std::int64_t step) const {
-    return {since_.length, since_.offset(step - progress_.list_step),
-            constants_.clock.strain_rate};
+    return {since_.length, since_.offset(step - progress_.list_step), constants_.clock.strain_rate};
   }
 
   KOKKOS_FUNCTION Forces forces(ShearedBox const& box, Position const& position,
                                 MotionView const& motion) const {
-    return {position,     motion, views_.species, views_.neighbors, rules_.table,
-            box,          rules_.law, Repulsion{}};
+    return {position,     motion, views_.species, views_.neighbors,
+            rules_.table, box,    rules_.law,     Repulsion{}};
   }
 
   KOKKOS_FUNCTION void do_step() {
     Real const time_step = constants_.clock.time_step;
     auto const steps = progress_.step - progress_.list_step;
     ShearedBox const next_box = box_at(progress_.step + 1);
-    team::for_all(team_, count(),
-                  Predict<Law, Repulsion, Space>{forces(box_, views_.position, views_.motion),
-                                                 time_step, views_.trial_position,
-                                                 views_.trial_motion});
+    team::for_all(
+        team_, count(),
+        Predict<Law, Repulsion, Space>{forces(box_, views_.position, views_.motion), time_step,
+                                       views_.trial_position, views_.trial_motion});
     Real const strain = since_.strain(steps + 1), next_strain = since_.strain(steps + 2);
     Real largest2 = 0;
     team::reduce(team_, count(),
@@ -125,8 +130,7 @@ class SystemRun {
       return;
     }
     Real const widest = math::fmax(math::fabs(strain), math::fabs(next_strain));
-    if (!list_holds(widest, largest2, rules_.skin))
-      progress_.list = SystemProgress::List::lost;
+    if (!list_holds(widest, largest2, rules_.skin)) progress_.list = SystemProgress::List::lost;
   }
 
   KOKKOS_FUNCTION void keep_list() {
@@ -151,10 +155,10 @@ class SystemRun {
   KOKKOS_FUNCTION void build_list() {
     CellGrid<Space> const grid{constants_.cells_along, since_.length / constants_.cells_along,
                                views_.cell_first, views_.cell_members};
-    NeighborSearch<Space> const search{views_.at_build, views_.species, grid, rules_.table,
-                                       box_at(progress_.list_step), rules_.skin};
-    progress_.entries =
-        TeamList<Space>{search, views_.cell_filled, views_.neighbors}(team_);
+    NeighborSearch<Space> const search{
+        views_.at_build, views_.species, grid, rules_.table, box_at(progress_.list_step),
+        rules_.skin};
+    progress_.entries = TeamList<Space>{search, views_.cell_filled, views_.neighbors}(team_);
     if (progress_.entries > views_.neighbors.entries.extent(0)) {
       progress_.wait = SystemProgress::Wait::for_entries;
       return;
@@ -176,9 +180,8 @@ class SystemRun {
   }
 
   KOKKOS_FUNCTION void measure() {
-    TeamSums<Law, Repulsion, Space>{forces(box_, views_.position, views_.motion),
-                                    views_.disk_sums, views_.block_sums}(
-        team_, views_.samples(progress_.samples));
+    TeamSums<Law, Repulsion, Space>{forces(box_, views_.position, views_.motion), views_.disk_sums,
+                                    views_.block_sums}(team_, views_.samples(progress_.samples));
     ++progress_.samples;
   }
 

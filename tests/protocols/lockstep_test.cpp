@@ -10,7 +10,8 @@
 namespace bagnold {
 namespace {
 
-/// Systems that count steps together. System s adds (s, step) for each sample; its time is its step.
+/// Systems that count steps together. System s adds (s, step) for each sample; its time is its
+/// step.
 class CountedTogether final : public Ensemble {
  public:
   explicit CountedTogether(std::vector<std::int64_t> steps)

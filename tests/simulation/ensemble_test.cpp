@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "src/simulation/ensemble_engine.hpp"
-
 #include <gtest/gtest.h>
 
 #include "src/config/errors.hpp"
+#include "src/simulation/ensemble_engine.hpp"
 #include "src/simulation/reference_engine.hpp"
 #include "tests/support/simulations.hpp"
 #include "tests/support/typed.hpp"
