@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
-
 #include "kernels/core/team.hpp"
 #include "kernels/dynamics/list_renewal.hpp"
 #include "kernels/dynamics/modified_velocity_verlet.hpp"
@@ -10,43 +8,9 @@
 #include "kernels/observables/team_sums.hpp"
 #include "src/simulation/ensemble_views.hpp"
 #include "src/simulation/sampling.hpp"
+#include "src/simulation/system_progress.hpp"
 
 namespace bagnold {
-
-/// What one system of an ensemble is made of, apart from its disks.
-struct SystemConstants {
-  Clock clock;
-  int cells_along;  ///< of its grid, along an edge
-};
-
-/// Where a system stands, and what it waits for.
-struct SystemProgress {
-  enum class List { lost, missing, stands };  ///< lost: to be built now
-  enum class Wait {
-    none,
-    for_samples,
-    for_entries,
-    too_fast,
-    unsound
-  };  ///< the last two: for ever
-
-  std::int64_t step = 0;
-  std::int64_t list_step = 0;
-  std::int64_t list_builds = 0;
-  List list = List::lost;
-  Wait wait = Wait::none;
-  std::int32_t samples = 0;                             ///< measured since the host took them
-  std::uint32_t entries = 0;                            ///< neighbours in its list, or wanted
-  Kokkos::ValLocScalar<Real, std::int64_t> farthest{};  ///< |w|^2 of who was too fast, [d_s^2]
-};
-
-/// Forces, masses and lists of all systems.
-template <ContactLaw Law>
-struct EnsembleRules {
-  Law law;
-  SpeciesTable table;
-  Real skin;  ///< [d_s]
-};
 
 /// The time loop of one system, run by the threads of a team, each with the same copy of this: the
 /// steps of ReferenceEngine with barriers where that has launches.
