@@ -20,12 +20,9 @@ struct DenseStep {
   Blocks::Array<std::uint8_t> is_active;    ///< [slots]
   Blocks::Array<std::uint32_t> count;       ///< [blocks], in `active`
 
-  /// Room for new blocks. space: where new room is cleared.
-  template <class Space>
-  void resize(Space const& space, Blocks& blocks) {
-    auto const cleared = [&](char const* label) {
-      return Kokkos::view_alloc(space, std::string(label));
-    };
+  /// Room for new blocks. loop: makes cleared room.
+  template <class Loop>
+  void resize(Loop& loop, Blocks& blocks) {
     auto& contacts = blocks.near[contact_list];
     if (contacts.extent(0) < blocks.outer.extent(0))
       contacts = Blocks::Array<simd::LocalPair>(
@@ -34,11 +31,11 @@ struct DenseStep {
     if (active.extent(0) < blocks.slots) {
       active = {};
       is_active = {};
-      active = Blocks::Array<std::uint16_t>(cleared("dynamics::active"), blocks.slots);
-      is_active = Blocks::Array<std::uint8_t>(cleared("dynamics::is_active"), blocks.slots);
+      active = loop.template zeros<std::uint16_t>("dynamics::active", blocks.slots);
+      is_active = loop.template zeros<std::uint8_t>("dynamics::is_active", blocks.slots);
     }
     if (count.extent(0) < blocks.count)
-      count = Blocks::Array<std::uint32_t>(cleared("dynamics::active_count"), blocks.count);
+      count = loop.template zeros<std::uint32_t>("dynamics::active_count", blocks.count);
   }
 
   /// First half: trial state at t + dt from forces at t. force: scratch, [most_local].

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <memory>
 #include <type_traits>
 #include <utility>
 
-#include "kernels/blocks/build_blocks.hpp"
 #include "kernels/blocks/prune.hpp"
 #include "kernels/dynamics/dense_step.hpp"
 #include "kernels/neighbors/verlet_list.hpp"
@@ -29,16 +29,16 @@ enum class Stepping { automatic, dense, contact_rich, windowed };
 /// where contacts are many, in windows where most disks fly free.
 ///
 /// Blocks are cut by place and not by thread, and each adds up its own disks' forces, so the bits do
-/// not depend on threads. Space: a host space.
-template <ContactLaw Law, class Repulsion, class Space>
+/// not depend on threads.
+template <ContactLaw Law, class Repulsion>
 class BlockEngine final : public Simulation {
  public:
   static constexpr bool rotates = Law::rotates;
   static constexpr std::uint32_t block_size = 1024;
 
-  BlockEngine(Stepping stepping, Law law, SpeciesTable table, double strain_rate, double time_step,
-              double skin, Snapshot const& snapshot)
-      : stepping_(stepping), clock_{strain_rate, time_step, snapshot.state.box_length, snapshot.initial_offset,
+  BlockEngine(std::unique_ptr<BlockLoop> loop, Stepping stepping, Law law, SpeciesTable table,
+              double strain_rate, double time_step, double skin, Snapshot const& snapshot)
+      : loop_(std::move(loop)), stepping_(stepping), clock_{strain_rate, time_step, snapshot.state.box_length, snapshot.initial_offset,
                snapshot.initial_time},
         skin_(skin),
         step_(snapshot.step),
@@ -145,14 +145,14 @@ class BlockEngine final : public Simulation {
   /// body(b, force) for every block.
   template <class Body>
   void for_blocks(Body const& body) {
-    loop_.template with_scratch<Force>(kernels_.blocks.count, kernels_.blocks.most_local, body);
+    loop_->with_scratch<Force>(kernels_.blocks.count, kernels_.blocks.most_local, body);
   }
 
   void step_once(Sampling const& sampling, OpenWindows& windows) {
     keep_lists();
     if (sampling.sampled(step_)) windows.add(sampling.window(step_), measure().value, 1);
     if (windows.contacts)
-      watch_.look(loop_, kernels_, box_at(step_), step_, sampling, windows);
+      watch_.look(*loop_, kernels_, box_at(step_), step_, sampling, windows);
     do_step();
     ++steps_one_by_one_;
   }
@@ -177,7 +177,7 @@ class BlockEngine final : public Simulation {
     auto const end = std::min((step_ / length + 1) * length, sampling.last_step);
     windowed_.cautious = choice_.cautious();
     set_allowance(length);
-    typename WindowedSteps<Law, Repulsion, Space>::Window window{step_, end, list_step_, 0};
+    typename WindowedSteps<Law, Repulsion>::Window window{step_, end, list_step_, 0};
     Real farthest = farthest_at(end);
     window.most_stray = list_reach(clock_.strain_between(list_step_, end), skin_) - farthest;
     if (window.most_stray < 2 * windowed_.allowance && list_step_ != step_) {
@@ -186,7 +186,7 @@ class BlockEngine final : public Simulation {
       window.list_step = list_step_;
       window.most_stray = list_reach(clock_.strain_between(list_step_, end), skin_) - farthest;
     }
-    if (!windowed_.run(loop_, kernels_, clock_, window, sampling, windows, watch_,
+    if (!windowed_.run(*loop_, kernels_, clock_, window, sampling, windows, watch_,
                        stepping_ == Stepping::windowed ? 1 : most_active))
       return step_through(end, sampling, windows);
     bool const whole = end - step_ == length;
@@ -251,7 +251,7 @@ class BlockEngine final : public Simulation {
     auto const& blocks = kernels_.blocks;
     if (dense_) {
       for_blocks([&](std::uint32_t b, Force* force) { dense_step_.predict(kernels_, b, box, force); });
-      loop_.template with_scratch<DenseScratch>(
+      loop_->with_scratch<DenseScratch>(
           blocks.count, blocks.most_local, [&](std::uint32_t b, DenseScratch* scratch) {
             auto* const moved = reinterpret_cast<simd::Record*>(scratch);
             auto* const force = reinterpret_cast<Force*>(moved + blocks.most_local);
@@ -310,8 +310,16 @@ class BlockEngine final : public Simulation {
   }
 
   void rebuild() {
-    State const state = raw_state();
-    build(vectors(state.position), motions<rotates>(state));
+    std::vector<Vec2<Real>> position(count());
+    std::vector<Motion<rotates>> motion(count());
+    for (std::size_t i = 0; i < count(); ++i) {
+      auto const slot = kernels_.blocks.slot_of(i);
+      auto const& r = kernels_.now.record(slot);
+      position[i] = {r.x, r.y};
+      motion[i].velocity = {r.vx, r.vy};
+      if constexpr (rotates) motion[i].spin = kernels_.now.spin(slot);
+    }
+    build(std::move(position), std::move(motion));
   }
 
   /// Takes the disks into the box and lists their pairs anew.
@@ -332,33 +340,25 @@ class BlockEngine final : public Simulation {
   /// start.
   void arrange(std::vector<Vec2<Real>> const& at_build, std::vector<Vec2<Real>> const& position,
                std::vector<Motion<rotates>> const& motion) {
-    kernels_.blocks = {};
+    kernels_.blocks = {};  // all is in the arguments: room for the search
+    kernels_.now = kernels_.trial = {};
+    kernels_.species = {};
+    at_build_ = {};
     auto const species = species_of(diameter_);
     kernels_.blocks =
-        build_blocks(space_, to_device<Space>("blocks::position", at_build),
-                     to_device<Space>("blocks::species", species), kernels_.table,
-                     box_at(list_step_), skin_, block_size);
+        loop_->build(at_build, species, kernels_.table, box_at(list_step_), skin_, block_size);
     auto const& blocks = kernels_.blocks;
-    // Named with the space: without it OpenMP would fill them, which threads of replicas cannot ask of it.
-    auto const named = [&](char const* label) {
-      return Kokkos::view_alloc(space_, std::string(label));
-    };
     auto const slots = blocks.slots;
-    if (kernels_.species.extent(0) < slots) {
-      auto const room = slots + slots / 16;
-      kernels_.now = kernels_.trial = {};
-      at_build_ = {};
-      kernels_.species = Blocks::Array<Species>(named("state::species"), room);
-      kernels_.now.record = Blocks::Array<simd::Record>(named("state::record"), room);
-      kernels_.trial.record = Blocks::Array<simd::Record>(named("dynamics::trial_record"), room);
-      if constexpr (rotates) {
-        kernels_.now.spin = Blocks::Array<double>(named("state::spin"), room);
-        kernels_.trial.spin = Blocks::Array<double>(named("dynamics::trial_spin"), room);
-      }
-      at_build_ = Blocks::Array<Vec2<Real>>(named("neighbors::at_build"), room);
+    kernels_.species = loop_->zeros<Species>("state::species", slots);
+    kernels_.now.record = loop_->zeros<simd::Record>("state::record", slots);
+    kernels_.trial.record = loop_->zeros<simd::Record>("dynamics::trial_record", slots);
+    if constexpr (rotates) {
+      kernels_.now.spin = loop_->zeros<double>("state::spin", slots);
+      kernels_.trial.spin = loop_->zeros<double>("dynamics::trial_spin", slots);
     }
-    reports_ = Blocks::Array<BlockReport>(named("dynamics::reports"), blocks.count);
-    sums_ = Blocks::Array<Sums<rotates>>(named("observables::block_sums"), blocks.count);
+    at_build_ = loop_->zeros<Vec2<Real>>("neighbors::at_build", slots);
+    reports_ = loop_->zeros<BlockReport>("dynamics::reports", blocks.count);
+    sums_ = loop_->zeros<Sums<rotates>>("observables::block_sums", blocks.count);
     windowed_.rearranged(kernels_);
     watch_.rearranged();
 
@@ -427,14 +427,14 @@ class BlockEngine final : public Simulation {
   void fill_inner() {
     auto& blocks = kernels_.blocks;
     auto const box = box_at(step_);
-    loop_(blocks.count, [&](std::uint32_t b) {
+    (*loop_)(blocks.count, [&](std::uint32_t b) {
       Block& block = blocks.block(b);
       refresh_halo(blocks, block, kernels_.now, box);
       prune_block(blocks, block, inner_list, kernels_.now.record.data() + block.first,
                   inner_.margin);
     });
     watch_.relisted();
-    if (dense_) dense_step_.resize(space_, blocks);
+    if (dense_) dense_step_.resize(*loop_, blocks);
   }
 
   /// Largest |w| at a later step if all disks fly straight until then, [d_s].
@@ -442,7 +442,7 @@ class BlockEngine final : public Simulation {
     Real const duration = static_cast<Real>(step - step_) * clock_.time_step;
     Real const strain = clock_.strain_between(list_step_, step);
     far2_.assign(kernels_.blocks.count, 0);
-    loop_(kernels_.blocks.count, [&](std::uint32_t b) {
+    (*loop_)(kernels_.blocks.count, [&](std::uint32_t b) {
       Block const& block = kernels_.blocks.block(b);
       far2_[b] = farthest2_after(block, kernels_.now.record.data() + block.first,
                                  at_build_.data() + block.first, duration, strain);
@@ -546,8 +546,7 @@ class BlockEngine final : public Simulation {
     return state;
   }
 
-  Space space_{};
-  BlockLoop<Space> loop_;
+  std::unique_ptr<BlockLoop> loop_;
   Stepping stepping_;
   Clock clock_;
   Real skin_;
@@ -572,7 +571,7 @@ class BlockEngine final : public Simulation {
 
   static constexpr std::int64_t look_every = 256;  ///< steps between choices
   static constexpr Real most_active = 0.6;  ///< share of the disks in a window
-  WindowedSteps<Law, Repulsion, Space> windowed_;
+  WindowedSteps<Law, Repulsion> windowed_;
   bool in_windows_ = false;
   WindowChoice choice_;
   std::int64_t allowance_steps_ = 0;  ///< length of the windows that the allowance is for

@@ -1,50 +1,65 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Kokkos_Core.hpp>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <memory>
 #include <string>
+#include <vector>
 
-#include "kernels/core/side_by_side.hpp"
+#include "kernels/blocks/blocks.hpp"
 
 namespace bagnold {
 
-/// Runs a body for each of some blocks on the threads of a host space, with scratch of the thread.
-template <class Space>
+/// Runs a body for each of some blocks on the threads of a host backend, with scratch of the thread.
+/// The backend is behind this face, so engines are compiled once for all of them.
 class BlockLoop {
  public:
+  virtual ~BlockLoop() = default;
+
   /// body(b)
   template <class Body>
-  void operator()(std::uint32_t count, Body const& body) const {
-    if (count == 1) return body(0);  // no thread is worth waking
-    side_by_side::parallel_for("simulation::BlockLoop", Policy(space_, 0, count),
-                         [&](std::int64_t b) { body(static_cast<std::uint32_t>(b)); });
+  void operator()(std::uint32_t count, Body const& body) {
+    run(count, 0, &body, [](void const* body, std::uint32_t b, std::byte*) {
+      (*static_cast<Body const*>(body))(b);
+    });
   }
 
   /// body(b, scratch), scratch: [size] of T, as the last body left it.
   template <class T, class Body>
   void with_scratch(std::uint32_t count, std::size_t size, Body const& body) {
-    auto const stride = (size * sizeof(T) + 63) / 64 * 64;
-    auto const bytes = stride * static_cast<std::size_t>(tokens_.size());
-    if (scratch_.extent(0) < bytes) {
-      scratch_ = {};
-      scratch_ = Kokkos::View<std::byte*, Kokkos::HostSpace>(
-          Kokkos::view_alloc(Kokkos::WithoutInitializing, std::string("simulation::scratch")),
-          bytes);
-    }
-    (*this)(count, [&](std::uint32_t b) {
-      int const token = tokens_.acquire();
-      body(b, reinterpret_cast<T*>(scratch_.data() + stride * static_cast<std::size_t>(token)));
-      tokens_.release(token);
+    run(count, size * sizeof(T), &body, [](void const* body, std::uint32_t b, std::byte* scratch) {
+      (*static_cast<Body const*>(body))(b, reinterpret_cast<T*>(scratch));
     });
   }
 
+  /// Zero bytes, first touched by these threads. Views would ask Kokkos to fill them, which threads of
+  /// replicas cannot.
+  template <class T>
+  Blocks::Array<T> zeros(char const* label, std::size_t size) {
+    Blocks::Array<T> array(Kokkos::view_alloc(Kokkos::WithoutInitializing, std::string(label)), size);
+    std::size_t const bytes = size * sizeof(T), piece = std::size_t{1} << 20;
+    auto* const begin = reinterpret_cast<std::byte*>(array.data());
+    (*this)(static_cast<std::uint32_t>((bytes + piece - 1) / piece), [=](std::uint32_t k) {
+      std::memset(begin + k * piece, 0, std::min(piece, bytes - k * piece));
+    });
+    return array;
+  }
+
+  /// As in kernels/blocks/build_blocks.hpp. position: [N], in the box, [d_s].
+  virtual Blocks build(std::vector<Vec2<Real>> const& position, std::vector<Species> const& species,
+                       SpeciesTable const& table, ShearedBox const& box, Real skin,
+                       std::uint32_t size) = 0;
+
+ protected:
+  using Call = void (*)(void const* body, std::uint32_t b, std::byte* scratch);
+
  private:
-  using Policy = Kokkos::RangePolicy<Space, Kokkos::IndexType<std::int64_t>>;
-  Space space_{};
-  Kokkos::Experimental::UniqueToken<Space> tokens_;
-  Kokkos::View<std::byte*, Kokkos::HostSpace> scratch_;
+  virtual void run(std::uint32_t count, std::size_t scratch_bytes, void const* body, Call call) = 0;
 };
+
+/// nullptr if the build has no such backend, or it is not one of the host.
+std::unique_ptr<BlockLoop> make_block_loop(std::string const& backend);
 
 }  // namespace bagnold

@@ -23,8 +23,8 @@ class ContactWatch {
   void relisted() { listed_ = false; }
 
   /// What has begun or ended in the configuration at `step`, and its sums if it is sampled.
-  template <class Space, class Step>
-  void look(BlockLoop<Space>& loop, Step const& all, ShearedBox const& box, std::int64_t step,
+  template <class Step>
+  void look(BlockLoop& loop, Step const& all, ShearedBox const& box, std::int64_t step,
             Sampling const& sampling, OpenWindows& windows) {
     auto const& blocks = all.blocks;
     ContactRecord& record = *windows.contacts;

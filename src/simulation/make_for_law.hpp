@@ -21,34 +21,24 @@ std::unique_ptr<Simulation> make_for_law(Scene const& scene, Snapshot const& sna
 
 namespace detail {
 
-template <ContactLaw Law, class Space>
-std::unique_ptr<Simulation> make_on_backend(Scene const& scene, Snapshot const& snapshot) {
-  auto const law = make_law<Law>(scene.disks);
-  auto const table = make_species_table(scene.mass_by_area());
-  auto const make = [&]<class Repulsion>(Repulsion) -> std::unique_ptr<Simulation> {
-    auto const make_engine = [&]<class Engine>(std::type_identity<Engine>, auto... stepping) {
-      return std::make_unique<Engine>(stepping..., law, table, scene.shear.strain_rate,
-                                      time_step(scene), scene.integration.skin, snapshot);
-    };
-    [[maybe_unused]] auto const& engine = scene.integration.engine;
-    if constexpr (!is_device<Space>)
-      if (engine != "reference")
-        return make_engine(std::type_identity<BlockEngine<Law, Repulsion, Space>>{},
-                           engine == "contact-rich" ? Stepping::contact_rich
-                           : engine == "dense"      ? Stepping::dense
-                           : engine == "windowed"   ? Stepping::windowed
-                                                    : Stepping::automatic);
-    return make_engine(std::type_identity<ReferenceEngine<Law, Repulsion, Space>>{});
-  };
-  return with_repulsion(scene.disks, make);
+inline Stepping stepping(std::string const& engine) {
+  return engine == "contact-rich" ? Stepping::contact_rich
+         : engine == "dense"      ? Stepping::dense
+         : engine == "windowed"   ? Stepping::windowed
+                                  : Stepping::automatic;
 }
 
-template <ContactLaw Law, class... Spaces>
-std::unique_ptr<Simulation> make_on_any(std::tuple<Spaces...> const*, Scene const& scene,
-                                        Snapshot const& snapshot, std::string const& backend) {
+/// make(Engine's type, what it takes beside what all engines take).
+template <ContactLaw Law, class Repulsion, class... Spaces, class Make>
+std::unique_ptr<Simulation> make_engine(std::tuple<Spaces...> const*, std::string const& engine,
+                                        std::string const& backend, Make const& make) {
+  if (engine != "reference")
+    if (auto loop = make_block_loop(backend))
+      return make(std::type_identity<BlockEngine<Law, Repulsion>>{}, std::move(loop), stepping(engine));
   std::unique_ptr<Simulation> made;
-  ((backend == backend_name<Spaces> ? void(made = make_on_backend<Law, Spaces>(scene, snapshot))
-                                    : void()),
+  ((backend == backend_name<Spaces>
+        ? void(made = make(std::type_identity<ReferenceEngine<Law, Repulsion, Spaces>>{}))
+        : void()),
    ...);
   return made;
 }
@@ -58,8 +48,16 @@ std::unique_ptr<Simulation> make_on_any(std::tuple<Spaces...> const*, Scene cons
 template <ContactLaw Law>
 std::unique_ptr<Simulation> make_for_law(Scene const& scene, Snapshot const& snapshot,
                                          std::string const& backend) {
-  return detail::make_on_any<Law>(static_cast<Backends const*>(nullptr), scene, snapshot,
-                                  backend);
+  auto const make = [&]<class Engine>(std::type_identity<Engine>, auto&&... more) {
+    return std::unique_ptr<Simulation>(std::make_unique<Engine>(
+        std::move(more)..., make_law<Law>(scene.disks), make_species_table(scene.mass_by_area()),
+        scene.shear.strain_rate, time_step(scene), scene.integration.skin, snapshot));
+  };
+  auto const make_with = [&]<class Repulsion>(Repulsion) {
+    return detail::make_engine<Law, Repulsion>(static_cast<Backends const*>(nullptr),
+                                               scene.integration.engine, backend, make);
+  };
+  return with_repulsion(scene.disks, make_with);
 }
 
 }  // namespace bagnold

@@ -21,7 +21,7 @@ namespace bagnold {
 /// disk that meets another strays from its straight flight; how far is watched at every step. Pairs
 /// that could have touched for that, unforeseen, are added, and their islands are done again, until
 /// there are none.
-template <ContactLaw Law, class Repulsion, class Space>
+template <ContactLaw Law, class Repulsion>
 class WindowedSteps {
  public:
   using Step = BlockStep<Law, Repulsion>;
@@ -63,7 +63,7 @@ class WindowedSteps {
   /// Does the window, adding its sampled configurations to `windows`. False, and nothing is changed,
   /// if too many disks take part, one strays too far for the list, or a number is none or an overlap
   /// too large: then step by step.
-  bool run(BlockLoop<Space>& loop, Step& all, Clock const& clock, Window& window,
+  bool run(BlockLoop& loop, Step& all, Clock const& clock, Window& window,
            Sampling const& sampling, OpenWindows& windows, ContactWatch& watch, Real most_active) {
     forget();
     list_samples(window, clock, sampling);
@@ -138,7 +138,7 @@ class WindowedSteps {
                  clock.time_step);
   }
 
-  void predict(BlockLoop<Space>& loop, Step const& all, ShearedBox const& box, Real duration) {
+  void predict(BlockLoop& loop, Step const& all, ShearedBox const& box, Real duration) {
     found_.resize(all.blocks.count);
     loop(all.blocks.count, [&](std::uint32_t b) {
       Block const& block = all.blocks.block(b);
@@ -217,7 +217,7 @@ class WindowedSteps {
     return units_.back();
   }
 
-  bool do_binary(BlockLoop<Space>& loop, Step const& all, Clock const& clock,
+  bool do_binary(BlockLoop& loop, Step const& all, Clock const& clock,
                  ShearedBox const& start, Window& window) {
     auto const pairs = static_cast<std::uint32_t>(binary_.size());
     if (pairs == 0) return true;
@@ -284,7 +284,7 @@ class WindowedSteps {
   }
 
   /// Steps every batch of larger islands through the window.
-  bool do_larger(BlockLoop<Space>& loop, Step const& all, Clock const& clock,
+  bool do_larger(BlockLoop& loop, Step const& all, Clock const& clock,
                  ShearedBox const& start, Window& window) {
     if (larger_.disks.empty()) return true;
     if (!batches_.fill(larger_, all, start)) return false;
@@ -310,7 +310,7 @@ class WindowedSteps {
     };
     if (contacts_) contacts_.list_batches(step.blocks, slot);
     ShearedBox const box{clock.box_length, 0, clock.strain_rate};
-    loop.template with_scratch<typename Step::Force>(
+    loop.with_scratch<typename Step::Force>(
         count, step.blocks.most_local, [&](std::uint32_t b, typename Step::Force* force) {
           DeviationWatch watch{batches_.origin.data(), batches_.deviation2.data(), 0,
                                clock.time_step};
@@ -465,7 +465,7 @@ class WindowedSteps {
 
   /// Adds the sampled configurations: batches as they were seen; all other disks as if in free flight,
   /// by closed forms, and what collisions changed.
-  void measure(BlockLoop<Space>& loop, Step const& all, Clock const& clock,
+  void measure(BlockLoop& loop, Step const& all, Clock const& clock,
                Sampling const& sampling, Window const& window, OpenWindows& windows) {
     if (times_.size() == 0) return;
     for (auto const& result : results_) in_batch_[result.slot] = units_[result.unit].batch;
@@ -506,7 +506,7 @@ class WindowedSteps {
   }
 
   /// Moves free disks to the end of the window, and puts the others there.
-  void commit(BlockLoop<Space>& loop, Step& all, ShearedBox const& end, Real duration) {
+  void commit(BlockLoop& loop, Step& all, ShearedBox const& end, Real duration) {
     loop(all.blocks.count, [&](std::uint32_t b) {
       Block const& block = all.blocks.block(b);
       fly(block, all.now.record.data() + block.first, duration);
