@@ -51,8 +51,8 @@ std::vector<std::string> names(std::tuple<Spaces...> const*) {
   return {std::string(backend_name<Spaces>)...};
 }
 
-/// Disks up to which a team, so one multiprocessor, should be quicker than launches for each step.
-constexpr std::int64_t most_disks_of_a_team = 2048;
+/// Disks up to which a team, so one multiprocessor, should be as quick as launches for each step.
+constexpr std::int64_t most_disks_of_a_team = 1024;
 
 /// Whether nothing is asked for that members of an ensemble do not do.
 bool suits_ensembles(Scene const& scene) {
