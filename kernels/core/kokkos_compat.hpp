@@ -7,10 +7,14 @@
 namespace bagnold::math {
 
 #if KOKKOS_VERSION >= 30700
+using Kokkos::fabs;
 using Kokkos::floor;
+using Kokkos::fmax;
 using Kokkos::sqrt;
 #else
+using Kokkos::Experimental::fabs;
 using Kokkos::Experimental::floor;
+using Kokkos::Experimental::fmax;
 using Kokkos::Experimental::sqrt;
 #endif
 

@@ -11,11 +11,20 @@ namespace bagnold {
 /// Which of the two sizes a disk has: one byte a disk instead of its diameter, mass and inertia.
 using Species = std::uint8_t;
 
+/// A number for each size. No array: a GPU would keep that in memory to look it up by an index.
+struct PerSpecies {
+  Real small, big;
+
+  KOKKOS_FUNCTION constexpr Real operator[](Species species) const {
+    return species == 0 ? small : big;
+  }
+};
+
 /// What a size implies. The mass rule is folded in here and appears nowhere else.
 struct SpeciesTable {
-  Real diameter[2];         ///< d, [d_s]
-  Real inverse_mass[2];     ///< 1/m, [1/m] (P2) or [1/m_0] (P1)
-  Real inverse_inertia[2];  ///< 1/I with I = m (d/2)^2 / 2, P2 below Eq. (7)
+  PerSpecies diameter;         ///< d, [d_s]
+  PerSpecies inverse_mass;     ///< 1/m, [1/m] (P2) or [1/m_0] (P1)
+  PerSpecies inverse_inertia;  ///< 1/I with I = m (d/2)^2 / 2, P2 below Eq. (7)
 };
 
 inline constexpr Real small_diameter = 1.0;
@@ -27,16 +36,11 @@ constexpr Real disk_mass(bool by_area, Real diameter) {
 }
 
 constexpr SpeciesTable make_species_table(bool mass_by_area) {
-  SpeciesTable table{};
-  Real const diameters[2] = {small_diameter, big_diameter};
-  for (int s = 0; s < 2; ++s) {
-    Real const d = diameters[s];
-    Real const mass = disk_mass(mass_by_area, d);
-    table.diameter[s] = d;
-    table.inverse_mass[s] = 1 / mass;
-    table.inverse_inertia[s] = 8 / (mass * d * d);
-  }
-  return table;
+  Real const small = disk_mass(mass_by_area, small_diameter);
+  Real const big = disk_mass(mass_by_area, big_diameter);
+  return {{small_diameter, big_diameter},
+          {1 / small, 1 / big},
+          {8 / (small * small_diameter * small_diameter), 8 / (big * big_diameter * big_diameter)}};
 }
 
 }  // namespace bagnold

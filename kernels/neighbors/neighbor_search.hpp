@@ -69,30 +69,57 @@ struct NeighborSearch {
   }
 };
 
+/// Passes that find all rows: a body of a loop over disks each, with a scan of `row` between them.
+namespace neighbor_rows {
+
+template <class Space>
+struct Count {
+  NeighborSearch<Space> search;
+  Kokkos::View<std::uint32_t*, Space> row;  ///< [N + 1]
+
+  KOKKOS_FUNCTION void operator()(std::int64_t i) const {
+    std::uint32_t found = 0;
+    search(static_cast<std::uint32_t>(i), [&](Neighbor const&) { ++found; });
+    row(i + 1) = found;
+  }
+};
+
+/// Each row sorted by neighbour index.
+template <class Space>
+struct Fill {
+  NeighborSearch<Space> search;
+  NeighborRows<Space> rows;
+
+  KOKKOS_FUNCTION void operator()(std::int64_t i) const {
+    auto const& entries = rows.entries;
+    auto const begin = rows.row(i);
+    auto end = begin;
+    search(static_cast<std::uint32_t>(i), [&](Neighbor const& neighbor) {
+      auto slot = end++;
+      for (; slot > begin && entries(slot - 1).packed > neighbor.packed; --slot)
+        entries(slot) = entries(slot - 1);
+      entries(slot) = neighbor;
+    });
+  }
+};
+
+}  // namespace neighbor_rows
+
 /// All rows of neighbours within d_ij + skin, sorted by neighbour index.
 template <class Space>
 NeighborRows<Space> make_neighbor_rows(Space const& space, NeighborSearch<Space> const& search,
                                        NeighborRows<Space> rows) {
+  using Range = Kokkos::RangePolicy<Space>;
   auto const count = static_cast<std::int64_t>(search.position.extent(0));
   if (rows.row.extent(0) == 0)
     rows.row = Kokkos::View<std::uint32_t*, Space>("neighbors::row", count + 1);
-  auto const row = rows.row;
 
-  side_by_side::parallel_for(
-      "neighbors::NeighborRows::count", Kokkos::RangePolicy<Space>(space, 0, count),
-      KOKKOS_LAMBDA(std::int64_t i) {
-        std::uint32_t found = 0;
-        search(static_cast<std::uint32_t>(i), [&](Neighbor const&) { ++found; });
-        row(i + 1) = found;
-      });
-  side_by_side::parallel_scan(
-      "neighbors::NeighborRows::scan", Kokkos::RangePolicy<Space>(space, 0, count + 1),
-      KOKKOS_LAMBDA(std::int64_t i, std::uint32_t & sum, bool last) {
-        sum += row(i);
-        if (last) row(i) = sum;
-      });
+  side_by_side::parallel_for("neighbors::NeighborRows::count", Range(space, 0, count),
+                             neighbor_rows::Count<Space>{search, rows.row});
+  side_by_side::parallel_scan("neighbors::NeighborRows::scan", Range(space, 0, count + 1),
+                              RunningSum<Space>{rows.row});
   std::uint32_t total = 0;
-  Kokkos::deep_copy(space, total, Kokkos::subview(row, count));
+  Kokkos::deep_copy(space, total, Kokkos::subview(rows.row, count));
   space.fence();
   if (rows.entries.extent(0) < total) {
     rows.entries = {};  // free before asking for more
@@ -100,19 +127,8 @@ NeighborRows<Space> make_neighbor_rows(Space const& space, NeighborSearch<Space>
         Kokkos::view_alloc(Kokkos::WithoutInitializing, "neighbors::entries"),
         total + total / 8);
   }
-  auto const entries = rows.entries;
-  side_by_side::parallel_for(
-      "neighbors::NeighborRows::fill", Kokkos::RangePolicy<Space>(space, 0, count),
-      KOKKOS_LAMBDA(std::int64_t i) {
-        auto const begin = row(i);
-        auto end = begin;
-        search(static_cast<std::uint32_t>(i), [&](Neighbor const& neighbor) {
-          auto slot = end++;
-          for (; slot > begin && entries(slot - 1).packed > neighbor.packed; --slot)
-            entries(slot) = entries(slot - 1);
-          entries(slot) = neighbor;
-        });
-      });
+  side_by_side::parallel_for("neighbors::NeighborRows::fill", Range(space, 0, count),
+                             neighbor_rows::Fill<Space>{search, rows});
   return rows;
 }
 

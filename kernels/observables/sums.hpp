@@ -36,6 +36,11 @@ template <bool Rotates>
 struct Sums {
   static constexpr int columns = Rotates ? SumColumns::count_rotating : SumColumns::count;
   Real value[columns] = {};
+
+  KOKKOS_FUNCTION Sums& operator+=(Sums const& other) {
+    for (int c = 0; c < columns; ++c) value[c] += other.value[c];
+    return *this;
+  }
 };
 
 /// Adds one disk's half of each of its pairs.
@@ -58,41 +63,48 @@ struct PairSums {
   }
 };
 
-/// Sums over blocks of consecutive disks, each in order; the blocks are added in order afterwards.
-/// So the result does not depend on threads.
+/// One disk's part of the sums.
 template <ContactLaw Law, class Repulsion, class Space>
-struct MeasureBlock {
-  static constexpr std::int64_t disks = 64;  ///< in a block
-
+struct MeasureDisk {
   ContactForces<Law, Repulsion, Space> forces;
-  Kokkos::View<Sums<Law::rotates>*, Space> block_sums;  ///< [ceil(N / disks)]
 
-  KOKKOS_FUNCTION void operator()(std::int64_t block) const {
+  KOKKOS_FUNCTION Sums<Law::rotates> operator()(std::uint32_t i) const {
     Sums<Law::rotates> sums;
-    std::int64_t const count = forces.position.extent(0);
-    std::int64_t const end = (block + 1) * disks < count ? (block + 1) * disks : count;
-    for (std::int64_t i = block * disks; i < end; ++i) {
-      forces(static_cast<std::uint32_t>(i), PairSums<Law::rotates>{sums});
-      add_disk(sums.value, i);
-    }
-    block_sums(block) = sums;
-  }
-
- private:
-  KOKKOS_FUNCTION void add_disk(Real* s, std::int64_t i) const {
+    forces(i, PairSums<Law::rotates>{sums});
+    Real* const s = sums.value;
     Real const mass = 1 / forces.table.inverse_mass[forces.species(i)];
     auto const motion = forces.motion(i);
     Real const vx = motion.velocity.x - forces.box.strain_rate * forces.position(i).y;
     Real const vy = motion.velocity.y;
-    s[SumColumns::kinetic_xx] += mass * vx * vx;
-    s[SumColumns::kinetic_xy] += mass * vx * vy;
-    s[SumColumns::kinetic_yy] += mass * vy * vy;
-    s[SumColumns::velocity_x2] += vx * vx;
-    s[SumColumns::velocity_y2] += vy * vy;
+    s[SumColumns::kinetic_xx] = mass * vx * vx;
+    s[SumColumns::kinetic_xy] = mass * vx * vy;
+    s[SumColumns::kinetic_yy] = mass * vy * vy;
+    s[SumColumns::velocity_x2] = vx * vx;
+    s[SumColumns::velocity_y2] = vy * vy;
     if constexpr (Law::rotates) {
-      s[SumColumns::spin] += motion.spin;
-      s[SumColumns::spin2] += motion.spin * motion.spin;
+      s[SumColumns::spin] = motion.spin;
+      s[SumColumns::spin2] = motion.spin * motion.spin;
     }
+    return sums;
+  }
+};
+
+/// Disks whose parts are added in their order; such blocks are added in order afterwards. So the
+/// result does not depend on threads.
+inline constexpr std::uint32_t measured_block = 64;
+
+template <ContactLaw Law, class Repulsion, class Space>
+struct MeasureBlock {
+  ContactForces<Law, Repulsion, Space> forces;
+  Kokkos::View<Sums<Law::rotates>*, Space> block_sums;  ///< [ceil(N / measured_block)]
+
+  KOKKOS_FUNCTION void operator()(std::int64_t block) const {
+    Sums<Law::rotates> sums;
+    auto const count = static_cast<std::int64_t>(forces.position.extent(0));
+    std::int64_t const begin = block * measured_block, full = begin + measured_block;
+    for (std::int64_t i = begin; i < (full < count ? full : count); ++i)
+      sums += MeasureDisk<Law, Repulsion, Space>{forces}(static_cast<std::uint32_t>(i));
+    block_sums(block) = sums;
   }
 };
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-#if defined(__AVX512F__) && defined(__AVX512DQ__)
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && !defined(__CUDA_ARCH__)
 #include <immintrin.h>
 #define BAGNOLD_AVX512 1
 #else
@@ -23,8 +23,40 @@ inline constexpr int width = 8;
 /// The next multiple of the width.
 constexpr std::uint32_t round_up(std::uint32_t n) { return (n + width - 1) / width * width; }
 
+#ifndef __CUDA_ARCH__
 using Lanes = double __attribute__((vector_size(64)));
 using Bits = long long __attribute__((vector_size(64)));
+
+BAGNOLD_INLINE Lanes blend(Bits bits, Lanes yes, Lanes no) { return bits ? yes : no; }
+#else
+/// nvcc reads host code once more for the device, which knows no vectors: declared, and not used.
+template <class T>
+struct alignas(64) Eight {
+  T lane[width];
+  T& operator[](int k);
+  T operator[](int k) const;
+  Eight& operator+=(Eight);
+};
+template <class T>
+Eight<T> operator+(Eight<T>, Eight<T>);
+template <class T>
+Eight<T> operator-(Eight<T>, Eight<T>);
+template <class T>
+Eight<T> operator*(Eight<T>, Eight<T>);
+template <class T>
+Eight<T> operator/(Eight<T>, Eight<T>);
+template <class T>
+Eight<T> operator-(Eight<T>);
+template <class T>
+Eight<T> operator&(Eight<T>, Eight<T>);
+template <class T>
+Eight<T> operator|(Eight<T>, Eight<T>);
+template <class T>
+Eight<long long> operator<(Eight<T>, Eight<T>);
+using Lanes = Eight<double>;
+using Bits = Eight<long long>;
+Lanes blend(Bits bits, Lanes yes, Lanes no);
+#endif
 
 /// Which lanes.
 struct Mask {
@@ -106,7 +138,7 @@ BAGNOLD_INLINE Pack select(Mask mask, Pack yes, Pack no) {
 #if BAGNOLD_AVX512
   return (Lanes)_mm512_mask_blend_pd(mask.bits, (__m512d)no.v, (__m512d)yes.v);
 #else
-  return mask.bits ? yes.v : no.v;
+  return blend(mask.bits, yes.v, no.v);
 #endif
 }
 

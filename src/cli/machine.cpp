@@ -20,7 +20,14 @@ bool has(std::string const& backend) {
 
 std::int64_t cores() { return std::max(1u, std::thread::hardware_concurrency()); }
 
-Machine choose_for_replicas(Machine machine, std::int64_t replicas) {
+Machine choose_for_replicas(Machine machine, Scene const& scene) {
+  auto const replicas = scene.disks.replicas;
+  auto const wanted = machine.threads == 0 ? cores() : machine.threads;
+  if (is_device_backend(machine.backend)) {  // threads relax the starts
+    bool const together = steps_together(scene, machine.backend);
+    machine.threads = together ? static_cast<int>(std::min(wanted, replicas)) : 1;
+    return machine;
+  }
   if (!machine.backend.empty() && machine.backend != "serial")
     throw InputError(
         fmt::format("--backend {}: disks.replicas = {} (must be 1 there: replicas run side by "
@@ -33,7 +40,6 @@ Machine choose_for_replicas(Machine machine, std::int64_t replicas) {
         "run); build Kokkos with Kokkos_ENABLE_SERIAL",
         replicas));
   machine.backend = "serial";
-  auto const wanted = machine.threads == 0 ? cores() : machine.threads;
   machine.threads = static_cast<int>(std::min(wanted, replicas));
   return machine;
 }
@@ -44,7 +50,7 @@ Machine choose(Machine machine, Scene const& scene) {
   if (!machine.backend.empty() && !has(machine.backend))
     throw InputError(fmt::format("--backend {}: not in this build (has: {})", machine.backend,
                                  fmt::join(backend_names(), ", ")));
-  if (scene.disks.replicas > 1) return choose_for_replicas(machine, scene.disks.replicas);
+  if (scene.disks.replicas > 1) return choose_for_replicas(machine, scene);
   if (machine.threads == 0)
     machine.threads =
         static_cast<int>(std::clamp<std::int64_t>(scene.disks.count / 4096, 1, cores()));

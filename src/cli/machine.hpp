@@ -16,8 +16,9 @@ struct Machine {
 
 /// Threads and backend where the user left them open. One system: a thread for every 4096 disks, as
 /// far as there are cores (fewer wait for each other more than they work); one thread runs on
-/// Serial. Replicas: one a thread on Serial, as many threads as there are cores. Throws InputError
-/// for a backend that the build does not have or that cannot run replicas.
+/// Serial. Replicas: one a thread on Serial, as many threads as there are cores; on a device all at
+/// once, where threads only relax their starts. Throws InputError for a backend that the build does
+/// not have or that cannot run replicas.
 Machine choose(Machine machine, Scene const& scene);
 
 /// Kokkos, running. Replicas bring their own threads, each a system's only one.

@@ -43,20 +43,25 @@ Runner::Runner(RunFolder const& folder, Run run, Machine const& machine, bool qu
       whole_(run_.plan),
       machine_(machine),
       quiet_(quiet),
+      together_(steps_together(run_.scene, machine_.backend)),
       simulations_(run_.replicas.size()),
       steps_(run_.replicas.size()),
       wall_before_(run_.wall_seconds) {}
 
 void Runner::start(std::vector<std::optional<Snapshot>> snapshots) {
+  std::vector<Snapshot> starts(snapshots.size());
   SideBySide all;
+  all.systems = run_.replicas.size();
   all.further = [&](std::size_t r, auto const&) {
-    make(r, std::move(snapshots[r]));
+    starts[r] = start_of(r, std::move(snapshots[r]));
+    if (!together_) make(r, std::exchange(starts[r], {}));
     return true;
   };
   work(all);
+  if (together_) make_all_together(starts);
 }
 
-void Runner::make(std::size_t r, std::optional<Snapshot> snapshot) {
+Snapshot Runner::start_of(std::size_t r, std::optional<Snapshot> snapshot) {
   Replica& replica = run_.replicas[r];
   if (!snapshot) {
     Scene scene = run_.scene;
@@ -73,13 +78,21 @@ void Runner::make(std::size_t r, std::optional<Snapshot> snapshot) {
   }
   replica.initial_time = snapshot->initial_time;
   if (r == 0) run_.box_length = snapshot->state.box_length;
+  return *std::move(snapshot);
+}
+
+void Runner::make(std::size_t r, Snapshot const& snapshot) {
   try {
-    simulations_[r] = simulation_of(*snapshot);
+    simulations_[r] = simulation_of(snapshot);
   } catch (NumericalError const& error) {
-    throw ReplicaFailure{r, error.what(), snapshot->state};
+    throw ReplicaFailure{r, error.what(), snapshot.state};
   }
-  watch(r, snapshot->state);
-  steps_[r] = simulations_[r]->step();
+  watch(r, snapshot.state);
+}
+
+void Runner::make_all_together(std::vector<Snapshot> const& snapshots) {
+  simulations_ = make_together(run_.scene, snapshots, machine_.backend);
+  for (std::size_t r = 0; r < snapshots.size(); ++r) watch(r, snapshots[r].state);
 }
 
 std::unique_ptr<Simulation> Runner::simulation_of(Snapshot snapshot) const {
@@ -99,6 +112,7 @@ void Runner::watch(std::size_t r, State const& start) {
   auto const file =
       folder_.trajectory(run_.replicas.size() > 1 ? std::optional(seed(r)) : std::nullopt);
   frames = make_frames(run_.scene, run_.plan, start, file, provenance().version);
+  steps_[r] = simulations_[r]->step();
   auto const columns = simulations_[r]->columns();
   replica.measurement.windows.columns = static_cast<std::size_t>(columns);
   if (run_.scene.measure.contacts) {
@@ -132,17 +146,8 @@ int Runner::run() {
   started_ = checkpointed_ = SteadyClock::now();
   Progress progress(run_.scene, run_.plan, steps(), quiet_);
   SideBySide all;
-  all.further = [&](std::size_t r, std::function<bool()> const& go_on) {
-    Simulation& simulation = *simulations_[r];
-    try {
-      return run_steady(simulation, run_.plan, run_.replicas[r].measurement, [&] {
-        steps_[r] = simulation.step();
-        return go_on();
-      });
-    } catch (NumericalError const& error) {
-      throw ReplicaFailure{r, error.what(), simulation.state()};
-    }
-  };
+  all.systems = together_ ? 1 : run_.replicas.size();
+  all.further = [&](std::size_t r, auto const& go_on) { return step_on(r, go_on); };
   all.wish = [&] {
     progress.show(steps());
     return wish();
@@ -160,14 +165,30 @@ int Runner::run() {
   return 0;
 }
 
+/// One replica, or all where they step together.
+bool Runner::step_on(std::size_t first, std::function<bool()> const& go_on) {
+  std::size_t const end = together_ ? simulations_.size() : first + 1;
+  std::vector<MeasuredSystem> systems;
+  for (auto r = first; r < end; ++r)
+    systems.push_back({*simulations_[r], run_.replicas[r].measurement});
+  try {
+    return run_steady(systems, run_.plan, [&] {
+      for (auto r = first; r < end; ++r) steps_[r] = simulations_[r]->step();
+      return go_on();
+    });
+  } catch (SystemFailure const& failure) {
+    auto const r = first + failure.system;
+    throw ReplicaFailure{r, failure.what(), simulations_[r]->state()};
+  }
+}
+
 bool Runner::work(SideBySide& all) {
-  all.systems = run_.replicas.size();
   all.threads = all.systems > 1 ? machine_.threads : 1;
   try {
     return bagnold::run(all);
   } catch (ReplicaFailure const& failure) {
     std::string message = failure.reason;
-    if (all.systems > 1)
+    if (run_.replicas.size() > 1)
       message = fmt::format("replica {} (seed {}): {}", failure.replica + 1, seed(failure.replica),
                             message);
     if (failure.state) {

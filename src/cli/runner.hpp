@@ -16,7 +16,8 @@
 
 namespace bagnold {
 
-/// A run in its folder: its replicas side by side, steps, checkpoints, results.
+/// A run in its folder: its replicas side by side, or together on a device; steps, checkpoints,
+/// results.
 ///
 /// Where the scene has a target error, all replicas are taken to the same number of windows, from a
 /// grid that depends on nothing else (target_error.hpp), before it is seen whether that is enough.
@@ -32,13 +33,16 @@ class Runner {
   int run();
 
  private:
-  void make(std::size_t replica, std::optional<Snapshot> snapshot);
+  Snapshot start_of(std::size_t replica, std::optional<Snapshot> snapshot);
+  void make(std::size_t replica, Snapshot const& snapshot);
+  void make_all_together(std::vector<Snapshot> const& snapshots);
   std::unique_ptr<Simulation> simulation_of(Snapshot snapshot) const;
   Plan next_leg() const;  ///< to where the target error is looked at next
   bool enough();          ///< whether the run may end there
   void watch(std::size_t replica, State const& start);  ///< makes its frames
   std::int64_t seed(std::size_t replica) const;
   bool work(SideBySide& all);
+  bool step_on(std::size_t replica, std::function<bool()> const& go_on);
   std::int64_t steps() const;         ///< of all replicas together
   std::int64_t steps_wanted() const;  ///< likewise, at the end of the leg
   SideBySide::Wish wish() const;
@@ -54,6 +58,7 @@ class Runner {
   Plan whole_;  ///< to where the strain is spent
   Machine machine_;
   bool quiet_;
+  bool together_;  ///< replicas share launches: for SideBySide all are one system
   std::vector<std::unique_ptr<Simulation>> simulations_;  ///< [R]
   std::vector<std::atomic<std::int64_t>> steps_;          ///< [R], seen while others step
   double wall_before_;

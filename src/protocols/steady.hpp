@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <span>
 
+#include "src/config/errors.hpp"
 #include "src/config/plan.hpp"
 #include "src/measure/frames.hpp"
 #include "src/simulation/simulation.hpp"
@@ -17,11 +20,28 @@ struct Measurement {
   Frames frames;                ///< what observers see now and then
 };
 
+/// One of the systems that a run steps, and what it has measured of it.
+struct MeasuredSystem {
+  Simulation& simulation;
+  Measurement& measurement;
+};
+
+/// A NumericalError of one of several systems.
+struct SystemFailure : NumericalError {
+  SystemFailure(std::size_t which, NumericalError const& error)
+      : NumericalError(error), system(which) {}
+  std::size_t system;
+};
+
 /// Shear at a constant rate until the plan's steps are done, from wherever the simulation is.
 ///
 /// `go_on` is called about twenty times a second, between steps; how often changes no bit. Returns
 /// false where it did.
 bool run_steady(Simulation& simulation, Plan const& plan, Measurement& measurement,
+                std::function<bool()> const& go_on);
+
+/// The same for several systems, told to advance in turn to the same step. Throws SystemFailure.
+bool run_steady(std::span<MeasuredSystem const> systems, Plan const& plan,
                 std::function<bool()> const& go_on);
 
 }  // namespace bagnold

@@ -45,6 +45,11 @@ template <>
 inline constexpr std::string_view backend_name<Kokkos::Cuda> = "cuda";
 #endif
 
+/// Whether a backend works in memory that the host does not reach.
+template <class Space>
+inline constexpr bool is_device =
+    !Kokkos::SpaceAccessibility<Kokkos::HostSpace, typename Space::memory_space>::accessible;
+
 /// Every execution space this build has.
 using Backends = decltype(std::tuple_cat(detail::SerialBackend{}, detail::OpenMPBackend{},
                                          detail::CudaBackend{}));

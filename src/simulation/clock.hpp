@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cmath>
 #include <cstdint>
+
+#include "kernels/geometry/shear_since.hpp"
 
 namespace bagnold {
 
@@ -16,30 +17,33 @@ struct Clock {
   double initial_offset;  ///< gamma L modulo L at step 0, [d_s]
   double initial_time;    ///< at step 0, [tau_e]
 
-  double time(std::int64_t step) const {
-    return static_cast<double>(initial_time + static_cast<long double>(step) * time_step);
+  KOKKOS_FUNCTION double time(std::int64_t step) const {
+    return (DoubleDouble{initial_time} + exact_product(time_step, static_cast<double>(step)))
+        .rounded();
   }
 
   /// Strain since step 0.
-  double strain(std::int64_t step) const { return static_cast<double>(exact_strain(step)); }
+  KOKKOS_FUNCTION double strain(std::int64_t step) const {
+    return (step_strain() * static_cast<double>(step)).rounded();
+  }
 
-  double strain_between(std::int64_t from, std::int64_t to) const { return strain(to - from); }
+  KOKKOS_FUNCTION double strain_between(std::int64_t from, std::int64_t to) const {
+    return strain(to - from);
+  }
+
+  KOKKOS_FUNCTION ShearSince since(std::int64_t build) const {
+    return shear_since(
+        quotient(initial_offset, box_length) + step_strain() * static_cast<double>(build),
+        step_strain(), box_length);
+  }
 
   /// x of the image above at `step`, [d_s]; in [0, L) at step = build.
-  double offset(std::int64_t step, std::int64_t build) const {
-    long double const length = box_length;
-    long double turns = initial_offset / length + exact_strain(build);
-    turns -= std::floor(turns);
-    double const at_build = static_cast<double>(turns * length);
-    return at_build < box_length
-               ? static_cast<double>((turns + exact_strain(step - build)) * length)
-               : static_cast<double>(exact_strain(step - build) * length);
+  KOKKOS_FUNCTION double offset(std::int64_t step, std::int64_t build) const {
+    return since(build).offset(step - build);
   }
 
  private:
-  long double exact_strain(std::int64_t steps) const {
-    return static_cast<long double>(steps) * (static_cast<long double>(strain_rate) * time_step);
-  }
+  KOKKOS_FUNCTION DoubleDouble step_strain() const { return exact_product(strain_rate, time_step); }
 };
 
 }  // namespace bagnold

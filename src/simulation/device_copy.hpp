@@ -10,22 +10,29 @@
 /// Between host vectors, in the order of the start, and Views.
 namespace bagnold {
 
+/// A vector as a View; it has to stay alive.
+template <class T>
+auto view_of(std::vector<T>& host) {
+  return Kokkos::View<T*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged>(host.data(), host.size());
+}
+template <class T>
+auto view_of(std::vector<T> const& host) {
+  return Kokkos::View<T const*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged>(host.data(),
+                                                                            host.size());
+}
+
 template <class Space, class T>
 Kokkos::View<T*, Space> to_device(std::string const& label, std::vector<T> const& host) {
   Kokkos::View<T*, Space> device(Kokkos::view_alloc(Kokkos::WithoutInitializing, label),
                                  host.size());
-  Kokkos::deep_copy(device,
-                    Kokkos::View<T const*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged>(
-                        host.data(), host.size()));
+  Kokkos::deep_copy(device, view_of(host));
   return device;
 }
 
 template <class T, class Space>
 std::vector<T> to_host(Kokkos::View<T*, Space> const& device) {
   std::vector<T> host(device.extent(0));
-  Kokkos::deep_copy(
-      Kokkos::View<T*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged>(host.data(), host.size()),
-      device);
+  Kokkos::deep_copy(view_of(host), device);
   return host;
 }
 

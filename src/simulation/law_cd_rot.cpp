@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/simulation/make_for_law.hpp"
+#include "src/simulation/make_together.hpp"
 
 namespace bagnold {
 
 template std::unique_ptr<Simulation> make_for_law<CDrot>(Scene const&, Snapshot const&,
                                                          std::string const&);
+template std::shared_ptr<Ensemble> make_together_for_law<CDrot>(Scene const&,
+                                                            std::vector<Snapshot> const&,
+                                                            std::string const&);
 
 }  // namespace bagnold

@@ -26,4 +26,11 @@ Law make_law(Scene::Disks const& disks) {
     return {damping};
 }
 
+/// use(repulsion) with the repulsion of a scene.
+template <class Use>
+auto with_repulsion(Scene::Disks const& disks, Use const& use) {
+  if (disks.force_exponent == HertzianRepulsion::force_exponent) return use(HertzianRepulsion{});
+  return use(HarmonicRepulsion{});
+}
+
 }  // namespace bagnold

@@ -57,9 +57,7 @@ std::unique_ptr<Simulation> make_for_law(Scene const& scene, Snapshot const& sna
     return detail::make_engine<Law, Repulsion>(static_cast<Backends const*>(nullptr),
                                                scene.integration.engine, backend, make);
   };
-  if (scene.disks.force_exponent == HertzianRepulsion::force_exponent)
-    return make_with(HertzianRepulsion{});
-  return make_with(HarmonicRepulsion{});
+  return with_repulsion(scene.disks, make_with);
 }
 
 }  // namespace bagnold

@@ -15,6 +15,19 @@ namespace bagnold {
 std::unique_ptr<Simulation> make_simulation(Scene const& scene, Snapshot const& snapshot,
                                             std::string const& backend);
 
+/// Whether a backend works in memory that the host does not reach.
+bool is_device_backend(std::string const& backend);
+
+/// Whether the replicas of a scene are stepped by launches that they share, as on a device they are,
+/// unless each is to be looked at on its own: its contacts, or a rate that changes.
+bool steps_together(Scene const& scene, std::string const& backend);
+
+/// The simulations of replicas that step together, from snapshots [R] of equally many disks; to be
+/// advanced as members_of says.
+std::vector<std::unique_ptr<Simulation>> make_together(Scene const& scene,
+                                                       std::vector<Snapshot> const& snapshots,
+                                                       std::string const& backend);
+
 /// Names of the backends in this build, the preferred one last.
 std::vector<std::string> backend_names();
 

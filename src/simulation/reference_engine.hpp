@@ -2,18 +2,16 @@
 #pragma once
 
 #include <limits>
-#include <utility>
 
 #include "kernels/core/side_by_side.hpp"
+#include "kernels/dynamics/list_renewal.hpp"
 #include "kernels/dynamics/modified_velocity_verlet.hpp"
-#include "kernels/dynamics/relaxation.hpp"
 #include "kernels/observables/sums.hpp"
-#include "src/simulation/clock.hpp"
-#include "src/simulation/device_copy.hpp"
-#include "src/simulation/failure.hpp"
 #include "src/simulation/in_box.hpp"
 #include "src/simulation/row_contacts.hpp"
 #include "src/simulation/simulation.hpp"
+#include "src/simulation/state_of_views.hpp"
+#include "src/simulation/why_unsound.hpp"
 
 namespace bagnold {
 
@@ -87,8 +85,7 @@ class ReferenceEngine final : public Simulation {
 
   std::int64_t count() const { return static_cast<std::int64_t>(position_.extent(0)); }
   std::int64_t blocks() const {
-    constexpr auto size = MeasureBlock<Law, Repulsion, Space>::disks;
-    return (count() + size - 1) / size;
+    return (count() + measured_block - 1) / measured_block;
   }
 
   ShearedBox box_at(std::int64_t step) const {
@@ -114,7 +111,8 @@ class ReferenceEngine final : public Simulation {
                                        strain, next_strain},
         Kokkos::Max<Real>(largest2));
     ++step_;
-    if (largest2 == std::numeric_limits<Real>::max()) fail();
+    if (largest2 == std::numeric_limits<Real>::max())
+      why_unsound(space_, forces_at(step_, position_, motion_), clock_, step_, raw_state());
     double const widest = std::max(std::abs(strain), std::abs(next_strain));
     if (!list_holds(widest, largest2, list_.skin)) renew_list();
   }
@@ -123,7 +121,7 @@ class ReferenceEngine final : public Simulation {
   void renew_list() {
     list_step_ = step_;
     side_by_side::parallel_for("dynamics::WrapDisks", Policy(space_, 0, count()),
-                         WrapDisks{box_at(step_), position_, motion_});
+                         WrapDisks<rotates, Space>{box_at(step_), position_, motion_});
     if (list_.at_build.extent(0) == 0) list_.at_build = Positions("neighbors::at_build", count());
     Kokkos::deep_copy(space_, list_.at_build, position_);
     build_list(space_, list_, species_, table_, box_at(step_));
@@ -132,7 +130,7 @@ class ReferenceEngine final : public Simulation {
     Kokkos::MaxLoc<Real, std::int64_t>::value_type farthest{};
     double const strain = clock_.strain_between(step_, step_ + 1);
     side_by_side::parallel_reduce("dynamics::NextStep", Policy(space_, 0, count()),
-                            NextStep{position_, motion_, clock_.time_step, strain},
+                            NextStep<rotates, Space>{position_, motion_, clock_.time_step, strain},
                             Kokkos::MaxLoc<Real, std::int64_t>(farthest));
     if (!list_holds(std::abs(strain), farthest.val, list_.skin))
       failure::too_fast(clock_, step_, static_cast<std::size_t>(farthest.loc),
@@ -144,55 +142,13 @@ class ReferenceEngine final : public Simulation {
         "observables::MeasureBlock", Policy(space_, 0, blocks()),
         MeasureBlock<Law, Repulsion, Space>{forces_at(step_, position_, motion_), block_sums_});
     Sums<rotates> total;
-    for (auto const& block : to_host(block_sums_))
-      for (int c = 0; c < columns(); ++c) total.value[c] += block.value[c];
+    for (auto const& block : to_host(block_sums_)) total += block;
     return total;
   }
 
-  [[noreturn]] void fail() const {
-    failure::check_finite(clock_, step_, raw_state());
-    Kokkos::MaxLoc<Real, std::int64_t>::value_type deepest{};
-    side_by_side::parallel_reduce(
-        "dynamics::LargestOverlap", Policy(space_, 0, count()),
-        LargestOverlap<Law, Repulsion, Space>{forces_at(step_, position_, motion_)},
-        Kokkos::MaxLoc<Real, std::int64_t>(deepest));
-    failure::too_deep(clock_, step_, static_cast<std::size_t>(deepest.loc), deepest.val);
-  }
-
   State raw_state() const {
-    State state;
-    state.position = pairs(to_host(position_));
-    split_motions(to_host(motion_), state);
-    state.diameter = diameter_;
-    state.box_length = clock_.box_length;
-    state.offset = clock_.offset(step_, step_);
-    state.time = clock_.time(step_);
-    state.strain_rate = clock_.strain_rate;
-    return state;
+    return state_of_views(position_, motion_, diameter_, clock_, step_);
   }
-
-  struct WrapDisks {
-    ShearedBox box;
-    Positions position;
-    Motions motion;
-    KOKKOS_FUNCTION void operator()(std::int64_t i) const {
-      wrap(box, position(i), motion(i).velocity.x);
-    }
-  };
-
-  /// Reduces (MaxLoc) the largest |w|^2 of the next trial positions, just after a build.
-  struct NextStep {
-    Positions position;
-    Motions motion;
-    Real time_step;
-    Real strain;
-    KOKKOS_FUNCTION void operator()(
-        std::int64_t i, Kokkos::MaxLoc<Real, std::int64_t>::value_type& farthest) const {
-      Real const moved2 = excursion2(position(i) + time_step * motion(i).velocity, position(i),
-                                     strain);
-      if (moved2 > farthest.val) farthest = {moved2, i};
-    }
-  };
 
   Space space_{};
   Law law_;

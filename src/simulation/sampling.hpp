@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <algorithm>
+#include <Kokkos_Macros.hpp>
 #include <cstdint>
 #include <iterator>
 #include <limits>
@@ -24,14 +24,14 @@ struct Sampling {
   std::int64_t every = std::int64_t{1} << 60;                    ///< [steps]
   std::int64_t last_step = std::numeric_limits<std::int64_t>::max();  ///< the end of the run
 
-  std::int64_t window(std::int64_t step) const { return step / window_steps; }
-  bool sampled(std::int64_t step) const { return step % window_steps % every == 0; }
+  KOKKOS_FUNCTION std::int64_t window(std::int64_t step) const { return step / window_steps; }
+  KOKKOS_FUNCTION bool sampled(std::int64_t step) const { return step % window_steps % every == 0; }
 
   /// The first sampled step from `step` on.
-  std::int64_t next(std::int64_t step) const {
+  KOKKOS_FUNCTION std::int64_t next(std::int64_t step) const {
     std::int64_t const begin = step / window_steps * window_steps;
     std::int64_t const after = (step - begin + every - 1) / every * every;
-    return begin + std::min(after, window_steps);
+    return begin + (after < window_steps ? after : window_steps);
   }
 };
 

@@ -7,6 +7,12 @@ namespace bagnold::test {
 
 class Contacts : public EverySimulation {
  public:
+  Scene small_scene(double packing_fraction = 0.82, std::int64_t count = 64) const {
+    Scene scene = EverySimulation::small_scene(packing_fraction, count);
+    scene.measure.contacts = true;
+    return scene;
+  }
+
   static void expect_same(std::vector<Happened> const& a, std::vector<Happened> const& b) {
     ASSERT_EQ(a.size(), b.size());
     for (std::size_t k = 0; k < a.size(); ++k) {

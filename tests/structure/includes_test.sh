@@ -88,6 +88,6 @@ awk -v allowed="$allowed" -v forbidden="$forbidden" '
     first = $0
     if (!launch) sub(/.*parallel_(for|reduce|scan)\(/, "", first)
     launch = first ~ /^[ \t]*$/
-    if (!launch && first !~ /^[ \t]*("[a-z_]+::|label,|std::string const& label,)/) complain("a kernel needs a label, \"module::What\"")
+    if (!launch && first !~ /^[ \t]*("[a-z_]+::|label,|std::string const& label,|Kokkos::TeamThreadRange\()/) complain("a kernel needs a label, \"module::What\"")
   }
   END { exit wrong }' "${files[@]}"

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kernels/neighbors/neighbor_search.hpp"
+#include "kernels/observables/sums.hpp"
+#include "src/simulation/clock.hpp"
+
+namespace bagnold {
+
+/// The Views of one system of an ensemble, as kernels for one system want them.
+template <bool Rotates, class Space>
+struct SystemViews {
+  template <class T>
+  using Row = Kokkos::View<T*, Space>;
+
+  Row<Vec2<Real>> position, trial_position, at_build;  ///< [N], [d_s]
+  Row<Motion<Rotates>> motion, trial_motion;           ///< [N]
+  Row<Species> species;                                ///< [N]
+  NeighborRows<Space> neighbors;
+  Row<std::uint32_t> cell_first, cell_members, cell_filled;
+  Row<Sums<Rotates>> disk_sums, block_sums;  ///< [N], [ceil(N / measured_block)]
+  Row<Sums<Rotates>> samples;                ///< those measured since the host took them
+};
+
+/// What many systems of N disks consist of: Views with the system as the leading index.
+template <bool Rotates, class Space>
+struct EnsembleViews {
+  /// A system's part lies in one piece on every backend.
+  template <class T>
+  using Table = Kokkos::View<T**, Kokkos::LayoutRight, Space>;
+
+  /// Samples that a launch can measure before the host has to take them.
+  static constexpr int room_for_samples = 64;
+
+  Table<Vec2<Real>> position, trial_position, at_build;
+  Table<Motion<Rotates>> motion, trial_motion;
+  Table<Species> species;
+  Table<std::uint32_t> row;
+  Table<Neighbor> entries;
+  Table<std::uint32_t> cell_first, cell_members, cell_filled;
+  Table<Sums<Rotates>> disk_sums, block_sums, samples;
+
+  EnsembleViews() = default;
+  EnsembleViews(std::size_t systems, std::size_t disks)
+      : position("state::position", systems, disks),
+        trial_position("dynamics::trial_position", systems, disks),
+        at_build("neighbors::at_build", systems, disks),
+        motion("state::motion", systems, disks),
+        trial_motion("dynamics::trial_motion", systems, disks),
+        species("state::species", systems, disks),
+        row("neighbors::row", systems, disks + 1),
+        cell_members("neighbors::members", systems, disks),
+        disk_sums("observables::disk_sums", systems, disks),
+        block_sums("observables::block_sums", systems,
+                   (disks + measured_block - 1) / measured_block),
+        samples("observables::samples", systems, room_for_samples) {}
+
+  /// Room for the cells of a grid of that many along an edge.
+  void make_cells(std::size_t side) {
+    auto const systems = position.extent(0);
+    cell_first = Table<std::uint32_t>("neighbors::first", systems, side * side + 1);
+    cell_filled = Table<std::uint32_t>("neighbors::filled", systems, side * side + 1);
+  }
+
+  /// Room for so many neighbours of a system's disks; lists that were there are lost.
+  void make_entries(std::size_t most) {
+    entries = {};  // free before asking for more
+    entries = Table<Neighbor>(Kokkos::view_alloc(Kokkos::WithoutInitializing, "neighbors::entries"),
+                              position.extent(0), most);
+  }
+
+  /// One system's part of a table; it does not keep the table alive.
+  template <class T>
+  KOKKOS_FUNCTION static Kokkos::View<T*, Space> part(Table<T> const& table, std::int32_t system) {
+    return Kokkos::View<T*, Space>(table.data() + system * table.extent(1), table.extent(1));
+  }
+
+  KOKKOS_FUNCTION SystemViews<Rotates, Space> of(std::int32_t s) const {
+    return {part(position, s),
+            part(trial_position, s),
+            part(at_build, s),
+            part(motion, s),
+            part(trial_motion, s),
+            part(species, s),
+            {part(row, s), part(entries, s)},
+            part(cell_first, s),
+            part(cell_members, s),
+            part(cell_filled, s),
+            part(disk_sums, s),
+            part(block_sums, s),
+            part(samples, s)};
+  }
+};
+
+}  // namespace bagnold
