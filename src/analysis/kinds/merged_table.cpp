@@ -8,24 +8,29 @@
 namespace bagnold::analysis {
 namespace {
 
-/// A row for each datum: varied keys but the seed, how many seeds, and every observable.
-Rows rows_of(SweepTable const& table, std::vector<Curve> const& curves) {
+/// A row for each datum: varied keys but the seed, how many seeds, every observable, and what else is
+/// asked for.
+Rows rows_of(SweepTable const& table, std::vector<Curve> const& curves,
+             std::vector<std::string> const& asked, std::optional<double> phi_j) {
   Rows out;
   std::vector<std::string> keys;
   for (auto const& [key, column] : table.keys)
     if (key != "disks.seed") keys.push_back(key);
   out.columns = keys;
   out.columns.emplace_back("seeds");
-  for (auto const& [name, values] : table.observables)
-    out.columns.insert(out.columns.end(), {name, name + "_error"});
+  std::vector<std::string> names;
+  for (auto const& [name, values] : table.observables) names.push_back(name);
+  for (auto const& name : asked)
+    if (!table.observables.contains(name) && !table.keys.contains(name)) names.push_back(name);
+  for (auto const& name : names) out.columns.insert(out.columns.end(), {name, name + "_error"});
   for (auto const& curve : curves)
     for (auto const& datum : curve.data) {
       if (datum.rows.empty()) continue;
       std::vector<std::string> row;
       for (auto const& key : keys) row.push_back(key_text(table, key, datum.rows.front()));
       row.push_back(fmt::format("{}", datum.rows.size()));
-      for (auto const& [name, values] : table.observables) {
-        auto const merged = Quantity(table, name).of(datum.rows);
+      for (auto const& name : names) {
+        auto const merged = Quantity(table, name, phi_j).of(datum.rows);
         row.push_back(cell(merged.mean));
         row.push_back(cell(merged.error));
       }
@@ -42,10 +47,11 @@ Report merged_table(SweepTable const& table, Request const& request) {
   if (request.x.empty() && request.along.empty() && !table.keys.contains(along))
     for (auto const& [key, column] : table.keys)
       if (key != "disks.seed" && !column.is_text()) along = key;
-  report.results = rows_of(table, curves_of(table, {along, request.by, {}, request.where}));
   auto asked = request;
   asked.along = along;
   auto const x = or_else(request.x, along), y = or_else(request.y, "p");
+  report.results = rows_of(table, curves_of(table, {along, request.by, {}, request.where}), {x, y},
+                           request.phi_j);
   auto const series = make_series(table, asked, x, y);
   note_left_out(report, table, series);
   Panel panel(report, x, y, x != "disks.packing_fraction", y != "mu");
