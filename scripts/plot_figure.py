@@ -9,6 +9,7 @@ Exit code 1 and one line on stderr if it fails.
 
 import json
 import os
+import textwrap
 
 from figure_data import histogram, points_of, principal_axes, profile, together
 from plot_analysis import LABELS, draw_curve, keep_in_view, label, pretty, read
@@ -43,6 +44,8 @@ def colour_of(k, count):
 def draw_analysis(axes, panel, _):
     """What `bagnold analyse` drew: points with errors, fits, marks."""
     rows = panel["rows"]
+    if not rows:
+        return axes.set_xlabel(f"nothing found: {panel['analyse'].split()[0]}")
     change, slope = MAPS[panel["map"]] if "map" in panel else (None, None)
     for row in rows if change else []:
         if row["what"] != "mark":
@@ -142,7 +145,7 @@ def draw_scatter(axes, panel, points):
     """Two columns of `samples` of all points; mean (white) and principal axes (dotted): P2 Fig. 21."""
     parts = [point.columns(panel["samples"]) for point in points]
     x, y = (np.concatenate([part[panel[name]] for part in parts]) for name in ("x", "y"))
-    axes.plot(x, y, ".", ms=1.6, mew=0, color=BLUE, alpha=0.5, rasterized=True)
+    axes.plot(x, y, ".", ms=2.6, mew=0, color=BLUE, alpha=0.45)
     (x0, y0), directions = principal_axes(x, y)
     half = np.percentile(np.abs(np.concatenate([x - x0, y - y0])), 99)
     for _, (dx, dy) in directions:
@@ -230,13 +233,20 @@ def kind_of(panel):
     raise ValueError(f"a panel has none of {', '.join(PANELS)}")
 
 
+def tables_of(path):
+    """The panels of an analysis; none where it found nothing."""
+    with open(path, encoding="utf-8") as file:
+        return read(path) if file.read(1).strip() else []
+
+
 def load(panel, folder):
     """Reads what is beside the recipe: tables of analyses, the points of a sweep."""
     if "drawn" in panel:
-        tables = read(os.path.join(folder, panel["drawn"]))
-        panel["rows"] = tables[panel.get("show", 1) - 1]
+        tables = tables_of(os.path.join(folder, panel["drawn"]))
+        show = panel.get("show", 1)
+        panel["rows"] = tables[show - 1] if len(tables) >= show else []
     if "of_drawn" in panel:
-        panel["of"] = {name: read(os.path.join(folder, path))[0]
+        panel["of"] = {name: tables_of(os.path.join(folder, path))[0]
                        for name, path in panel["of_drawn"].items()}
     if "analyse" in panel:
         return []
@@ -289,15 +299,15 @@ def draw(recipe, folder):
             finish(axes, panel, shown)
     for axes in places:
         axes.set_axis_off()
-    figure.suptitle(f"{recipe['name']}  {recipe.get('title', '')}", x=0.01, ha="left", fontsize=11,
-                    weight="bold")
+    title = textwrap.fill(f"{recipe['name']}  {recipe.get('title', '')}", int(11 * width * columns))
+    figure.suptitle(title, x=0.01, ha="left", fontsize=11, weight="bold")
     return figure
 
 
 def draw_to(source, target):
     with open(source, encoding="utf-8") as file:
         recipe = json.load(file)
-    save(draw(recipe, os.path.dirname(os.path.abspath(source))), target, recipe.get("dpi", 80))
+    save(draw(recipe, os.path.dirname(os.path.abspath(source))), target, recipe.get("dpi", 80), 48)
 
 
 if __name__ == "__main__":

@@ -12,6 +12,7 @@ try:
     matplotlib.use("Agg")
     import numpy as np
     from matplotlib import pyplot as plt
+    from PIL import Image  # matplotlib's own
 except ImportError as error:
     sys.exit(f"{error}; no picture (Debian: apt install python3-h5py python3-matplotlib)")
 
@@ -31,10 +32,14 @@ STYLE = {
 }
 
 
-def save(figure, target, dpi=110):
-    """Whole or not at all: a picture that is there is complete."""
+def save(figure, target, dpi=110, colours=None):
+    """Whole or not at all: a picture that is there is complete. Few colours make a small file."""
     picture = io.BytesIO()
     figure.savefig(picture, format="png", dpi=dpi)
+    if colours:
+        image = Image.open(picture).convert("RGB").quantize(colours)
+        picture = io.BytesIO()
+        image.save(picture, format="png", optimize=True)
     with open(target + ".part", "wb") as file:
         file.write(picture.getvalue())
     os.replace(target + ".part", target)

@@ -13,7 +13,8 @@ namespace bagnold {
 /// How the surfaces of two disks in contact move past each other, over gammadot d_s.
 ///
 /// With t = z x r_ji/r_ij (P2 Eqs. 30-34): V_ij,T = V_ij . t, V_ij,N = V_ij . r_ji/r_ij (positive
-/// where they come together), V^C_ij,T = V_ij,T + V^R_ij. The contact is where P2 Eq. (6) has it, so
+/// where they come together), V^C_ij,T = V_ij,T + V^R_ij. The contact is where P2 Eq. (6) has it,
+/// so
 ///
 ///     V^R_ij = r_ij (d_i thetadot_i + d_j thetadot_j) / (d_i + d_j) / (gammadot d_s),
 ///
@@ -48,7 +49,8 @@ struct ContactSample {
 ///
 /// A reservoir of one, with jumps (Li, ACM Trans. Math. Softw. 20, 481 (1994)): after the j-th
 /// configuration comes the one of number floor(j/u) + 1, u even in (0, 1], so about ln n looks in n
-/// configurations. u is a hash of seed, disks and step: no thread, list or restart has a part in it.
+/// configurations. u is a hash of seed, disks and step: no thread, list or restart has a part in
+/// it.
 class SampleChoice {
  public:
   static constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();

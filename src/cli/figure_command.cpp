@@ -101,27 +101,24 @@ class FigureMaker {
   fs::path out_, folder_;
 };
 
-/// Reads every figure as it would be made, so that a mistake anywhere is told at once.
-void check_all(FigureFile const& file) {
-  for (auto const& name : file.names())
-    for (bool const quick : {false, true}) {
-      if (quick && !file.has_quick(name)) continue;
-      auto const figure = file.read(name, quick);
-      for (auto const* entries : {&figure.panels, &figure.stated})
-        for (auto const& entry : *entries)
-          if (entry.contains("analyse"))
-            analysis::kind_of(parse_words(entry.at("analyse"), name).kind);
-      for (auto const& data : figure.data)
-        if (!fs::exists(file.sweep(data)))
-          throw InputError(fmt::format("{}: data = \"{}\": there is no {}", name, data,
-                                       file.sweep(data).string()));
-    }
+/// A figure whose analyses and sweep files are there, so that mistakes are told before anything
+/// runs.
+Figure read_checked(FigureFile const& file, std::string const& name, bool quick) {
+  auto figure = file.read(name, quick);
+  for (auto const* entries : {&figure.panels, &figure.stated})
+    for (auto const& entry : *entries)
+      if (entry.contains("analyse")) analysis::kind_of(parse_words(entry.at("analyse"), name).kind);
+  for (auto const& data : figure.data)
+    if (!fs::exists(file.sweep(data)))
+      throw InputError(
+          fmt::format("{}: data = \"{}\": there is no {}", name, data, file.sweep(data).string()));
+  return figure;
 }
 
 int list_figures(FigureFile const& file) {
-  check_all(file);
   for (auto const& name : file.names()) {
-    auto const figure = file.read(name, false);
+    auto const figure = read_checked(file, name, false);
+    if (file.has_quick(name)) read_checked(file, name, true);
     fmt::print("{:<6} {:<7} {:>7} h  {}\n", name, file.has_quick(name) ? "--quick" : "",
                fmt::format("{:g}", figure.hours), figure.title);
   }
@@ -133,7 +130,7 @@ int list_figures(FigureFile const& file) {
 int figure_command(FigureOptions const& options) {
   FigureFile const file(find_figure_file(options.figures));
   if (options.name.empty()) return list_figures(file);
-  auto const figure = file.read(options.name, options.quick);
+  auto const figure = read_checked(file, options.name, options.quick);
   fs::path const out = options.folder.empty() ? fs::path("results/figures") : options.folder;
   int status = 0;
   for (auto const& data : figure.data) {

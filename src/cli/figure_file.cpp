@@ -38,10 +38,10 @@ json filled(json const& node, json const& values, std::string const& figure) {
   for (auto open = text.find('{'); open != std::string::npos; open = text.find('{', open)) {
     auto const close = text.find('}', open);
     auto const name = text.substr(open + 1, close - open - 1);
-    bool const is_name = close != std::string::npos && !name.empty() &&
-                         std::ranges::all_of(name, [](char c) {
-                           return (c >= 'a' && c <= 'z') || c == '_';
-                         }) && values.contains(name);
+    bool const is_name =
+        close != std::string::npos && !name.empty() &&
+        std::ranges::all_of(name, [](char c) { return (c >= 'a' && c <= 'z') || c == '_'; }) &&
+        values.contains(name);
     if (!is_name) {  // braces of a formula
       ++open;
       continue;
@@ -101,7 +101,8 @@ Figure FigureFile::read(std::string const& name, bool quick) const try {
   json values = found.value("values", json::object());
   if (quick) values.update(found.at("quick").value("values", json::object()));
 
-  Figure figure{name, found.at("title"), found.at("claims"), found.value("hours", 0.0), {}, {}, {}, {}};
+  Figure figure{name, found.at("title"), found.at("claims"), found.value("hours", 0.0), {}, {}, {},
+                {}};
   auto const take = [&](char const* key, json& to) {
     to = json::array();
     for (auto const& entry : found.value(key, json::array())) {
@@ -129,7 +130,8 @@ Figure FigureFile::read(std::string const& name, bool quick) const try {
 fs::path find_figure_file(fs::path const& given) {
   if (!given.empty()) return given;
   auto const program = fs::read_symlink("/proc/self/exe").parent_path();
-  for (auto const& folder : {fs::path("inputs"), program / "../../inputs", program / "../share/bagnold"})
+  for (auto const& folder :
+       {fs::path("inputs"), program / "../../inputs", program / "../share/bagnold"})
     if (auto const file = folder / "figures/figures.toml"; fs::exists(file))
       return file.lexically_normal();
   throw InputError("inputs/figures/figures.toml is not here; name it with --figures FILE");

@@ -10,10 +10,10 @@ namespace bagnold {
 
 /// A figure of the papers, as inputs/figures/figures.toml has it, with its values filled in.
 struct Figure {
-  std::string name;    ///< "P2-15"
-  std::string title;   ///< what it shows
-  std::string claims;  ///< what the paper says of it
-  double hours = 0;    ///< of one core, for all its data
+  std::string name;               ///< "P2-15"
+  std::string title;              ///< what it shows
+  std::string claims;             ///< what the paper says of it
+  double hours = 0;               ///< of one core, for all its data
   std::vector<std::string> data;  ///< its sweeps: files DATA.toml beside the file of figures
   nlohmann::json panels;          ///< as scripts/plot_figure.py takes them
   nlohmann::json stated;          ///< numbers that the paper states, see figure_stated.hpp
@@ -42,8 +42,8 @@ class FigureFile {
   nlohmann::json figures_;
 };
 
-/// `given`; else inputs/figures/figures.toml from here or from where the program was built, or where
-/// it is installed. Throws InputError where there is none.
+/// `given`; else inputs/figures/figures.toml from here or from where the program was built, or
+/// where it is installed. Throws InputError where there is none.
 std::filesystem::path find_figure_file(std::filesystem::path const& given);
 
 }  // namespace bagnold

@@ -78,8 +78,11 @@ std::string draw(Script const& script, std::filesystem::path const& data,
   std::vector<std::string> pythons{"/usr/bin/python3", "python3"};
   if (char const* chosen = std::getenv("BAGNOLD_PYTHON")) pythons = {chosen};
   auto const text = whole(script);
-  for (auto const& python : pythons)
-    if (run_script(python, text, data.string(), target.string(), quiet) == 0) return "";
+  for (auto const& python : pythons) {
+    int const code = run_script(python, text, data.string(), target.string(), quiet);
+    if (code == 0) return "";
+    if (!quiet && code != 127) return "no picture drawn, see above";
+  }
   return fmt::format("no picture drawn: {} with h5py and matplotlib is needed", pythons.front());
 }
 

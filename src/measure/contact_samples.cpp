@@ -12,7 +12,9 @@ using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMaj
 
 statistics::Samples table(std::string name, std::string description,
                           std::vector<std::string> columns, Rows const& rows) {
-  return {std::move(name), std::move(description), std::move(columns),
+  return {std::move(name),
+          std::move(description),
+          std::move(columns),
           {rows.data(), rows.data() + rows.size()}};
 }
 

@@ -105,9 +105,9 @@ std::shared_ptr<ContactRecord> watch_contacts(Scene const& scene, Plan const& pl
     choice = SampleChoice(seed);
     found->samples.emplace(choice, scene.rotates());
   }
-  auto const record = std::make_shared<ContactRecord>(
-      static_cast<std::size_t>(scene.disks.count), columns,
-      plan.discarded_windows * plan.window_steps, found, choice);
+  auto const record =
+      std::make_shared<ContactRecord>(static_cast<std::size_t>(scene.disks.count), columns,
+                                      plan.discarded_windows * plan.window_steps, found, choice);
   constexpr auto never = std::int64_t{1} << 60;
   frames.watch(std::make_unique<Contacts>(plan.time_step, record, found), never, never);
   return record;

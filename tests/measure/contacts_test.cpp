@@ -117,7 +117,7 @@ TEST_F(SyntheticContacts, GoOnFromWhatIsSaved) {
   Frames again;
   auto windows_again = windows;
   windows_again.sums.clear();
-  windows_again.contacts = watch_contacts(scene, plan, columns, again);
+  windows_again.contacts = watch_contacts(scene, plan, columns, 1, again);
   again.load(saved);
   auto rest = after;
   windows_again.contacts->add(rest, sampling, windows_again);
