@@ -307,7 +307,7 @@ def draw(recipe, folder):
 def draw_to(source, target):
     with open(source, encoding="utf-8") as file:
         recipe = json.load(file)
-    save(draw(recipe, os.path.dirname(os.path.abspath(source))), target, recipe.get("dpi", 80), 48)
+    save(draw(recipe, os.path.dirname(os.path.abspath(source))), target, recipe.get("dpi", 80), 160)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "src/analysis/kinds/kinds.hpp"
 #include "src/analysis/quantity.hpp"
 #include "src/config/errors.hpp"
@@ -47,15 +49,20 @@ Report merged_table(SweepTable const& table, Request const& request) {
   if (request.x.empty() && request.along.empty() && !table.keys.contains(along))
     for (auto const& [key, column] : table.keys)
       if (key != "disks.seed" && !column.is_text()) along = key;
-  auto asked = request;
-  asked.along = along;
   auto const x = or_else(request.x, along), y = or_else(request.y, "p");
-  report.results = rows_of(table, curves_of(table, {along, request.by, {}, request.where}), {x, y},
-                           request.phi_j);
-  auto const series = make_series(table, asked, x, y);
-  note_left_out(report, table, series);
+  auto const curves = curves_of(table, {along, request.by, {}, request.where});
+  report.results = rows_of(table, curves, {x, y}, request.phi_j);
+  note_left_out(report, table, {});
   Panel panel(report, x, y, x != "disks.packing_fraction", y != "mu");
-  for (auto const& one : series) panel.data(caption(one.labels), one.points(0), one.x_error);
+  Quantity const right(table, x, request.phi_j), up(table, y, request.phi_j);
+  for (auto const& curve : curves)  // those without an error too: nothing is fitted
+    for (auto const& datum : curve.data) {
+      auto const at = right.of(datum.rows), value = up.of(datum.rows);
+      bool const wanted = !request.range || (at.mean >= request.range->first &&
+                                             at.mean <= request.range->second);
+      if (wanted && std::isfinite(at.mean) && std::isfinite(value.mean))
+        panel.point("data", caption(curve.labels), at.mean, at.error, value.mean, value.error);
+    }
   return report;
 }
 
