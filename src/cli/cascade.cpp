@@ -50,6 +50,7 @@ void write_summary(RunFolder const& folder, Scene const& cascade) {
     summary["points"].push_back({{"folder", name},
                                  {"strain_rate", cascade.shear.strain_rates[k]},
                                  {"strain", stage.at("strain")},
+                                 {"warnings", stage.value("warnings", Json::array())},
                                  {"observables", stage.at("observables")}});
   }
   RunFolder::write_text(folder.summary(), summary.dump(2) + "\n");

@@ -9,6 +9,7 @@
 #include "src/cli/hysteresis.hpp"
 #include "src/cli/provenance.hpp"
 #include "src/cli/target_error.hpp"
+#include "src/cli/warnings/warning.hpp"
 #include "src/config/keys.hpp"
 #include "src/config/scene_file.hpp"
 #include "src/io/result_file.hpp"
@@ -116,6 +117,18 @@ std::vector<NamedEstimate> estimates(Run const& run) {
   for (auto const& observable : observables(run.scene, run.box_length))
     list.push_back({observable, estimate(run, observable.value)});
   return list;
+}
+
+std::vector<double> window_series(Run const& run, Observable const& observable) {
+  std::size_t windows = run.replicas.front().measurement.windows.size();
+  for (auto const& replica : run.replicas)
+    windows = std::min(windows, replica.measurement.windows.size());
+  std::vector<double> series(windows, 0.0);
+  for (auto const& replica : run.replicas)
+    for (std::size_t w = 0; w < windows; ++w)
+      series[w] += observable.value(replica.measurement.windows.mean(w, w + 1)) /
+                   static_cast<double>(run.replicas.size());
+  return series;
 }
 
 namespace {
@@ -247,6 +260,19 @@ void add_protocol(Json& summary, Run const& run) {
   if (!run.reached.empty()) summary["target_error_reached"] = all_reached(run);
 }
 
+Json warnings_json(std::vector<Warning> const& warnings) {
+  Json all = Json::array();
+  for (auto const& warning : warnings) {
+    Json numbers = Json::object();
+    for (auto const& [name, value] : warning.numbers) numbers[name] = number(value);
+    all.push_back({{"name", warning.name},
+                   {"numbers", std::move(numbers)},
+                   {"reason", warning.reason},
+                   {"remedy", warning.remedy}});
+  }
+  return all;
+}
+
 /// Each replica's own means and errors.
 Json replicas_json(Run const& run, std::vector<JsonEstimate> const& list) {
   Json all = Json::array();
@@ -262,8 +288,8 @@ Json replicas_json(Run const& run, std::vector<JsonEstimate> const& list) {
 
 }  // namespace
 
-void write_summary(RunFolder const& folder, Run const& run,
-                   std::vector<NamedEstimate> const& list) {
+void write_summary(RunFolder const& folder, Run const& run, std::vector<NamedEstimate> const& list,
+                   std::vector<Warning> const& warnings) {
   Provenance const made = provenance();
   double const total = run.plan.strain(run.plan.steps);
   double const first = discarded(run) == 0 ? 0.0 : run.plan.strain(end_of(run, discarded(run) - 1));
@@ -280,6 +306,7 @@ void write_summary(RunFolder const& folder, Run const& run,
   summary["wall_seconds"] = run.wall_seconds;
   summary["disk_steps_per_second"] =
       number(run.wall_seconds > 0 ? disk_steps / run.wall_seconds : nan);
+  summary["warnings"] = warnings_json(warnings);
   add_protocol(summary, run);
   double const window_strain = run.plan.strain(run.plan.window_steps);
   double const frame_strain = run.plan.strain(run.plan.frame_steps);

@@ -36,6 +36,8 @@ struct Run {
   std::map<std::string, std::optional<double>> reached;  ///< relative errors, of those with a target
 };
 
+struct Warning;
+
 struct NamedEstimate {
   Observable observable;
   statistics::ReplicaEstimate estimate;
@@ -47,11 +49,15 @@ statistics::ReplicaEstimate estimate(Run const& run, statistics::Function const&
 /// The same of all observables.
 std::vector<NamedEstimate> estimates(Run const& run);
 
+/// A quantity in each window that all replicas have finished, averaged over them.
+std::vector<double> window_series(Run const& run, Observable const& observable);
+
 /// The windows so far as result.h5, whole. Throws FileError.
 void write_result_file(RunFolder const& folder, Run const& run);
 
 /// summary.json. Throws FileError.
-void write_summary(RunFolder const& folder, Run const& run, std::vector<NamedEstimate> const& list);
+void write_summary(RunFolder const& folder, Run const& run, std::vector<NamedEstimate> const& list,
+                   std::vector<Warning> const& warnings);
 
 /// What was measured, beside what the papers state, on stdout.
 void print_table(Run const& run, std::vector<NamedEstimate> const& list);

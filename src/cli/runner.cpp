@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <utility>
 
 #include "src/cli/commands.hpp"
@@ -12,6 +13,7 @@
 #include "src/cli/provenance.hpp"
 #include "src/cli/signals.hpp"
 #include "src/cli/target_error.hpp"
+#include "src/cli/warnings/warning.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/scene_file.hpp"
 #include "src/io/state_file.hpp"
@@ -235,16 +237,20 @@ void Runner::finish() {
   for (auto const& simulation : simulations_) states.push_back(simulation->state());
   io::write_states(folder_.state(), states);
   auto const list = estimates(run_);
-  write_summary(folder_, run_, list);
+  auto const suspect = warnings({run_, list, states});
+  write_summary(folder_, run_, list, suspect);
   for (auto& replica : run_.replicas) replica.measurement.frames.tidy();
   if (run_.scene.output.plot) {  // shows the summary's errors
     warn(draw_plot(folder_.result(), folder_.picture()));
     if (run_.scene.measure.profiles || run_.scene.measure.fields)
       warn(draw_frames(folder_.result(), folder_.path()));
   }
-  if (quiet_) return;
-  print_table(run_, list);
-  fmt::print("\nresults in {}\n", folder_.path().string());
+  if (!quiet_) {
+    print_table(run_, list);
+    fmt::print("\nresults in {}\n", folder_.path().string());
+    std::fflush(stdout);  // before stderr
+  }
+  for (auto const& warning : suspect) warn(text_of(warning));
 }
 
 }  // namespace bagnold

@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <numeric>
+#include <sstream>
 #include <thread>
 
 #include "src/cli/checked_sweep.hpp"
@@ -56,6 +58,23 @@ int run_chains(sweep::Sweep const& sweep, sweep::SweepFolder const& folder,
   return 128 + stop_signal();
 }
 
+/// One line for all points that have something to warn of.
+std::string warnings_of(sweep::Sweep const& sweep, sweep::Results const& results) {
+  std::map<std::string, int> points;  // by name of the warning
+  for (auto const& names : results.warnings) {
+    std::istringstream words(names);
+    for (std::string name; words >> name;) ++points[name];
+  }
+  auto const suspect =
+      std::ranges::count_if(results.warnings, [](auto const& names) { return !names.empty(); });
+  if (suspect == 0) return {};
+  std::string list;
+  for (auto const& [name, count] : points)
+    list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", name, count);
+  return fmt::format("{} of {} points are suspect: {}; see warnings in their summary.json", suspect,
+                     sweep.points.size(), list);
+}
+
 /// Writes sweep.csv and sweep.h5; returns 1 where a point has no result.
 int write_tables(sweep::Sweep const& sweep, sweep::SweepFolder const& folder, bool quiet) {
   auto const results = sweep::read_results(sweep, folder);
@@ -63,6 +82,7 @@ int write_tables(sweep::Sweep const& sweep, sweep::SweepFolder const& folder, bo
   sweep::write_csv(folder.path() / "sweep.csv", sweep, results);
   sweep::write_hdf5(folder.path() / "sweep.h5", sweep, results,
                     {{"bagnold_version", made.version}, {"git", made.git}});
+  warn(warnings_of(sweep, results));
   auto const done = std::ranges::count(results.status, "done");
   auto const points = std::ssize(sweep.points);
   if (!quiet)

@@ -16,18 +16,6 @@ namespace {
 
 constexpr std::int64_t first_look = 100;  // windows: fewer seldom have 8 blocks
 
-/// Of one quantity in each window, averaged over replicas.
-std::vector<double> series_of(Run const& run, Observable const& observable) {
-  std::size_t windows = run.replicas.front().measurement.windows.size();
-  for (auto const& replica : run.replicas)
-    windows = std::min(windows, replica.measurement.windows.size());
-  std::vector<double> series(windows, 0.0);
-  for (auto const& replica : run.replicas)
-    for (std::size_t w = 0; w < windows; ++w)
-      series[w] += observable.value(replica.measurement.windows.mean(w, w + 1));
-  return series;
-}
-
 }  // namespace
 
 std::int64_t next_look(std::int64_t windows, std::int64_t most) {
@@ -43,9 +31,9 @@ std::map<std::string, std::optional<double>> reached_errors(Run const& run) {
   for (auto const& observable : observables(run.scene, run.box_length)) {
     std::string const name(observable.name);
     if (!wanted.contains(name)) continue;
-    auto const& [mean, error, correlation, samples, blocks, remark] =
-        estimate(run, observable.value).all;
-    reached[name] = mean && error ? std::optional(*error / std::abs(*mean)) : std::nullopt;
+    auto const all = estimate(run, observable.value).all;
+    reached[name] = all.mean && all.error ? std::optional(*all.error / std::abs(*all.mean))
+                                          : std::nullopt;
   }
   return reached;
 }
@@ -62,7 +50,7 @@ void discard_transient(Run& run) {
   statistics::SteadyStart latest{0, true};
   for (auto const& observable : observables(run.scene, run.box_length)) {
     if (observable.name != "B_p" && observable.name != "B_sigma") continue;
-    auto const start = statistics::steady_start(series_of(run, observable));
+    auto const start = statistics::steady_start(window_series(run, observable));
     latest = {std::max(latest.first, start.first), latest.found && start.found};
   }
   run.plan.discarded_windows = static_cast<std::int64_t>(latest.first);

@@ -23,18 +23,19 @@ bool only_rounding(double standard_error, std::size_t n, double f) {
 }
 
 /// Why n windows are too few, going by the largest correlation time that they let show.
-std::string too_short(std::vector<BlockLevel> const& levels, std::size_t n) {
+void say_too_short(Estimate& result, std::vector<BlockLevel> const& levels) {
   double tau = 0.5;
   for (BlockLevel const& level : levels) {
     if (level.blocks < fewest_for_level) break;
     double const se_1 = levels.front().standard_error;
     tau = std::max(tau, correlation_time(level.standard_error, se_1));
   }
-  double const count = static_cast<double>(n);
+  double const count = static_cast<double>(result.samples);
+  result.independent = count / (2.0 * tau);
   // Enough is 64 tau; half as much again, since short series show too small a tau.
   long const times = std::max(2l, std::lround(std::ceil(96.0 * tau / count)));
-  long const independent = std::max(1l, std::lround(count / (2.0 * tau)));
-  return "worth about " + std::to_string(independent) +
+  long const independent = std::max(1l, std::lround(result.independent));
+  result.remark = "worth about " + std::to_string(independent) +
          (independent == 1 ? " independent window" : " independent windows") + ": run about " +
          std::to_string(times) + " times longer for an error";
 }
@@ -42,10 +43,7 @@ std::string too_short(std::vector<BlockLevel> const& levels, std::size_t n) {
 /// Fills in the error of a finite mean, or the remark.
 void add_error(Estimate& result, Jackknife& jackknife) {
   std::size_t const n = result.samples;
-  if (n < fewest_blocks) {
-    result.remark = too_short({}, n);
-    return;
-  }
+  if (n < fewest_blocks) return say_too_short(result, {});
   std::vector<double> const series = jackknife.deviations();
   if (!std::ranges::all_of(series, [](double value) { return std::isfinite(value); })) {
     result.remark = "undefined without one of the windows: run longer for an error";
@@ -56,16 +54,14 @@ void add_error(Estimate& result, Jackknife& jackknife) {
   if (only_rounding(se_1, n, *result.mean)) {
     result.error = 0.0;
     result.blocks = n;
+    result.independent = static_cast<double>(n);
     return;
   }
   auto const level = automatic_level(levels, n);
   bool const enough = level && level->blocks >= fewest_for_level;
   std::size_t const length =
       enough ? block_length(correlation_time(level->standard_error, se_1), n) : n;
-  if (n / length < fewest_blocks) {
-    result.remark = too_short(levels, n);
-    return;
-  }
+  if (n / length < fewest_blocks) return say_too_short(result, levels);
   double const error = jackknife.error(length);
   if (!std::isfinite(error)) {
     result.remark = "undefined without one of the blocks: run longer for an error";
@@ -76,6 +72,7 @@ void add_error(Estimate& result, Jackknife& jackknife) {
   result.error = se_1 * std::sqrt(2.0 * tau);
   result.correlation = tau;
   result.blocks = n / length;
+  result.independent = static_cast<double>(n) / (2.0 * tau);
 }
 
 }  // namespace

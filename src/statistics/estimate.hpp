@@ -16,6 +16,7 @@ struct Estimate {
   std::optional<double> error;        ///< one standard deviation of the mean
   std::optional<double> correlation;  ///< tau_int, in windows; 1/2: windows are independent
   std::size_t samples = 0;            ///< windows measured
+  double independent = 0;             ///< windows that would have this scatter were they so
   std::size_t blocks = 0;             ///< blocks the error comes from; 0: none
   std::string remark;                 ///< why there is no error, and what to do; empty: all is well
 };

@@ -68,7 +68,10 @@ ReplicaEstimate estimate(std::vector<Windows const*> const& replicas, std::size_
     all = result.each.front();
     return result;
   }
-  for (auto const& one : result.each) all.samples += one.samples;
+  for (auto const& one : result.each) {
+    all.samples += one.samples;
+    all.independent += one.independent;
+  }
   all.correlation = mean_correlation(result.each);
   Windows const total = totals(replicas, first);
   if (total.size() < replicas.size()) {

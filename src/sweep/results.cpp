@@ -22,14 +22,21 @@ double number(Json const& object, char const* name) {
   return found != object.end() && found->is_number() ? found->get<double>() : nothing;
 }
 
-Json observables(std::filesystem::path const& summary) {
+Json read_summary(std::filesystem::path const& summary) {
   auto const bytes = io::read_file(summary);
   auto const* text = reinterpret_cast<char const*>(bytes.data());
   Json const all = Json::parse(text, text + bytes.size(), nullptr, /*allow_exceptions=*/false);
   if (!all.is_object() || !all.contains("observables") || !all["observables"].is_object())
     throw FileError(fmt::format("{}: has no observables; remove the point's folder to run it again",
                                 summary.string()));
-  return all["observables"];
+  return all;
+}
+
+std::string names_of_warnings(Json const& summary) {
+  std::string names;
+  for (auto const& warning : summary.value("warnings", Json::array()))
+    names += (names.empty() ? "" : " ") + warning.value("name", "");
+  return names;
 }
 
 Column& column(Results& results, std::string const& name, std::size_t points) {
@@ -44,14 +51,16 @@ Column& column(Results& results, std::string const& name, std::size_t points) {
 Results read_results(Sweep const& sweep, SweepFolder const& folder) {
   auto const points = sweep.points.size();
   Results results;
+  results.warnings.resize(points);
   for (std::size_t k = 0; k < points; ++k) {
     if (!folder.finished(k)) {
       results.status.push_back(folder.begun(k) && !folder.in_use(k) ? "failed" : "open");
       continue;
     }
     results.status.push_back("done");
-    Json const found = observables(folder.summary(k));
-    for (auto const& [name, estimate] : found.items()) {
+    Json const summary = read_summary(folder.summary(k));
+    results.warnings[k] = names_of_warnings(summary);
+    for (auto const& [name, estimate] : summary["observables"].items()) {
       auto& of_name = column(results, name, points);
       of_name.mean[k] = number(estimate, "mean");
       of_name.error[k] = number(estimate, "error");

@@ -20,6 +20,7 @@ struct Column {
 struct Results {
   std::vector<Column> columns;  ///< every observable of any point, in the order of first appearance
   std::vector<std::string> status;  ///< [P]: "done", "failed" (begun, no result) or "open"
+  std::vector<std::string> warnings;  ///< [P]: names of a point's warnings, a space between
 };
 
 /// From the points' summary.json. Throws FileError where one cannot be read.

@@ -197,7 +197,7 @@ class CliTest(unittest.TestCase):
         for name in one:
             self.assertTrue(same_bits(one[name], two[name]), f"/series/{name} differs")
         one, two = read_summary(first), read_summary(second)
-        for name in ("observables", "strain", "steps", "scene"):
+        for name in ("observables", "strain", "steps", "scene", "warnings"):
             self.assertEqual(one[name], two[name])
 
 

@@ -27,7 +27,8 @@ class SweepResults : public testing::Test {
     std::ofstream(folder.summary(0))
         << R"({"wall_seconds": 3, "observables": {"p": {"mean": 0.1, "error": 1e-3},)"
         << R"("Z": {"mean": 2, "error": null}}})";
-    std::ofstream(folder.summary(1)) << R"({"observables": {"p": {"mean": 1e-300, "error": 0},)"
+    std::ofstream(folder.summary(1)) << R"({"warnings": [{"name": "one"}, {"name": "two"}],)"
+                                     << R"( "observables": {"p": {"mean": 1e-300, "error": 0},)"
                                      << R"("spin_mean": {"mean": -0.5, "error": 0.25}}})";
     std::ofstream(folder.log(2)) << "bagnold: disk 3 is too fast\n";
   }
@@ -40,6 +41,7 @@ class SweepResults : public testing::Test {
 TEST_F(SweepResults, TableIsWrittenOutByHand) {
   auto const results = read_results(sweep, folder);
   EXPECT_EQ(results.status, (std::vector<std::string>{"done", "done", "failed"}));
+  EXPECT_EQ(results.warnings, (std::vector<std::string>{"", "one two", ""}));
   write_csv(test_folder / "t.csv", sweep, results);
   EXPECT_EQ(text_in(test_folder / "t.csv"),
             "disks.model,title,p,p_error,Z,Z_error,spin_mean,spin_mean_error\n"
@@ -65,6 +67,7 @@ TEST_F(SweepResults, Hdf5HoldsTheSame) {
                            "assert text(\"points/disks.model\") == [\"CD\", \"CD_rot\", \"CD_n\"]\n"
                            "assert text(\"points/title\") == [\"a, b\", \"say \\\"x\\\"\", \"\"]\n"
                            "assert text(\"status\") == [\"done\", \"done\", \"failed\"]\n"
+                           "assert text(\"warnings\") == [\"\", \"one two\", \"\"]\n"
                            "assert \"CD_rot\" in text(\"points/scene\")[1]\n"
                            "assert text(\"points/folder\")[2].startswith(\"0003_model=CD_n\")"),
             0);

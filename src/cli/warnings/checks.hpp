@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "src/cli/warnings/warning.hpp"
+
+/// Each looks at one thing that may be wrong with a result, in a file of its own, and warns or not. What
+/// they go by, and why, is in docs/stability.md.
+namespace bagnold {
+
+using Check = std::optional<Warning>(Finished const&);
+
+/// phi > phi_J: a yield stress is left as the rate vanishes, so that neither B nor eta has a limit.
+Check above_jamming;
+
+/// Contacts so deep that disks are no grains.
+Check large_overlap;
+
+/// B_p or B_sigma drifts while it is measured.
+Check steady_state;
+
+/// B_p or B_sigma has no error, or replicas disagree by more than theirs.
+Check error_bar;
+
+/// So few collisions that the state cannot have forgotten its start.
+Check few_collisions;
+
+/// Mean relative overlap of contacts, 1 - r_ij/d_ij, from elastic pressure and contacts:
+///
+///     sum f_el r_ij = 2 p_el L^2, f_el r_ij ~ (1 - r_ij/d_ij)^(alpha - 1), N Z/2 contacts
+///
+/// NaN where nothing touched.
+double mean_overlap(Finished const& finished);
+
+}  // namespace bagnold

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "src/cli/warnings/checks.hpp"
+
+namespace bagnold {
+
+NamedEstimate const* Finished::of(std::string_view name) const {
+  auto const at = std::ranges::find(
+      found, name, [](NamedEstimate const& one) { return one.observable.name; });
+  return at == found.end() ? nullptr : &*at;
+}
+
+double Finished::mean(std::string_view name) const {
+  auto const* estimate = of(name);
+  return estimate && estimate->estimate.all.mean ? *estimate->estimate.all.mean
+                                                 : std::numeric_limits<double>::quiet_NaN();
+}
+
+double Finished::measured_strain() const {
+  auto const& plan = run.plan;
+  double const first =
+      plan.discarded_windows == 0 ? 0.0 : plan.strain(plan.window_end(plan.discarded_windows - 1));
+  return plan.strain(plan.steps) - first;
+}
+
+std::vector<Warning> warnings(Finished const& finished) {
+  static constexpr Check* all[] = {above_jamming, large_overlap, steady_state, error_bar,
+                                   few_collisions};
+  std::vector<Warning> list;
+  for (auto* check : all)
+    if (auto warning = check(finished)) list.push_back(std::move(*warning));
+  return list;
+}
+
+std::string text_of(Warning const& warning) {
+  return fmt::format("{}: {}; {}", warning.name, warning.reason, warning.remedy);
+}
+
+}  // namespace bagnold

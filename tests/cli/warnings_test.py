@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a finished run warns of: in summary.json, on the terminal, in the tables of a sweep."""
+
+import json
+import unittest
+
+import h5py
+
+from bagnold import SCENE, changed, read_summary
+from sweeps import SweepTest, rows, sweep_text
+
+JAMMED = {"disks__packing_fraction": 0.86, "disks__model": "CD"}
+
+
+def names(summary):
+    return [warning["name"] for warning in summary["warnings"]]
+
+
+class Mechanism(SweepTest):
+    def jammed(self, name, **changes):
+        path = self.scene(**{**JAMMED, **changes})
+        out = self.folder / name
+        result = self.bagnold("run", path, "--out", out, "--quiet")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return read_summary(out), result.stderr
+
+    def test_a_warning_has_numbers_a_reason_and_a_remedy(self):
+        summary, said = self.jammed("one")
+        warning = summary["warnings"][0]
+        self.assertEqual(set(warning), {"name", "numbers", "reason", "remedy"})
+        self.assertEqual(warning["name"], "above_jamming")
+        self.assertEqual(warning["numbers"], {"packing_fraction": 0.86, "jamming_fraction": 0.84335})
+        self.assertIn("0.86", warning["reason"])
+        self.assertTrue(warning["remedy"])
+        self.assertIn(f"warning: above_jamming: {warning['reason']}; {warning['remedy']}\n", said)
+
+    def test_every_warning_is_one_line_on_the_terminal(self):
+        for changes in ({}, {"disks__replicas": 2}):
+            summary, said = self.jammed(f"lines{len(changes)}", **changes)
+            lines = [line for line in said.splitlines() if line.startswith("bagnold: warning: ")]
+            self.assertEqual([line.split(": ")[2] for line in lines], names(summary))
+
+    def test_cascades_have_them_for_each_rate(self):
+        summary, said = self.jammed("cascade", shear__protocol="cascade", shear__strain_rate=None,
+                                    shear__strain_rates=[2.0**-6, 2.0**-7])
+        self.assertEqual(len(summary["points"]), 2)
+        for point in summary["points"]:
+            self.assertIn("above_jamming", names(point))
+            own = read_summary(self.folder / "cascade" / point["folder"])
+            self.assertEqual(point["warnings"], own["warnings"])
+        self.assertEqual(said.count("warning: above_jamming"), 2)
+
+    def test_ramps_have_them(self):
+        summary, _ = self.jammed("ramp", shear__protocol="ramp", shear__strain_rate=2.0**-8,
+                                 shear__strain_rate_high=2.0**-6, shear__ramp_rate=2.0**-8,
+                                 shear__discard=None, shear__ramp_window=8.0, shear__strain=2.0**-5,
+                                 output__sample_strain=None)
+        self.assertEqual(names(summary), ["above_jamming"])
+
+    def test_sweeps_name_them_and_keep_their_columns(self):
+        path = self.folder / "sweep.toml"
+        path.write_text(sweep_text(changed(SCENE, disks__model="CD"),
+                                   grid={"disks.packing_fraction": [0.7, 0.86]}))
+        out = self.folder / "sweep"
+        result = self.bagnold("sweep", path, "--out", out, "--quiet")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertRegex(result.stderr, r"of 2 points are suspect: above_jamming \(1\)")
+        with h5py.File(out / "sweep.h5") as file:
+            listed = [text.split() for text in file["warnings"].asstr()[:]]
+        folders = sorted((out / "points").iterdir())
+        self.assertEqual(listed, [names(read_summary(folder)) for folder in folders])
+        self.assertIn("above_jamming", listed[1])
+        self.assertNotIn("above_jamming", listed[0])
+        self.assertFalse([name for name in rows(out)[0] if "warning" in name])
+
+    def test_cascade_stages_without_the_key_are_taken(self):
+        """Stages of a folder that an older version began."""
+        summary, _ = self.jammed("old", shear__protocol="cascade", shear__strain_rate=None,
+                                 shear__strain_rates=[2.0**-6, 2.0**-7])
+        out = self.folder / "old"
+        for point in summary["points"]:
+            file = out / point["folder"] / "summary.json"
+            old = json.loads(file.read_text())
+            del old["warnings"]
+            file.write_text(json.dumps(old))
+        (out / "summary.json").unlink()
+        self.assertEqual(self.bagnold("resume", out, "--quiet").returncode, 0)
+        self.assertEqual([point["warnings"] for point in read_summary(out)["points"]], [[], []])
+
+
+if __name__ == "__main__":
+    unittest.main()
