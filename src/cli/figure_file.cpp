@@ -22,32 +22,21 @@ std::string text_of(json const& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-/// Puts values for {NAME} in texts; a text that is nothing but {NAME} becomes the value.
-json filled(json const& node, json const& values, std::string const& figure) {
-  auto const value = [&](std::string const& name) -> json const& {
-    if (values.contains(name)) return values.at(name);
-    throw InputError(fmt::format("{}: {{{}}} has no value; give it in values", figure, name));
-  };
+/// Puts values for {NAME} in texts; a text that is nothing but {NAME} becomes the value. Other
+/// braces belong to formulas.
+json filled(json const& node, json const& values) {
   if (node.is_structured()) {
     json out = node;
-    for (auto& part : out) part = filled(part, values, figure);
+    for (auto& part : out) part = filled(part, values);
     return out;
   }
   if (!node.is_string()) return node;
   std::string text = node.get<std::string>();
-  for (auto open = text.find('{'); open != std::string::npos; open = text.find('{', open)) {
-    auto const close = text.find('}', open);
-    auto const name = text.substr(open + 1, close - open - 1);
-    bool const is_name =
-        close != std::string::npos && !name.empty() &&
-        std::ranges::all_of(name, [](char c) { return (c >= 'a' && c <= 'z') || c == '_'; }) &&
-        values.contains(name);
-    if (!is_name) {  // braces of a formula
-      ++open;
-      continue;
-    }
-    if (open == 0 && close + 1 == text.size()) return value(name);
-    text.replace(open, close - open + 1, text_of(value(name)));
+  for (auto const& [name, value] : values.items()) {
+    auto const sign = "{" + name + "}";
+    if (text == sign) return value;
+    for (auto at = text.find(sign); at != std::string::npos; at = text.find(sign, at))
+      text.replace(at, sign.size(), text_of(value));
   }
   return text;
 }
@@ -110,7 +99,7 @@ Figure FigureFile::read(std::string const& name, bool quick) const try {
       if (!kept(entry, quick) || (quick && data.empty())) continue;
       if (data.empty())
         throw InputError(fmt::format("{}: a {} has no data; name a sweep file", name, key));
-      to.push_back(filled(entry, values, name));
+      to.push_back(filled(entry, values));
       to.back()["data"] = data;
       if (std::ranges::find(figure.data, data) == figure.data.end()) figure.data.push_back(data);
     }

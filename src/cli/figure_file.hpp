@@ -31,7 +31,7 @@ class FigureFile {
   bool has_quick(std::string const& name) const;
 
   /// quick: its small version. Throws InputError for an unknown name (with the nearest one), one
-  /// without a quick version, a panel without data, or a value that is not given.
+  /// without a quick version, or a panel without data.
   Figure read(std::string const& name, bool quick) const;
 
   /// The sweep file of a data set.

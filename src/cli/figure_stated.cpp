@@ -68,8 +68,11 @@ Comparison compared(json const& entry, Row const& row) {
   Comparison out{entry.at("what"), entry.at("source"),
                  is_range ? fmt::format("{:g} to {:g}", low, high) : with_error(low, given),
                  std::isfinite(ours) ? with_error(ours, own) : "not found", "-"};
-  if (entry.value("about", false)) out.stated = "about " + out.stated;
-  if (std::isfinite(ours) && off == 0 && is_range)
+  bool const roughly = entry.value("about", false);
+  if (roughly) out.stated = "about " + out.stated;
+  if (roughly && std::isfinite(ours))
+    out.deviation = fmt::format("{:+.0f}%", 100 * off / std::abs(low));
+  else if (std::isfinite(ours) && off == 0 && is_range)
     out.deviation = "inside";
   else if (std::isfinite(off / error))
     out.deviation = fmt::format("{:+.1f} standard errors", off / error);

@@ -41,6 +41,14 @@ class ContactsTest(CliTest):
             else:
                 np.testing.assert_allclose(rows[:, 0] + rows[:, 1], rows[:, 2], atol=1e-9)
 
+    def test_durations_cut_short_by_the_run_are_warned_of(self):
+        """Newtonian contacts outlast a strain of 1/8; dilute ones are short beside one of 8."""
+        for name, fraction, strain, expected in (("cut", 0.84, 0.125, True), ("fine", 0.6, 8.0, False)):
+            out = self.run_new(name, disks__model="CD", disks__packing_fraction=fraction,
+                               shear__strain=strain, **ON)
+            found = [w["name"] for w in read_summary(out)["warnings"]]
+            self.assertEqual("contact_durations" in found, expected, found)
+
     def test_velocities_need_contacts(self):
         self.refused(self.scene(measure__correlations=True), "measure.contacts = true")
 

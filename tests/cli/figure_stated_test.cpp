@@ -42,6 +42,7 @@ TEST(Stated, SaysWhatIsNotFound) {
   EXPECT_EQ(compare(entry({{"column", "y"}}), rows)[0].ours, "not found");
   EXPECT_TRUE(compare(entry({{"row", {{"disks.elasticity", 7}}}}), rows).empty());
   EXPECT_EQ(compare(entry({{"about", true}}), rows)[0].stated, "about 1");
+  EXPECT_EQ(compare(entry({{"about", true}}), rows)[0].deviation, "+50%");
 }
 
 }  // namespace bagnold::test

@@ -10,8 +10,8 @@
 namespace bagnold::analysis {
 namespace {
 
-/// A row for each datum: varied keys but the seed, how many seeds, every observable, and what else is
-/// asked for.
+/// A row for each datum: varied keys but the seed, how many seeds, every observable, and what else
+/// is asked for.
 Rows rows_of(SweepTable const& table, std::vector<Curve> const& curves,
              std::vector<std::string> const& asked, std::optional<double> phi_j) {
   Rows out;
@@ -58,8 +58,8 @@ Report merged_table(SweepTable const& table, Request const& request) {
   for (auto const& curve : curves)  // those without an error too: nothing is fitted
     for (auto const& datum : curve.data) {
       auto const at = right.of(datum.rows), value = up.of(datum.rows);
-      bool const wanted = !request.range || (at.mean >= request.range->first &&
-                                             at.mean <= request.range->second);
+      bool const wanted =
+          !request.range || (at.mean >= request.range->first && at.mean <= request.range->second);
       if (wanted && std::isfinite(at.mean) && std::isfinite(value.mean))
         panel.point("data", caption(curve.labels), at.mean, at.error, value.mean, value.error);
     }

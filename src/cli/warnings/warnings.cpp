@@ -29,7 +29,7 @@ double Finished::measured_strain() const {
 
 std::vector<Warning> warnings(Finished const& finished) {
   static constexpr Check* all[] = {above_jamming, large_overlap, steady_state, error_bar,
-                                   few_collisions};
+                                   few_collisions, contact_durations};
   std::vector<Warning> list;
   for (auto* check : all)
     if (auto warning = check(finished)) list.push_back(std::move(*warning));
