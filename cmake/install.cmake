@@ -18,6 +18,7 @@ add_library(Bagnold::kernels ALIAS bagnold_kernels)
 install(TARGETS bagnold RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/kernels" DESTINATION "${bagnold_headers}"
   FILES_MATCHING PATTERN "*.hpp")
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/inputs/figures" DESTINATION "${CMAKE_INSTALL_DATADIR}/bagnold")
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 
 install(TARGETS bagnold_kernels EXPORT BagnoldTargets)

@@ -3,41 +3,22 @@
 """Draws one run on one page: plot.py RESULT.h5 PLOT.png
 
 Reads /series of RESULT.h5 and, where they lie in the same folder, the last state (state.h5:
-velocity profile and packing) and the standard errors (summary.json). Also works from standard
-input, `python3 - RESULT.h5 PLOT.png < plot.py`. Exit code 1 and one line on stderr otherwise.
+velocity profile and packing) and the standard errors (summary.json). Exit code 1 and one line on
+stderr otherwise.
 """
 
-import io
 import json
 import os
-import sys
 
-try:
-    import h5py
-    import matplotlib
+from plotting import (BLUE, GREEN, GREY, ORANGE, SKY, VERMILION, h5py, matplotlib, np, plt,
+                      command_line, save)
 
-    matplotlib.use("Agg")
-    import numpy as np
-    from matplotlib import pyplot as plt
-    from matplotlib.collections import EllipseCollection, LineCollection
-    from matplotlib.patches import Polygon
-except ImportError as error:
-    sys.exit(f"plot.py: {error}; no picture (Debian: apt install python3-h5py python3-matplotlib)")
+from matplotlib.collections import EllipseCollection, LineCollection
+from matplotlib.patches import Polygon
 
-# Okabe and Ito's palette: told apart by colour-blind eyes too.
-BLUE, ORANGE, GREEN, VERMILION, SKY, GREY = (
-    "#0072B2", "#E69F00", "#009E73", "#D55E00", "#56B4E9", "#777777")
 MOST_CIRCLES = 20000  # more disks become an image
 MANY_WINDOWS = 400  # from here on a running mean is drawn too
 MOST_CONTACTS = 5000  # more disks are drawn without their contacts
-
-STYLE = {
-    "font.size": 10, "axes.titlesize": 10.5, "axes.titlelocation": "left",
-    "axes.spines.top": False, "axes.spines.right": False, "axes.linewidth": 0.8,
-    "axes.edgecolor": "#444444", "xtick.color": "#444444", "ytick.color": "#444444",
-    "legend.frameon": False, "legend.fontsize": 9, "lines.linewidth": 1.1,
-    "legend.handlelength": 1.4, "mathtext.fontset": "dejavusans",
-}
 
 
 # ---------------------------------------------------------------------------------------- reading
@@ -530,28 +511,5 @@ def add_heading(figure, run):
                 va="center")
 
 
-def main(arguments):
-    if len(arguments) != 2:
-        print("usage: plot.py RESULT.h5 PLOT.png", file=sys.stderr)
-        return 1
-    source, target = arguments
-    plt.rcParams.update(STYLE)
-    try:
-        run = Run(source)
-    except (OSError, KeyError, ValueError, TypeError) as error:
-        print(f"plot.py: cannot read {source}: {error}", file=sys.stderr)
-        return 1
-    picture = io.BytesIO()
-    draw(run).savefig(picture, format="png", dpi=110)
-    try:
-        with open(target + ".part", "wb") as file:
-            file.write(picture.getvalue())
-        os.replace(target + ".part", target)
-    except OSError as error:
-        print(f"plot.py: cannot write {target}: {error}", file=sys.stderr)
-        return 1
-    return 0
-
-
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    command_line("plot.py", "RESULT.h5 PLOT.png", lambda source, target: save(draw(Run(source)), target))

@@ -4,36 +4,14 @@
 
 The table says what each panel shows (columns panel, x_name, y_name, x_scale, y_scale, curve, what,
 x, x_error, y, y_error): "data" are points, "fit" lines, "mark" a place found, with or without a
-height. Also works from standard input, `python3 - ... < plot_analysis.py`. Exit code 1 and one line
-on stderr otherwise.
+height. Exit code 1 and one line on stderr otherwise.
 """
 
 import csv
-import io
-import os
-import sys
 
-try:
-    import matplotlib
+from plotting import COLOURS, GREY, MARKERS, np, plt, command_line, save
 
-    matplotlib.use("Agg")
-    import numpy as np
-    from matplotlib import pyplot as plt
-except ImportError as error:
-    sys.exit(f"plot_analysis.py: {error}; no picture (Debian: apt install python3-matplotlib)")
-
-# Okabe and Ito's palette: told apart by colour-blind eyes too.
-COLOURS = ("#0072B2", "#D55E00", "#009E73", "#E69F00", "#56B4E9", "#CC79A7", "#555555", "#B8A600")
-MARKERS = "osD^v<>ph*"
-GREY = "#777777"
 MOST_NAMED = 16  # of more curves the first and last have a name
-
-STYLE = {
-    "font.size": 10, "axes.spines.top": False, "axes.spines.right": False, "axes.linewidth": 0.8,
-    "axes.edgecolor": "#444444", "xtick.color": "#444444", "ytick.color": "#444444",
-    "legend.frameon": False, "legend.fontsize": 8.5, "lines.linewidth": 1.1,
-    "mathtext.fontset": "dejavusans",
-}
 
 # As the axes of the papers are called.
 LABELS = {
@@ -62,8 +40,10 @@ def label(name):
     if name in LABELS:
         return LABELS[name]
     if "/" in name:
-        above, _, below = name.partition("/")
+        above, _, below = name.rpartition("/")
         return f"{label(above)} / {label(below)}"
+    if "*" in name:
+        return r"$\,$".join(label(part) for part in name.split("*"))
     base, _, part = name.rpartition("_") if name.endswith(("_el", "_dis", "_kin")) else (name, "", "")
     top = rf"^{{{part}}}" if part else ""
     if base in STRESSES:
@@ -100,13 +80,14 @@ def bars(values):
     return np.nan_to_num(values) if (values > 0).any() else None
 
 
-def draw_curve(axes, rows, colour, marker, name):
+def draw_curve(axes, rows, colour, marker, name, solid=False):
     """Points, lines and marks of one curve."""
     of = {what: [row for row in rows if row["what"] == what] for what in ("data", "fit", "mark")}
     if of["data"]:
         axes.errorbar(column(of["data"], "x"), column(of["data"], "y"),
                       xerr=bars(column(of["data"], "x_error")),
-                      yerr=bars(column(of["data"], "y_error")), fmt=marker, ms=4.2, mfc="white",
+                      yerr=bars(column(of["data"], "y_error")), fmt=marker, ms=4.2,
+                      mfc=colour if solid else "white",
                       color=colour, ls="none" if of["fit"] else "-", lw=0.5, elinewidth=0.9,
                       capsize=1.5, label=name, zorder=3)
     if of["fit"]:
@@ -189,28 +170,6 @@ def draw(panels):
     return figure
 
 
-def main(arguments):
-    if len(arguments) != 2:
-        print("usage: plot_analysis.py PREFIX.drawn.csv PICTURE.png", file=sys.stderr)
-        return 1
-    source, target = arguments
-    plt.rcParams.update(STYLE)
-    try:
-        panels = read(source)
-    except (OSError, KeyError, ValueError, TypeError) as error:
-        print(f"plot_analysis.py: cannot read {source}: {error}", file=sys.stderr)
-        return 1
-    picture = io.BytesIO()
-    draw(panels).savefig(picture, format="png", dpi=110)
-    try:
-        with open(target + ".part", "wb") as file:
-            file.write(picture.getvalue())
-        os.replace(target + ".part", target)
-    except OSError as error:
-        print(f"plot_analysis.py: cannot write {target}: {error}", file=sys.stderr)
-        return 1
-    return 0
-
-
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    command_line("plot_analysis.py", "PREFIX.drawn.csv PICTURE.png",
+                 lambda source, target: save(draw(read(source)), target))

@@ -3,34 +3,14 @@
 """Draws what was measured on frames: plot_frames.py RESULT.h5 FOLDER
 
 profiles.png from /profiles (P2 Fig. 28) and fields.png from /samples/fields (P2 Fig. 27), each where
-the result has it. Also works from standard input. Exit code 1 and one line on stderr otherwise.
+the result has it. Exit code 1 and one line on stderr otherwise.
 """
 
-import io
 import os
-import sys
 
-try:
-    import h5py
-    import matplotlib
+from plotting import BLUE, DASHED, GREEN, GREY, ORANGE, VERMILION, h5py, np, plt, command_line, save
 
-    matplotlib.use("Agg")
-    import numpy as np
-    from matplotlib import pyplot as plt
-    from matplotlib.collections import EllipseCollection
-except ImportError as error:
-    sys.exit(f"plot_frames.py: {error} (Debian: apt install python3-h5py python3-matplotlib)")
-
-# Okabe and Ito's palette: told apart by colour-blind eyes too.
-BLUE, ORANGE, GREEN, VERMILION, GREY = "#0072B2", "#E69F00", "#009E73", "#D55E00", "#777777"
-
-STYLE = {
-    "font.size": 10, "axes.titlesize": 10.5, "axes.titlelocation": "left",
-    "axes.spines.top": False, "axes.spines.right": False, "axes.linewidth": 0.8,
-    "axes.edgecolor": "#444444", "xtick.color": "#444444", "ytick.color": "#444444",
-    "legend.frameon": False, "legend.fontsize": 9, "lines.linewidth": 1.1,
-    "mathtext.fontset": "dejavusans", "axes.formatter.useoffset": False,
-}
+from matplotlib.collections import EllipseCollection
 
 
 def curve(axes, profiles, name, color, label=None):
@@ -42,7 +22,7 @@ def curve(axes, profiles, name, color, label=None):
 
 
 def level(axes, value, label):
-    axes.axhline(value, color=GREY, lw=0.9, ls=(0, (4, 2)), label=label)
+    axes.axhline(value, color=GREY, lw=0.9, ls=DASHED, label=label)
 
 
 def draw_flow(axes, profiles, about, which):
@@ -50,7 +30,7 @@ def draw_flow(axes, profiles, about, which):
     rate, phi = float(about["strain_rate"]), float(about["packing_fraction"])
     y = profiles["v_x"]["y"][()]
     curve(axes[0], profiles, "v_x" + which, BLUE)
-    axes[0].plot(y, rate * y, color=GREY, lw=0.9, ls=(0, (4, 2)), label="linear")
+    axes[0].plot(y, rate * y, color=GREY, lw=0.9, ls=DASHED, label="linear")
     axes[0].set_ylabel(r"$v_x$  $[d_s/\tau_e]$")
     curve(axes[1], profiles, "gammadot" + which, VERMILION)
     level(axes[1], rate, r"whole box")
@@ -120,31 +100,13 @@ def fields_page(file):
     return figure
 
 
-def save(figure, target):
-    picture = io.BytesIO()
-    figure.savefig(picture, format="png", dpi=110)
-    with open(target + ".part", "wb") as out:
-        out.write(picture.getvalue())
-    os.replace(target + ".part", target)
-
-
-def main(arguments):
-    if len(arguments) != 2:
-        print("usage: plot_frames.py RESULT.h5 FOLDER", file=sys.stderr)
-        return 1
-    source, folder = arguments
-    plt.rcParams.update(STYLE)
-    try:
-        with h5py.File(source, "r") as file:
-            for wanted, page, name in (("profiles", profiles_page, "profiles.png"),
-                                       ("samples/fields", fields_page, "fields.png")):
-                if wanted in file and len(file[wanted]):
-                    save(page(file), os.path.join(folder, name))
-    except (OSError, KeyError, ValueError, TypeError) as error:
-        print(f"plot_frames.py: {source}: {error}", file=sys.stderr)
-        return 1
-    return 0
+def draw(source, folder):
+    with h5py.File(source, "r") as file:
+        for wanted, page, name in (("profiles", profiles_page, "profiles.png"),
+                                   ("samples/fields", fields_page, "fields.png")):
+            if wanted in file and len(file[wanted]):
+                save(page(file), os.path.join(folder, name))
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    command_line("plot_frames.py", "RESULT.h5 FOLDER", draw)

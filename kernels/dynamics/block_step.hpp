@@ -77,6 +77,14 @@ struct BlockStep {
   BlockState trial;
   Real time_step;
 
+  /// (d_i thetadot_i + d_j thetadot_j) / (d_i + d_j) of two slots, [1/tau_e].
+  Real common_spin(std::uint32_t i, std::uint32_t j) const
+    requires rotates
+  {
+    Real const a = table.diameter[species(i)], b = table.diameter[species(j)];
+    return (a * now.spin(i) + b * now.spin(j)) / (a + b);
+  }
+
   /// First half: trial state at t + dt from forces at t. force: scratch, [most_local].
   void predict(std::uint32_t b, ShearedBox const& box, Force* force) const {
     using simd::Pack;

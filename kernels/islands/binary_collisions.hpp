@@ -66,7 +66,7 @@ struct BinaryCollisions {
       Pack const dt = zero_unless(active, time_step);
       auto const f = feel(p, q, touch);
       Vec2<Pack> const velocity{p.vx - q.vx, p.vy - q.vy};
-      watch.look(active, f.touching, step, f.force.separation, velocity);
+      watch.look(active, f.touching, step, f.force.separation, velocity, {p.spin, q.spin});
       auto const sampled = active & (due < step + 0.5);
       if (sampled.any())
         for (auto lanes = sampled.lanes(); lanes != 0; lanes &= lanes - 1) {

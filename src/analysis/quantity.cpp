@@ -62,9 +62,10 @@ Value merge_seeds(std::span<double const> means, std::span<double const> errors)
 
 Quantity::Quantity(SweepTable const& table, std::string const& name, std::optional<double> phi_j)
     : name_(name) {
-  if (auto const slash = name.find('/'); slash != std::string::npos) {
-    above_ = std::make_shared<Quantity>(table, name.substr(0, slash), phi_j);
-    below_ = std::make_shared<Quantity>(table, name.substr(slash + 1), phi_j);
+  if (auto const sign = name.find_last_of("*/"); sign != std::string::npos) {
+    first_ = std::make_shared<Quantity>(table, name.substr(0, sign), phi_j);
+    second_ = std::make_shared<Quantity>(table, name.substr(sign + 1), phi_j);
+    divides_ = name[sign] == '/';
   } else if (name == "phi_J-phi") {
     if (!phi_j) throw InputError("phi_J-phi needs phi_J; give --phi-j, 0.84335 in P1");
     number_ = table.numbers("disks.packing_fraction");
@@ -77,10 +78,13 @@ Quantity::Quantity(SweepTable const& table, std::string const& name, std::option
 }
 
 Value Quantity::of(std::span<std::size_t const> rows) const {
-  if (above_) {
-    auto const above = above_->of(rows), below = below_->of(rows);
-    double const ratio = above.mean / below.mean;
-    return {ratio, std::hypot(above.error / below.mean, ratio * below.error / below.mean)};
+  if (first_) {
+    auto const first = first_->of(rows), second = second_->of(rows);
+    if (!divides_)
+      return {first.mean * second.mean,
+              std::hypot(first.error * second.mean, first.mean * second.error)};
+    double const ratio = first.mean / second.mean;
+    return {ratio, std::hypot(first.error / second.mean, ratio * second.error / second.mean)};
   }
   if (observable_) return merge_seeds(at(observable_->mean, rows), at(observable_->error, rows));
   return {rows.empty() ? none : number_[rows.front()], 0.0};
@@ -88,7 +92,10 @@ Value Quantity::of(std::span<std::size_t const> rows) const {
 
 double Quantity::resampled(std::span<std::size_t const> rows, Draw const& draw) const {
   if (draw.replica == 0 || is_key()) return of(rows).mean;
-  if (above_) return above_->resampled(rows, draw) / below_->resampled(rows, draw);
+  if (first_) {
+    double const first = first_->resampled(rows, draw), second = second_->resampled(rows, draw);
+    return divides_ ? first / second : first * second;
+  }
   if (rows.size() == 1) {
     auto const measured = of(rows);
     return measured.mean +

@@ -28,7 +28,8 @@ Value merge_seeds(std::span<double const> means, std::span<double const> errors)
 /// - `table.key`, a scene key (no error);
 /// - NAME, an observable, merged over seeds;
 /// - `phi_J-phi`, the distance to jamming, phi_J given (no error);
-/// - A/B, the ratio of two of these after merging, errors added as independent.
+/// - A/B, A*B, the ratio or product of two of these after merging, errors added as independent; of
+///   several signs the last one is worked out last.
 class Quantity {
  public:
   /// Keeps a reference to the table. Throws InputError for an unknown name, with the nearest one.
@@ -43,13 +44,14 @@ class Quantity {
   /// instead, for each observable its own.
   double resampled(std::span<std::size_t const> rows, Draw const& draw) const;
 
-  bool is_key() const { return !observable_ && !above_; }
+  bool is_key() const { return !observable_ && !first_; }
 
  private:
   std::string name_;
   std::vector<double> number_;            ///< of a key or phi_J-phi, one a row
   Measured const* observable_ = nullptr;  ///< of an observable
-  std::shared_ptr<Quantity const> above_, below_;
+  std::shared_ptr<Quantity const> first_, second_;
+  bool divides_ = false;  ///< first_ / second_; else their product
 };
 
 }  // namespace bagnold::analysis

@@ -8,7 +8,7 @@ namespace {
 
 void add_axes(CLI::App& command, analysis::Request& request) {
   command.add_option("--x", request.x,
-                     "quantity to the right: a key, an observable, phi_J-phi, A/B");
+                     "quantity to the right: a key, an observable, phi_J-phi, A/B, A*B");
   command.add_option("--y", request.y, "quantity upwards");
   command.add_option("--along", request.along, "key that runs along a curve [x, or phi]");
   command.add_option("--by", request.by, "keys that tell curves apart [all others that vary]");

@@ -57,6 +57,15 @@ struct CheckLimitOptions {
   double tolerance = 0.05;  ///< relative change that counts as none
 };
 
+struct FigureOptions {
+  std::string name;               ///< "P2-15"; "": list all
+  std::filesystem::path folder;   ///< for pictures, and data that figures share; "": results/figures
+  std::filesystem::path figures;  ///< figures.toml; "": found
+  int jobs = 0;                   ///< as of a sweep
+  bool quick = false;
+  bool quiet = false;
+};
+
 /// A line on stderr, quiet or not; nothing for no message.
 void warn(std::string const& message);
 
@@ -80,6 +89,10 @@ int run_sweep(sweep::Sweep const& sweep, SweepOptions const& options);
 /// Whether a scene's rate is in a limit (src/analysis/rate_limit.hpp): runs it at its rate and at half of
 /// it, as a sweep that goes on where it stopped, and writes check_limit.json. 0 whatever the answer.
 int check_limit_command(CheckLimitOptions const& options);
+
+/// Makes a figure of the papers: runs its sweeps where they are not done, draws it, and compares with
+/// what the text of the paper states. Codes as of a sweep; 1 where there is no picture.
+int figure_command(FigureOptions const& options);
 
 /// Prints what a sweep file comes to: points, chains, steps, time.
 int validate_sweep_command(RunOptions const& options);

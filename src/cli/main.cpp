@@ -58,6 +58,17 @@ void add_sweep(CLI::App& command, bagnold::SweepOptions& options) {
                    "accept a time step (in tau_e) beyond the scheme's stability");
 }
 
+void add_figure(CLI::App& command, bagnold::FigureOptions& options) {
+  command.add_option("NAME", options.name, "P2-15: Fig. 15 of P2 (docs/figures.md)");
+  command.add_flag("--quick", options.quick, "a small version, of minutes, where there is one");
+  command.add_option("--out", options.folder,
+                     "folder for pictures, and for data that figures share [results/figures]");
+  command.add_option("--figures", options.figures, "file of figures [inputs/figures/figures.toml]");
+  command.add_option("--jobs", options.jobs, "runs at a time [default: cores]")
+      ->check(CLI::Range(1, 4096));
+  command.add_flag("--quiet", options.quiet, "no progress and no table; errors are still shown");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) try {
@@ -110,6 +121,12 @@ int main(int argc, char** argv) try {
       ->check(CLI::Range(1e-6, 0.3));
   add_machine(*limit_command, limit.run.machine, limit.run.quiet);
 
+  bagnold::FigureOptions figure;
+  auto* figure_command = app.add_subcommand(
+      "figure", "run and draw a figure of the papers; without a name: list them");
+  figure_command->footer(units);
+  add_figure(*figure_command, figure);
+
   auto* info_command = app.add_subcommand("info", "version, git hash, Kokkos, backends, CPU");
   info_command->footer(units);
 
@@ -125,6 +142,7 @@ int main(int argc, char** argv) try {
   if (*sweep_command) return bagnold::sweep_command(sweep);
   if (*analyse_command) return bagnold::analyse_command(analyse);
   if (*limit_command) return bagnold::check_limit_command(limit);
+  if (*figure_command) return bagnold::figure_command(figure);
   if (*info_command) return bagnold::info_command();
   return bad_input;
 } catch (bagnold::InputError const& error) {

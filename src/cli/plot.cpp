@@ -9,21 +9,42 @@
 
 #include <csignal>
 #include <cstdlib>
-#include <cstring>
+#include <utility>
 #include <vector>
 
+#include "figure_data_script.hpp"
 #include "plot_analysis_script.hpp"
+#include "plot_figure_script.hpp"
 #include "plot_frames_script.hpp"
 #include "plot_script.hpp"
+#include "plotting_script.hpp"
 
 namespace bagnold {
 
 namespace {
 
-/// Runs `python - data target` with the script on its standard input, its output thrown away.
-/// Returns its exit code; 127 if it cannot be started.
-int run_script(std::string const& python, char const* script, std::string const& data,
-               std::string const& target) {
+/// A script of scripts/ and those that it imports, which Python could not find: the program is one
+/// file.
+struct Script {
+  char const* text;
+  std::vector<std::pair<char const*, char const*>> imported;  ///< name, text
+};
+
+/// One text: imported ones become modules first.
+std::string whole(Script const& script) {
+  std::string text = "import sys, types\n";
+  for (auto const& [name, body] : script.imported)
+    text += fmt::format(
+        "module = types.ModuleType('{0}')\nexec(r'''{1}''', module.__dict__)\n"
+        "sys.modules['{0}'] = module\n",
+        name, body);
+  return text + script.text;
+}
+
+/// Runs `python - data target` with the text on its standard input, its output thrown away, its
+/// errors too if `quiet`. Returns its exit code; 127 if it cannot be started.
+int run_script(std::string const& python, std::string const& text, std::string const& data,
+               std::string const& target, bool quiet) {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) return 127;
   pid_t const child = fork();
@@ -33,14 +54,14 @@ int run_script(std::string const& python, char const* script, std::string const&
     int const nowhere = open("/dev/null", O_WRONLY);
     dup2(ends[0], STDIN_FILENO);
     dup2(nowhere, STDOUT_FILENO);
-    dup2(nowhere, STDERR_FILENO);
+    if (quiet) dup2(nowhere, STDERR_FILENO);
     execlp(python.c_str(), python.c_str(), "-", data.c_str(), target.c_str(),
            static_cast<char*>(nullptr));
     _exit(127);
   }
   close(ends[0]);
-  for (std::size_t sent = 0, size = std::strlen(script); sent < size;) {
-    ssize_t const now = write(ends[1], script + sent, size - sent);
+  for (std::size_t sent = 0; sent < text.size();) {
+    ssize_t const now = write(ends[1], text.data() + sent, text.size() - sent);
     if (now <= 0) break;
     sent += static_cast<std::size_t>(now);
   }
@@ -52,27 +73,39 @@ int run_script(std::string const& python, char const* script, std::string const&
 }
 
 /// Tries the Pythons there are; what went wrong, or "".
-std::string draw(char const* script, std::filesystem::path const& data,
-                 std::filesystem::path const& target) {
+std::string draw(Script const& script, std::filesystem::path const& data,
+                 std::filesystem::path const& target, bool quiet = true) {
   std::vector<std::string> pythons{"/usr/bin/python3", "python3"};
   if (char const* chosen = std::getenv("BAGNOLD_PYTHON")) pythons = {chosen};
-  for (auto const& python : pythons)
-    if (run_script(python, script, data.string(), target.string()) == 0) return "";
+  auto const text = whole(script);
+  for (auto const& python : pythons) {
+    int const code = run_script(python, text, data.string(), target.string(), quiet);
+    if (code == 0) return "";
+    if (!quiet && code != 127) return "no picture drawn, see above";
+  }
   return fmt::format("no picture drawn: {} with h5py and matplotlib is needed", pythons.front());
 }
+
+std::pair<char const*, char const*> const plotting{"plotting", plotting_script};
+std::pair<char const*, char const*> const analysis{"plot_analysis", plot_analysis_script};
+std::pair<char const*, char const*> const figure_data{"figure_data", figure_data_script};
 
 }  // namespace
 
 std::string draw_plot(std::filesystem::path const& result, std::filesystem::path const& picture) {
-  return draw(plot_script, result, picture);
+  return draw({plot_script, {plotting}}, result, picture);
 }
 
 std::string draw_frames(std::filesystem::path const& result, std::filesystem::path const& folder) {
-  return draw(plot_frames_script, result, folder);
+  return draw({plot_frames_script, {plotting}}, result, folder);
 }
 
 std::string draw_analysis(std::filesystem::path const& drawn, std::filesystem::path const& picture) {
-  return draw(plot_analysis_script, drawn, picture);
+  return draw({plot_analysis_script, {plotting}}, drawn, picture);
+}
+
+std::string draw_figure(std::filesystem::path const& recipe, std::filesystem::path const& picture) {
+  return draw({plot_figure_script, {plotting, analysis, figure_data}}, recipe, picture, false);
 }
 
 }  // namespace bagnold

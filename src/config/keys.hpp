@@ -116,6 +116,9 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
         measure.every);
   visit(of({"steady", "cascade"}, Key{"measure.contacts", "",
             "durations, rate, angles and clusters of contacts", optional}), measure.contacts);
+  visit(of({"steady", "cascade"}, Key{"measure.correlations", "",
+            "relative velocities of collisions at a random time during each", optional}),
+        measure.correlations);
   visit(of({"steady", "cascade"}, Key{"measure.profiles", "",
             "profiles over y of flow, packing and stress; band fractions", optional}),
         measure.profiles);

@@ -62,6 +62,7 @@ struct Scene {
   struct Measure {
     std::int64_t every = 10;
     bool contacts = false;
+    bool correlations = false;
     bool profiles = false;
     bool fields = false;
     bool rotation = false;

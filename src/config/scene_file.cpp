@@ -258,6 +258,9 @@ void refuse_contradictions(Scene const& scene, std::string const& origin) {
                        "file is open for each); run some of the seeds at a time, or set "
                        "output.trajectory_strain = 0",
                        scene.output.trajectory_strain, disks.replicas, most_trajectories));
+  if (scene.measure.correlations && !scene.measure.contacts)
+    refuse("measure.correlations = true (looks at contacts, which are not followed); set "
+           "measure.contacts = true, or measure.correlations = false");
   if (scene.measure.rotation && !scene.rotates())
     refuse(fmt::format("measure.rotation = true (disks of model \"{}\" do not rotate); use model "
                        "\"CD_rot\" or \"general\", or measure.rotation = false",

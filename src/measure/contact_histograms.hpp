@@ -8,13 +8,13 @@
 namespace bagnold {
 
 /// Counts the contacts of one system by their angles at begin and end, durations and clusters.
-class ContactHistograms final : public ContactListener {
+class ContactHistograms {
  public:
   /// time_step: dt, [tau_e].
   explicit ContactHistograms(double time_step);
 
-  void begins(ContactEvent const& event, std::size_t cluster) override;
-  void ends(ContactEvent const& event, std::int64_t duration) override;
+  void begins(ContactEvent const& event, std::size_t cluster);
+  void ends(ContactEvent const& event, std::int64_t duration);
 
   void save(Numbers& numbers) const;
   void load(Numbers const& numbers);

@@ -7,18 +7,21 @@
 
 namespace bagnold {
 
-bool ContactTable::is_open(std::uint32_t a, std::uint32_t b) const { return find(a, b) != nullptr; }
+OpenContact const* ContactTable::find(std::uint32_t a, std::uint32_t b) const {
+  auto const* const found = partner(a, b);
+  return found == nullptr ? nullptr : &contacts_[found->contact];
+}
 
-ContactTable::Partner const* ContactTable::find(std::uint32_t a, std::uint32_t b) const {
+ContactTable::Partner const* ContactTable::partner(std::uint32_t a, std::uint32_t b) const {
   for (auto const& partner : of_disk_[a])
     if (partner.disk == b) return &partner;
   return nullptr;
 }
 
-void ContactTable::open(std::uint32_t a, std::uint32_t b, std::int64_t step) {
+void ContactTable::open(std::uint32_t a, std::uint32_t b, std::int64_t step, std::int64_t due) {
   if (is_open(a, b)) throw std::logic_error("a contact began twice");
   bool const alone = of_disk_[a].empty() && of_disk_[b].empty();
-  add({std::min(a, b), std::max(a, b), step, alone});
+  add({std::min(a, b), std::max(a, b), step, alone, due});
   if (alone) return;
   for (auto const disk : {a, b})
     for (auto const& partner : of_disk_[disk]) contacts_[partner.contact].binary = false;
@@ -37,9 +40,9 @@ void ContactTable::add(OpenContact const& contact) {
 }
 
 OpenContact ContactTable::close(std::uint32_t a, std::uint32_t b) {
-  auto const* const partner = find(a, b);
-  if (partner == nullptr) throw std::logic_error("a contact ended that had not begun");
-  auto const place = partner->contact;
+  auto const* const found = partner(a, b);
+  if (found == nullptr) throw std::logic_error("a contact ended that had not begun");
+  auto const place = found->contact;
   OpenContact const contact = contacts_[place];
   forget(a, place);
   forget(b, place);

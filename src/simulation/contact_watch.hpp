@@ -53,6 +53,12 @@ class ContactWatch {
     for (auto const& of_block : motion_) motion += of_block;
     if (sampled) record.add(motion, sampling.window(step), windows);
     tell(sampling, windows);
+    if (record.choice)
+      for (auto const& contact : record.due(step)) {
+        auto const pair = pair_now(all, box, contact);
+        record.add({step, contact.a, contact.b,
+                    contact_velocities(pair.separation, pair.velocity, pair.spin, box.strain_rate)});
+      }
     record.looked(step, step + 1, sampling, windows);
   }
 
@@ -62,17 +68,10 @@ class ContactWatch {
                     Sampling const& sampling, OpenWindows& windows) {
     know_disks(all.blocks);
     windows.contacts->table.each([&](OpenContact const& contact) {
-      auto const a = all.blocks.slot_of(contact.a), b = all.blocks.slot_of(contact.b);
-      auto const &p = all.now.record(a), &q = all.now.record(b);
-      Image image;
-      image.n = static_cast<int>(std::lround((p.y - q.y) / box.length));
-      image.m = static_cast<int>(std::lround((p.x - q.x - image.n * box.offset) / box.length));
-      auto const at = at_image(q, image, box);
-      Vec2<Real> const separation{p.x - at.x, p.y - at.y};
-      Real const distance = class_distance(pair_class(all.species(a), all.species(b)));
-      if (dot(separation, separation) < distance * distance) return;
-      events_.push_back(contact_event(step, false, contact.a, contact.b, separation,
-                                      {p.vx - at.vx, p.vy - at.vy}));
+      auto const pair = pair_now(all, box, contact);
+      if (dot(pair.separation, pair.separation) < pair.distance * pair.distance) return;
+      events_.push_back(
+          contact_event(step, false, contact.a, contact.b, pair.separation, pair.velocity));
     });
     tell(sampling, windows);
   }
@@ -85,11 +84,38 @@ class ContactWatch {
     events_.insert(events_.end(), events.begin(), events.end());
     events.clear();
   }
+  void take(std::vector<ContactSample>& samples) {
+    samples_.insert(samples_.end(), samples.begin(), samples.end());
+    samples.clear();
+  }
   void tell(Sampling const& sampling, OpenWindows& windows) {
-    windows.contacts->add(events_, sampling, windows);
+    windows.contacts->add(events_, samples_, sampling, windows);
   }
 
  private:
+  struct PairNow {
+    Vec2<Real> separation, velocity;
+    Real distance;  ///< d_ij
+    Real spin;      ///< see contact_velocities
+  };
+
+  /// Two disks and the nearest image of the second, wherever lists stand.
+  template <class Step>
+  static PairNow pair_now(Step const& all, ShearedBox const& box, OpenContact const& contact) {
+    auto const a = all.blocks.slot_of(contact.a), b = all.blocks.slot_of(contact.b);
+    auto const &p = all.now.record(a), &q = all.now.record(b);
+    Image image;
+    image.n = static_cast<int>(std::lround((p.y - q.y) / box.length));
+    image.m = static_cast<int>(std::lround((p.x - q.x - image.n * box.offset) / box.length));
+    auto const at = at_image(q, image, box);
+    PairNow pair{{p.x - at.x, p.y - at.y},
+                 {p.vx - at.vx, p.vy - at.vy},
+                 class_distance(pair_class(all.species(a), all.species(b))),
+                 0};
+    if constexpr (Step::rotates) pair.spin = all.common_spin(a, b);
+    return pair;
+  }
+
   void know_disks(Blocks const& blocks) {
     if (arranged_) return;
     disk_of_.assign(blocks.slots, 0);
@@ -116,6 +142,7 @@ class ContactWatch {
   std::vector<std::vector<ContactEvent>> found_;  ///< by block
   std::vector<ContactMotion> motion_;             ///< by block
   std::vector<ContactEvent> events_;
+  std::vector<ContactSample> samples_;
 };
 
 }  // namespace bagnold

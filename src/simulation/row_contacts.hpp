@@ -8,6 +8,7 @@ namespace bagnold {
 
 /// Sees contacts begin and end from the rows of a full list, on the host, pair by pair: plain, and
 /// what ContactWatch is held against.
+/// Where velocities of contacts are asked for, they are looked at last, as ContactRecord wants it.
 template <ContactLaw Law, class Repulsion, class Space>
 void look_along_rows(ContactForces<Law, Repulsion, Space> const& forces, std::int64_t step,
                      Sampling const& sampling, OpenWindows& windows) {
@@ -21,7 +22,15 @@ void look_along_rows(ContactForces<Law, Repulsion, Space> const& forces, std::in
   auto const species = on_host(forces.species);
   ContactRecord& record = *windows.contacts;
   std::vector<ContactEvent> events;
+  std::vector<ContactSample> touched;
   ContactMotion sums;
+  auto const spin = [&](std::uint32_t i, std::uint32_t j) {
+    if constexpr (Law::rotates) {
+      Real const a = forces.table.diameter[species(i)], b = forces.table.diameter[species(j)];
+      return (a * motion(i).spin + b * motion(j).spin) / (a + b);
+    }
+    return Real{0};
+  };
   for (std::uint32_t i = 0; i < position.extent(0); ++i)
     for (auto k = row(i); k < row(i + 1); ++k) {
       auto const j = entries(k).index();
@@ -35,11 +44,16 @@ void look_along_rows(ContactForces<Law, Repulsion, Space> const& forces, std::in
       Vec2<Real> velocity = motion(i).velocity - motion(j).velocity;
       velocity.x -= forces.box.velocity_shift(image);
       if (touching) sums.add(1, separation, velocity);
+      if (touching && record.choice)
+        touched.push_back({step, i, j, contact_velocities(separation, velocity, spin(i, j),
+                                                          forces.box.strain_rate)});
       if (touching != record.table.is_open(i, j))
         events.push_back(contact_event(step, touching, i, j, separation, velocity));
     }
   if (sampling.sampled(step)) record.add(sums, sampling.window(step), windows);
   record.add(events, sampling, windows);
+  for (auto const& sample : touched)
+    if (record.table.find(sample.a, sample.b)->due == step) record.add(sample);
   record.looked(step, step + 1, sampling, windows);
 }
 

@@ -252,7 +252,7 @@ class WindowedSteps {
         return collisions.run(a, b, static_cast<int>(end - begin), window.end - window.begin, times_,
                               sums_.data() + units_[first_unit + begin].sums, watch);
       };
-      lane_outcome_[g] = contacts_ ? run(lane_watch(begin, end, first_unit)) : run(NoLaneWatch{});
+      lane_outcome_[g] = contacts_ ? run(lane_watch(all, begin, end, first_unit)) : run(NoLaneWatch{});
       for (auto i = begin; i < end; ++i) {
         keep(islands_.disks[binary_[i].a].slot, a[i - begin]);
         keep(islands_.disks[binary_[i].b].slot, b[i - begin]);
@@ -269,10 +269,11 @@ class WindowedSteps {
   }
 
   /// Of binary_[begin .. end - 1].
-  LaneWatch lane_watch(std::uint32_t begin, std::uint32_t end, std::size_t first_unit) {
+  LaneWatch lane_watch(Step const& all, std::uint32_t begin, std::uint32_t end,
+                       std::size_t first_unit) {
     LaneWatch watch;
     for (auto i = begin; i < end; ++i)
-      contacts_.set_lane(watch, static_cast<int>(i - begin), first_unit + i,
+      contacts_.set_lane(all, watch, static_cast<int>(i - begin), first_unit + i,
                          islands_.disks[binary_[i].a].slot, islands_.disks[binary_[i].b].slot);
     return watch;
   }
@@ -314,7 +315,7 @@ class WindowedSteps {
     };
     auto const look = [&](std::uint32_t b, std::int64_t steps) {
       if (contacts_)
-        contacts_.look(step.blocks, b, step.now.record.data(), first_unit + b, steps, slot);
+        contacts_.look(step, b, first_unit + b, steps, slot);
     };
     if (contacts_) contacts_.list_batches(step.blocks, slot);
     ShearedBox const box{clock.box_length, 0, clock.strain_rate};

@@ -36,6 +36,9 @@ TEST(Quantity, ByName) {
   auto const ratio = Quantity(table, "p/shear.strain_rate").of(seeds);
   EXPECT_NEAR(ratio.mean, p.mean / 1e-4, 1e-6);
   EXPECT_NEAR(ratio.error, p.error / 1e-4, 1e-9);
+  auto const product = Quantity(table, "p*p/shear.strain_rate").of(seeds);
+  EXPECT_NEAR(product.mean, p.mean * p.mean / 1e-4, 1e-3);
+  EXPECT_NEAR(product.error, std::sqrt(2.0) * p.mean * p.error / 1e-4, 1e-6);
   EXPECT_THROW(Quantity(table, "phi_J-phi"), InputError);
   EXPECT_THROW(Quantity(table, "disks.elasticity"), InputError);
   try {

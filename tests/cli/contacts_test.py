@@ -12,7 +12,7 @@ from bagnold import LAWS, CliTest, read_summary, seconds_to_strain
 SCALARS = ("tau_dur", "nu_coll", "v_N_rms", "v_T_rms", "cluster_binary_share")
 HISTOGRAMS = ("cluster_disks", "tau_dur", "theta", "theta_begin", "theta_end")
 ENGINES = ("reference", "dense", "contact-rich", "windowed")
-ON = {"measure__contacts": True}
+ON = {"measure__contacts": True, "measure__correlations": True}
 
 
 def histograms(out):
@@ -21,7 +21,37 @@ def histograms(out):
         return {k: (g["edges"][()], g["density"][()]) for k, g in file["histograms"].items()}
 
 
+def velocities(out):
+    """{name: rows} of /samples/contact_velocities*"""
+    with h5py.File(out / "result.h5", "r") as file:
+        return {k: d[()] for k, d in file["samples"].items()}
+
+
 class ContactsTest(CliTest):
+    def test_velocities(self):
+        for law in LAWS:
+            out = self.run_new(law, disks__model=law, shear__strain=2.0, **ON)
+            found = velocities(out)
+            rows = found["contact_velocities"]
+            self.assertGreater(len(rows), 50)
+            np.testing.assert_allclose(found["contact_velocities_mean"][0], rows.mean(axis=0), rtol=1e-9)
+            np.testing.assert_allclose(found["contact_velocities_covariance"], np.cov(rows.T), rtol=1e-9)
+            if law in ("CD", "CD_n"):
+                self.assertEqual(rows.shape[1], 2)
+            else:
+                np.testing.assert_allclose(rows[:, 0] + rows[:, 1], rows[:, 2], atol=1e-9)
+
+    def test_durations_cut_short_by_the_run_are_warned_of(self):
+        """Newtonian contacts outlast a strain of 1/8; dilute ones are short beside one of 8."""
+        for name, fraction, strain, expected in (("cut", 0.84, 0.125, True), ("fine", 0.6, 8.0, False)):
+            out = self.run_new(name, disks__model="CD", disks__packing_fraction=fraction,
+                               shear__strain=strain, **ON)
+            found = [w["name"] for w in read_summary(out)["warnings"]]
+            self.assertEqual("contact_durations" in found, expected, found)
+
+    def test_velocities_need_contacts(self):
+        self.refused(self.scene(measure__correlations=True), "measure.contacts = true")
+
     def test_off_leaves_nothing_and_on_changes_nothing(self):
         off, on = self.run_new("off"), self.run_new("on", **ON)
         means = [{k: v["mean"] for k, v in read_summary(out)["observables"].items()}
@@ -112,6 +142,8 @@ class ContactsTest(CliTest):
         for name, pair in histograms(whole).items():
             for one, two in zip(pair, histograms(cut)[name]):
                 self.assertEqual(one.tobytes(), two.tobytes(), name)
+        for name, rows in velocities(whole).items():
+            self.assertEqual(rows.tobytes(), velocities(cut)[name].tobytes(), name)
 
     @staticmethod
     def stamp(out):

@@ -29,7 +29,7 @@ class SyntheticContacts : public testing::Test {
     plan.time_step = 0.1;
     plan.window_steps = 100;
     plan.discarded_windows = 1;
-    windows.contacts = watch_contacts(scene, plan, columns, frames);
+    windows.contacts = watch_contacts(scene, plan, columns, 1, frames);
   }
 
   void tell(std::vector<ContactEvent> events) { windows.contacts->add(events, sampling, windows); }
@@ -117,7 +117,7 @@ TEST_F(SyntheticContacts, GoOnFromWhatIsSaved) {
   Frames again;
   auto windows_again = windows;
   windows_again.sums.clear();
-  windows_again.contacts = watch_contacts(scene, plan, columns, again);
+  windows_again.contacts = watch_contacts(scene, plan, columns, 1, again);
   again.load(saved);
   auto rest = after;
   windows_again.contacts->add(rest, sampling, windows_again);

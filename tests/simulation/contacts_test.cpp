@@ -29,6 +29,37 @@ class Contacts : public EverySimulation {
   }
 };
 
+/// The velocities of every contact at the step that is its own, in any engine.
+TEST_P(Contacts, AreLookedAtWhereAllPairsWouldBe) {
+  for (double packing_fraction : {0.82, 0.6}) {
+    Scene const scene = small_scene(packing_fraction, 64);
+    State const start = shaken_start(scene);
+    Sampling const sampling{200, 7, 700};
+    SampleChoice const choice(11);
+    AllPairs const expected(scene, start, sampling, choice);
+    ASSERT_GT(expected.looked.size(), 20u);
+    auto simulation = simulate(scene, start, backend());
+    Watched watched(*simulation, start.count(), 0, choice);
+    auto const& record = watched.windows.contacts;
+    while (simulation->step() < 700) {
+      simulation->advance(83, sampling, watched.windows);
+      auto const open = record->table.sorted();
+      simulation = make_simulation(scene, simulation->snapshot(), backend());
+      record->restore(open);
+    }
+    auto const& looked = watched.listener->looked;
+    ASSERT_EQ(looked.size(), expected.looked.size());
+    for (std::size_t k = 0; k < looked.size(); ++k) {
+      ASSERT_EQ(looked[k].pair, expected.looked[k].pair) << k;
+      ASSERT_EQ(looked[k].begin, expected.looked[k].begin) << k;
+      auto const &a = looked[k].velocities, &b = expected.looked[k].velocities;
+      EXPECT_NEAR(a.tangential, b.tangential, 1e-5) << k;
+      EXPECT_NEAR(a.rotational, b.rotational, 1e-5) << k;
+      EXPECT_NEAR(a.normal, b.normal, 1e-5) << k;
+    }
+  }
+}
+
 /// Every begin and end, its angle, cluster and duration, and all sums.
 TEST_P(Contacts, AreThoseOfAllPairsInEveryConfiguration) {
   for (double packing_fraction : {0.82, 0.6}) {

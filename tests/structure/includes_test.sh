@@ -69,7 +69,7 @@ awk -v allowed="$allowed" -v forbidden="$forbidden" '
   }
   /^[ \t]*#[ \t]*include[ \t]*"/ {
     split($0, part, "\""); path = part[2]
-    if (path ~ /^(git_version|plot_script|plot_analysis_script|plot_frames_script)\.hpp$/) next  # made by the build
+    if (path ~ /^(git_version|[a-z_]+_script)\.hpp$/) next  # made by the build
     if (!(inside(path, "kernels") || inside(path, "src"))) {
       complain("\"" path "\" is not written from the root"); next
     }

@@ -24,9 +24,20 @@ struct Happened {
   auto key() const { return std::tuple(step, begins, pair, measure); }
 };
 
+/// The velocities of a contact at the step that was chosen.
+struct Looked {
+  PairOfDisks pair;
+  std::int64_t begin;
+  ContactVelocities velocities;
+};
+
 class Listener final : public ContactListener {
  public:
   std::vector<Happened> all;
+  std::vector<Looked> looked;
+  void sampled(OpenContact const& c) override {
+    looked.push_back({{c.a, c.b}, c.begin, c.velocities});
+  }
   void begins(ContactEvent const& e, std::size_t cluster) override {
     all.push_back({e.step, true, {e.a, e.b}, e.theta, static_cast<std::int64_t>(cluster)});
   }
@@ -40,8 +51,11 @@ class AllPairs {
  public:
   std::vector<Happened> all;  ///< ends first, then by pair
   std::vector<std::array<double, ContactColumns::count>> windows;
+  std::vector<Looked> looked;  ///< in the order of their ends
 
-  AllPairs(Scene const& scene, State const& start, Sampling const& sampling) {
+  AllPairs(Scene const& scene, State const& start, Sampling const& sampling,
+           SampleChoice choice = {})
+      : choice_(choice) {
     reference::System system(reference_parameters(scene), start);
     for (std::int64_t step = 0; step < sampling.last_step; ++step) {
       windows.resize(static_cast<std::size_t>(sampling.window(step)) + 1);
@@ -54,7 +68,9 @@ class AllPairs {
   struct Open {
     std::int64_t begin;
     bool binary;
+    std::vector<ContactVelocities> each = {};  ///< of every step
   };
+  SampleChoice choice_;
   std::map<PairOfDisks, Open> open_;
 
   void look(reference::System const& system, std::int64_t step, Sampling const& sampling) {
@@ -77,6 +93,7 @@ class AllPairs {
     for (auto const& [pair, c] : now) {
       bool const fresh = open_.try_emplace(pair, Open{step, true}).second;
       if (touch[pair.first].size() + touch[pair.second].size() > 2) open_[pair].binary = false;
+      if (choice_) open_[pair].each.push_back(velocities(system, c));
       if (!fresh || step == 0) continue;
       sums[ContactColumns::begun] += 1;
       all.push_back({step, true, pair, theta(c), cluster(touch, pair.first)});
@@ -93,8 +110,33 @@ class AllPairs {
       sums[ContactColumns::duration] += static_cast<double>(step - open.begin);
       sums[ContactColumns::binary] += open.binary;
       all.push_back({step, false, pair, theta(apart(system, pair)), step - open.begin});
+      if (choice_) looked.push_back({pair, open.begin, chosen(pair, open, step)});
       return true;
     });
+  }
+
+  /// The last step that the choice comes to before the end.
+  ContactVelocities chosen(PairOfDisks const& pair, Open const& open, std::int64_t end) const {
+    auto last = choice_.first(open.begin);
+    for (auto due = last; due < end;
+         due = choice_.next(pair.first, pair.second, open.begin, due))
+      last = due;
+    return open.each.at(static_cast<std::size_t>(last - open.begin));
+  }
+
+  /// V_ij . t, the part of the spins, V_ij . n with n from i to j, by P2 Eqs. (6), (30), (33), (34).
+  static ContactVelocities velocities(reference::System const& system,
+                                      reference::Contact const& c) {
+    double const nx = -c.x / c.separation, ny = -c.y / c.separation, tx = -ny, ty = nx;
+    double surface = 0;
+    if (!system.s.spin.empty()) {
+      double const d_i = system.s.diameter[c.i], d_j = system.s.diameter[c.j];
+      double const arm_i = c.separation * d_i / (d_i + d_j), arm_j = c.separation - arm_i;
+      surface = system.s.spin[c.i] * arm_i + system.s.spin[c.j] * arm_j;
+    }
+    double const rate = system.p.strain_rate;
+    return {(c.velocity_x * tx + c.velocity_y * ty) / rate, surface / rate,
+            (c.velocity_x * nx + c.velocity_y * ny) / rate};
   }
 
   static double theta(reference::Contact const& c) {
@@ -129,9 +171,10 @@ struct Watched {
   std::shared_ptr<Listener> listener = std::make_shared<Listener>();
   OpenWindows windows;
 
-  Watched(Simulation const& simulation, std::size_t disks, std::int64_t first_step = 0) {
-    windows.contacts =
-        std::make_shared<ContactRecord>(disks, simulation.columns(), first_step, listener);
+  Watched(Simulation const& simulation, std::size_t disks, std::int64_t first_step = 0,
+          SampleChoice choice = {}) {
+    windows.contacts = std::make_shared<ContactRecord>(disks, simulation.columns(), first_step,
+                                                       listener, choice);
   }
   double sum(std::size_t window, int column, int columns) const {
     return windows.sums.at(window).sums.at(static_cast<std::size_t>(columns + column));

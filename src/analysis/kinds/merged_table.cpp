@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "src/analysis/kinds/kinds.hpp"
 #include "src/analysis/quantity.hpp"
 #include "src/config/errors.hpp"
@@ -8,24 +10,29 @@
 namespace bagnold::analysis {
 namespace {
 
-/// A row for each datum: varied keys but the seed, how many seeds, and every observable.
-Rows rows_of(SweepTable const& table, std::vector<Curve> const& curves) {
+/// A row for each datum: varied keys but the seed, how many seeds, every observable, and what else
+/// is asked for.
+Rows rows_of(SweepTable const& table, std::vector<Curve> const& curves,
+             std::vector<std::string> const& asked, std::optional<double> phi_j) {
   Rows out;
   std::vector<std::string> keys;
   for (auto const& [key, column] : table.keys)
     if (key != "disks.seed") keys.push_back(key);
   out.columns = keys;
   out.columns.emplace_back("seeds");
-  for (auto const& [name, values] : table.observables)
-    out.columns.insert(out.columns.end(), {name, name + "_error"});
+  std::vector<std::string> names;
+  for (auto const& [name, values] : table.observables) names.push_back(name);
+  for (auto const& name : asked)
+    if (!table.observables.contains(name) && !table.keys.contains(name)) names.push_back(name);
+  for (auto const& name : names) out.columns.insert(out.columns.end(), {name, name + "_error"});
   for (auto const& curve : curves)
     for (auto const& datum : curve.data) {
       if (datum.rows.empty()) continue;
       std::vector<std::string> row;
       for (auto const& key : keys) row.push_back(key_text(table, key, datum.rows.front()));
       row.push_back(fmt::format("{}", datum.rows.size()));
-      for (auto const& [name, values] : table.observables) {
-        auto const merged = Quantity(table, name).of(datum.rows);
+      for (auto const& name : names) {
+        auto const merged = Quantity(table, name, phi_j).of(datum.rows);
         row.push_back(cell(merged.mean));
         row.push_back(cell(merged.error));
       }
@@ -42,14 +49,20 @@ Report merged_table(SweepTable const& table, Request const& request) {
   if (request.x.empty() && request.along.empty() && !table.keys.contains(along))
     for (auto const& [key, column] : table.keys)
       if (key != "disks.seed" && !column.is_text()) along = key;
-  report.results = rows_of(table, curves_of(table, {along, request.by, {}, request.where}));
-  auto asked = request;
-  asked.along = along;
   auto const x = or_else(request.x, along), y = or_else(request.y, "p");
-  auto const series = make_series(table, asked, x, y);
-  note_left_out(report, table, series);
+  auto const curves = curves_of(table, {along, request.by, {}, request.where});
+  report.results = rows_of(table, curves, {x, y}, request.phi_j);
+  note_left_out(report, table, {});
   Panel panel(report, x, y, x != "disks.packing_fraction", y != "mu");
-  for (auto const& one : series) panel.data(caption(one.labels), one.points(0), one.x_error);
+  Quantity const right(table, x, request.phi_j), up(table, y, request.phi_j);
+  for (auto const& curve : curves)  // those without an error too: nothing is fitted
+    for (auto const& datum : curve.data) {
+      auto const at = right.of(datum.rows), value = up.of(datum.rows);
+      bool const wanted =
+          !request.range || (at.mean >= request.range->first && at.mean <= request.range->second);
+      if (wanted && std::isfinite(at.mean) && std::isfinite(value.mean))
+        panel.point("data", caption(curve.labels), at.mean, at.error, value.mean, value.error);
+    }
   return report;
 }
 

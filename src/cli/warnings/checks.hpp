@@ -33,6 +33,9 @@ Check few_collisions;
 /// The motion is that of the whole box: bands, or a box too small.
 Check box_size;
 
+/// tau_dur without the long contacts: the run ended before they did, or none ended at all.
+Check contact_durations;
+
 /// Mean relative overlap of contacts, 1 - r_ij/d_ij, from elastic pressure and contacts:
 ///
 ///     sum f_el r_ij = 2 p_el L^2, f_el r_ij ~ (1 - r_ij/d_ij)^(alpha - 1), N Z/2 contacts

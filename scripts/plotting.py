@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the plot scripts share: their libraries, style, colours, and how pictures are written."""
+
+import io
+import os
+import sys
+
+try:
+    import h5py
+    import matplotlib
+
+    matplotlib.use("Agg")
+    import numpy as np
+    from matplotlib import pyplot as plt
+    from PIL import Image  # matplotlib's own
+except ImportError as error:
+    sys.exit(f"{error}; no picture (Debian: apt install python3-h5py python3-matplotlib)")
+
+# Okabe and Ito's palette: told apart by colour-blind eyes too.
+BLUE, ORANGE, GREEN, VERMILION, SKY, PINK, OLIVE, GREY = (
+    "#0072B2", "#E69F00", "#009E73", "#D55E00", "#56B4E9", "#CC79A7", "#B8A600", "#777777")
+COLOURS = (BLUE, VERMILION, GREEN, ORANGE, SKY, PINK, "#555555", OLIVE)
+MARKERS = "osD^v<>ph*"
+DASHED = (0, (4, 2))
+
+STYLE = {
+    "font.size": 10, "axes.titlesize": 10.5, "axes.titlelocation": "left",
+    "axes.spines.top": False, "axes.spines.right": False, "axes.linewidth": 0.8,
+    "axes.edgecolor": "#444444", "xtick.color": "#444444", "ytick.color": "#444444",
+    "legend.frameon": False, "legend.fontsize": 9, "legend.handlelength": 1.4,
+    "lines.linewidth": 1.1, "mathtext.fontset": "dejavusans", "axes.formatter.useoffset": False,
+}
+
+
+def save(figure, target, dpi=110, colours=None):
+    """Whole or not at all: a picture that is there is complete. Few colours make a small file."""
+    picture = io.BytesIO()
+    figure.savefig(picture, format="png", dpi=dpi)
+    if colours:
+        image = Image.open(picture).convert("RGB").quantize(colours)
+        picture = io.BytesIO()
+        image.save(picture, format="png", optimize=True)
+    with open(target + ".part", "wb") as file:
+        file.write(picture.getvalue())
+    os.replace(target + ".part", target)
+
+
+def command_line(script, usage, draw):
+    """Runs draw(source, target) of the command line. Exit code 1 and one line on stderr if it fails."""
+    if len(sys.argv) != 3:
+        sys.exit(f"usage: {script} {usage}")
+    source, target = sys.argv[1:]
+    plt.rcParams.update(STYLE)
+    try:
+        draw(source, target)
+    except (OSError, KeyError, ValueError, TypeError) as error:
+        sys.exit(f"{script}: {source}, {target}: {error}")

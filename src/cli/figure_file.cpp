@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/cli/figure_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "src/config/errors.hpp"
+#include "src/config/nearest_word.hpp"
+#include "src/config/toml_table.hpp"
+#include "src/config/toml_text.hpp"
+
+namespace bagnold {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+std::string text_of(json const& value) {
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+/// Puts values for {NAME} in texts; a text that is nothing but {NAME} becomes the value. Other
+/// braces belong to formulas.
+json filled(json const& node, json const& values) {
+  if (node.is_structured()) {
+    json out = node;
+    for (auto& part : out) part = filled(part, values);
+    return out;
+  }
+  if (!node.is_string()) return node;
+  std::string text = node.get<std::string>();
+  for (auto const& [name, value] : values.items()) {
+    auto const sign = "{" + name + "}";
+    if (text == sign) return value;
+    for (auto at = text.find(sign); at != std::string::npos; at = text.find(sign, at))
+      text.replace(at, sign.size(), text_of(value));
+  }
+  return text;
+}
+
+bool kept(json const& entry, bool quick) { return !quick || entry.value("quick", true); }
+
+/// The data set of a panel; in the quick version what stands for it.
+std::string data_of(json const& entry, json const& figure, bool quick) {
+  auto const data = entry.value("data", figure.value("data", ""));
+  if (!quick) return data;
+  auto const& instead = figure.at("quick").at("data");
+  return instead.is_string() ? instead.get<std::string>() : instead.value(data, "");
+}
+
+/// "P2-8" before "P2-10".
+std::pair<std::string, int> order(std::string const& name) {
+  auto const dash = name.find('-');
+  return {name.substr(0, dash), std::atoi(name.c_str() + dash + 1)};
+}
+
+}  // namespace
+
+FigureFile::FigureFile(fs::path const& file) : file_(file) {
+  std::ostringstream text;
+  text << toml::json_formatter(parse_toml(read_text(file), file.string()));
+  figures_ = json::parse(text.str());
+}
+
+std::vector<std::string> FigureFile::names() const {
+  std::vector<std::string> names;
+  for (auto const& [name, figure] : figures_.items()) names.push_back(name);
+  std::ranges::sort(names, {}, order);
+  return names;
+}
+
+bool FigureFile::has_quick(std::string const& name) const {
+  return figures_.at(name).contains("quick");
+}
+
+fs::path FigureFile::sweep(std::string const& data) const {
+  return file_.parent_path() / (data + ".toml");
+}
+
+Figure FigureFile::read(std::string const& name, bool quick) const try {
+  if (!figures_.contains(name))
+    throw InputError(fmt::format("figure {} (not in {}); perhaps {}. `bagnold figure` lists all",
+                                 name, file_.string(), nearest_word(name, names())));
+  json const& found = figures_.at(name);
+  if (quick && !found.contains("quick"))
+    throw InputError(fmt::format("figure {} --quick: there is no quick version of it", name));
+  json values = found.value("values", json::object());
+  if (quick) values.update(found.at("quick").value("values", json::object()));
+
+  Figure figure{name, found.at("title"), found.at("claims"), found.value("hours", 0.0), {}, {}, {},
+                {}};
+  auto const take = [&](char const* key, json& to) {
+    to = json::array();
+    for (auto const& entry : found.value(key, json::array())) {
+      auto const data = data_of(entry, found, quick);
+      if (!kept(entry, quick) || (quick && data.empty())) continue;
+      if (data.empty())
+        throw InputError(fmt::format("{}: a {} has no data; name a sweep file", name, key));
+      to.push_back(filled(entry, values));
+      to.back()["data"] = data;
+      if (std::ranges::find(figure.data, data) == figure.data.end()) figure.data.push_back(data);
+    }
+  };
+  take("panel", figure.panels);
+  take("stated", figure.stated);
+  if (figure.panels.empty()) throw InputError(fmt::format("{}: has no panel", name));
+  figure.layout = found;
+  for (auto const* key : {"panel", "stated", "values", "quick", "data", "claims", "hours"})
+    figure.layout.erase(key);
+  if (quick) figure.layout.update(found.at("quick").value("layout", json::object()));
+  return figure;
+} catch (json::exception const& error) {
+  throw InputError(fmt::format("{}: {}: {}", file_.string(), name, error.what()));
+}
+
+fs::path find_figure_file(fs::path const& given) {
+  if (!given.empty()) return given;
+  auto const program = fs::read_symlink("/proc/self/exe").parent_path();
+  for (auto const& folder :
+       {fs::path("inputs"), program / "../../inputs", program / "../share/bagnold"})
+    if (auto const file = folder / "figures/figures.toml"; fs::exists(file))
+      return file.lexically_normal();
+  throw InputError("inputs/figures/figures.toml is not here; name it with --figures FILE");
+}
+
+}  // namespace bagnold

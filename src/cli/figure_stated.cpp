@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/cli/figure_stated.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <optional>
+
+#include "src/config/errors.hpp"
+
+namespace bagnold {
+namespace {
+
+using nlohmann::json;
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/// A row of a table by the names of its columns.
+class Row {
+ public:
+  Row(analysis::Rows const& table, std::vector<std::string> const& cells)
+      : table_(table), cells_(cells) {}
+
+  std::optional<std::string> text(std::string const& column) const {
+    auto const found = std::ranges::find(table_.columns, column);
+    if (found == table_.columns.end()) return std::nullopt;
+    return cells_[static_cast<std::size_t>(found - table_.columns.begin())];
+  }
+
+  /// NaN where there is none.
+  double number(std::string const& column) const {
+    auto const cell = text(column).value_or("");
+    char* end = nullptr;
+    double const value = std::strtod(cell.c_str(), &end);
+    return cell.empty() || *end != '\0' ? none : value;
+  }
+
+ private:
+  analysis::Rows const& table_;
+  std::vector<std::string> const& cells_;
+};
+
+bool agrees(Row const& row, std::string const& column, json const& value) {
+  if (value.is_number()) {
+    double const wanted = value.get<double>();
+    return std::abs(row.number(column) - wanted) <= 1e-9 * std::abs(wanted);
+  }
+  return row.text(column) == value.get<std::string>();
+}
+
+std::string with_error(double value, double error) {
+  return std::isfinite(error) ? fmt::format("{:.4g} +- {:.1g}", value, error)
+                              : fmt::format("{:.4g}", value);
+}
+
+Comparison compared(json const& entry, Row const& row) {
+  auto const column = entry.at("column").get<std::string>();
+  auto const& stated = entry.at("stated");
+  double const ours = row.number(column), own = row.number(column + "_error");
+  double const given = entry.value("error", none);
+  bool const is_range = stated.is_array();
+  double const low = is_range ? stated.at(0).get<double>() : stated.get<double>();
+  double const high = is_range ? stated.at(1).get<double>() : low;
+  double const off = ours - std::clamp(ours, low, high);
+  double const error = std::isfinite(given) ? std::hypot(own, given) : own;
+  Comparison out{entry.at("what"), entry.at("source"),
+                 is_range ? fmt::format("{:g} to {:g}", low, high) : with_error(low, given),
+                 std::isfinite(ours) ? with_error(ours, own) : "not found", "-"};
+  bool const roughly = entry.value("about", false);
+  if (roughly) out.stated = "about " + out.stated;
+  if (roughly && std::isfinite(ours))
+    out.deviation = fmt::format("{:+.0f}%", 100 * off / std::abs(low));
+  else if (std::isfinite(ours) && off == 0 && is_range)
+    out.deviation = "inside";
+  else if (std::isfinite(off / error))
+    out.deviation = fmt::format("{:+.1f} standard errors", off / error);
+  return out;
+}
+
+}  // namespace
+
+std::vector<Comparison> compare(json const& entry, analysis::Rows const& results) {
+  std::vector<Comparison> out;
+  auto const conditions = entry.value("row", json::object());
+  for (auto const& cells : results.rows) {
+    Row const row(results, cells);
+    auto const items = conditions.items();
+    if (std::all_of(items.begin(), items.end(),
+                    [&](auto const& one) { return agrees(row, one.key(), one.value()); }))
+      out.push_back(compared(entry, row));
+  }
+  return out;
+}
+
+std::string to_lines(std::vector<Comparison> const& list) {
+  std::size_t width[4] = {0, 10, 4, 9};
+  for (auto const& one : list) {
+    std::size_t k = 0;
+    for (auto const* text : {&one.what, &one.stated, &one.ours, &one.deviation})
+      width[k] = std::max(width[k], text->size()), ++k;
+  }
+  auto const line = [&](Comparison const& c) {
+    return fmt::format("{:<{}}  {:<{}}  {:<{}}  {:<{}}  {}\n", c.what, width[0], c.stated, width[1],
+                       c.ours, width[2], c.deviation, width[3], c.source);
+  };
+  std::string out = line({"", "", "the papers", "ours", "deviation"});
+  for (auto const& one : list) out += line(one);
+  return out;
+}
+
+analysis::Rows to_rows(std::vector<Comparison> const& list) {
+  analysis::Rows rows{{"what", "stated", "ours", "deviation", "source"}, {}};
+  for (auto const& c : list) rows.rows.push_back({c.what, c.stated, c.ours, c.deviation, c.source});
+  return rows;
+}
+
+}  // namespace bagnold

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "src/analysis/csv.hpp"
+
+namespace bagnold {
+
+/// A number that a paper states in its text, beside ours.
+struct Comparison {
+  std::string what, source;
+  std::string stated, ours;
+  std::string deviation;  ///< in standard errors of both, "-" where none is known; of what is
+                          ///< stated with "about" in per cent
+};
+
+/// The rows of an analysis that the entry of a figure names, each against what is stated.
+///
+/// entry: what, source, column (of the analysis), `stated` (a number, or [low, high]), perhaps
+/// `error` of it or `about` = true, and perhaps `row` = {KEY = VALUE}: the rows to look at.
+std::vector<Comparison> compare(nlohmann::json const& entry, analysis::Rows const& results);
+
+/// Aligned lines, for the terminal.
+std::string to_lines(std::vector<Comparison> const& list);
+
+analysis::Rows to_rows(std::vector<Comparison> const& list);
+
+}  // namespace bagnold

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/cli/figure_stated.hpp"
+
+#include <gtest/gtest.h>
+
+namespace bagnold::test {
+
+nlohmann::json entry(nlohmann::json const& more) {
+  nlohmann::json made{{"what", "x"}, {"source", "here"}, {"column", "x"}, {"stated", 1.0}};
+  made.update(more);
+  return made;
+}
+
+analysis::Rows const rows{{"disks.elasticity", "x", "x_error"},
+                          {{"1", "1.5", "0.3"}, {"10", "0.8", ""}, {"100", "", ""}}};
+
+std::vector<std::string> deviations(nlohmann::json const& more) {
+  std::vector<std::string> out;
+  for (auto const& one : compare(entry(more), rows)) out.push_back(one.deviation);
+  return out;
+}
+
+TEST(Stated, DeviatesInStandardErrorsOfBoth) {
+  using Texts = std::vector<std::string>;
+  EXPECT_EQ(deviations({{"row", {{"disks.elasticity", 1}}}}), Texts{"+1.7 standard errors"});
+  EXPECT_EQ(deviations({{"row", {{"disks.elasticity", 1}}}, {"error", 0.4}}),
+            Texts{"+1.0 standard errors"});
+  EXPECT_EQ(deviations({}), (Texts{"+1.7 standard errors", "-", "-"}));
+}
+
+TEST(Stated, RangesAreMissedByTheDistanceToThem) {
+  nlohmann::json const first{{"disks.elasticity", 1}};
+  EXPECT_EQ(deviations({{"row", first}, {"stated", {1.0, 2.0}}})[0], "inside");
+  EXPECT_EQ(deviations({{"row", first}, {"stated", {1.8, 2.0}}})[0], "-1.0 standard errors");
+  EXPECT_EQ(deviations({{"row", first}, {"stated", {0.6, 0.9}}})[0], "+2.0 standard errors");
+}
+
+TEST(Stated, SaysWhatIsNotFound) {
+  auto const missing = compare(entry({{"row", {{"disks.elasticity", 100}}}}), rows);
+  ASSERT_EQ(missing.size(), 1u);
+  EXPECT_EQ(missing[0].ours, "not found");
+  EXPECT_EQ(compare(entry({{"column", "y"}}), rows)[0].ours, "not found");
+  EXPECT_TRUE(compare(entry({{"row", {{"disks.elasticity", 7}}}}), rows).empty());
+  EXPECT_EQ(compare(entry({{"about", true}}), rows)[0].stated, "about 1");
+  EXPECT_EQ(compare(entry({{"about", true}}), rows)[0].deviation, "+50%");
+}
+
+}  // namespace bagnold::test

@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""bagnold figure: every figure of the papers is there, and the quick ones come out as pictures."""
+
+import csv
+import re
+import struct
+import tomllib
+import unittest
+
+from bagnold import SOURCE, CliTest
+
+FIGURES = SOURCE / "inputs/figures/figures.toml"
+WANTED = ([f"P1-{n}" for n in range(1, 18) if n != 9] +
+          [f"P2-{n}" for n in range(1, 37) if n != 7])
+QUICK = "P1-1 P1-6 P1-10 P1-11 P1-15 P2-1 P2-4 P2-8 P2-12 P2-20 P2-21 P2-31".split()
+
+SWEEP = """title = "tiny"
+[disks]
+model = "CD_n"
+count = 32
+packing_fraction = 0.6
+mass = "area"
+[shear]
+strain_rate = 1e-2
+strain = 4.0
+[output]
+plot = false
+[sweep]
+grid = { "disks.elasticity" = [1, 10], "disks.seed" = [1, 2] }
+"""
+ONE = """[P9-1]
+title = "a title"
+claims = "a claim"
+data = "tiny"
+values = { y = "B_p" }
+panel = [{ analyse = "table --x disks.elasticity --y {y}", y_label = "$B_{p}$" }]
+stated = [{ what = "B_p", source = "nowhere", analyse = "table", row = { "disks.elasticity" = 10 }, column = "B_p", stated = 1e9 }]
+"""
+
+
+def size_of(picture):
+    """Width and height of a PNG."""
+    head = picture.read_bytes()[:24]
+    assert head[:8] == b"\x89PNG\r\n\x1a\n"
+    return struct.unpack(">II", head[16:])
+
+
+class FigureTest(CliTest):
+    def figure(self, *arguments, code=0, **options):
+        result = self.bagnold("figure", *arguments, **options)
+        self.assertEqual(result.returncode, code, result.stdout + result.stderr)
+        return result
+
+    def own(self, text, sweep=SWEEP):
+        (self.folder / "tiny.toml").write_text(sweep)
+        path = self.folder / "own.toml"
+        path.write_text(text)
+        return path
+
+    def test_all_figures_of_the_papers_are_there(self):
+        """And whatever one of them says of analyses, data and values is understood."""
+        lines = self.figure("--figures", FIGURES).stdout.splitlines()
+        self.assertEqual([line.split()[0] for line in lines], WANTED)
+        self.assertEqual([line.split()[0] for line in lines if "--quick" in line], QUICK)
+        with open(FIGURES, "rb") as file:
+            figures = tomllib.load(file)
+        for name, figure in figures.items():
+            self.assertGreater(figure["hours"], 0, name)
+            self.assertGreater(len(figure["claims"]), 10, name)
+
+    def test_every_data_set_is_used_and_says_what_it_costs(self):
+        text = FIGURES.read_text()
+        for path in FIGURES.parent.glob("*.toml"):
+            if path != FIGURES:
+                self.assertIn(f'"{path.stem}"', text)
+                comment = path.read_text().splitlines()[0]
+                self.assertRegex(comment, "^# (P[12] Figs?[.]|The rate|For the quick)")
+
+    def test_quick_figures_come_out(self):
+        """With data sets made tiny: the way from figures.toml to the picture, not its content."""
+        folder = self.folder / "figures"
+        folder.mkdir()
+        for path in FIGURES.parent.glob("*.toml"):
+            text = path.read_text()
+            if path.stem.endswith("_quick"):
+                text = text.replace("count = 256", "count = 32")
+                text = re.sub(r"\nstrain = .*", "\nstrain = 0.1", text)
+                text = re.sub(r"strain_rates = .*", "strain_rates = [1e-3, 1e-4]", text)
+                text = text.replace("ramp_rate = 1e-4", "ramp_rate = 1e-3")
+                text = text.replace("[output]", "[output]\nsample_strain = 5e-3"
+                                    if "ramp" not in path.stem else "[output]")
+            (folder / path.name).write_text(text)
+        figures = FIGURES.read_text().replace("values = { rate = 1e-5,", "values = { rate = 1e-4,")
+        figures = figures.replace("fast = 1e-4", "fast = 1e-3")
+        (folder / "figures.toml").write_text(figures)
+        out = self.folder / "out"
+        for name in QUICK:
+            with self.subTest(figure=name):
+                self.figure(name, "--quick", "--figures", folder / "figures.toml", "--out", out)
+                width, height = size_of(out / f"{name}-quick.png")
+                self.assertGreater(min(width, height), 200)
+
+    def test_runs_once_and_compares(self):
+        own = self.own(ONE)
+        result = self.figure("P9-1", "--figures", own, "--out", "out")
+        self.assertIn("a claim", result.stdout)
+        self.assertRegex(result.stdout, r"B_p +1e\+09 .* standard errors +nowhere")
+        with open(self.folder / "out/P9-1/stated.csv", newline="") as file:
+            row = next(csv.DictReader(file))
+        self.assertEqual((row["what"], row["stated"]), ("B_p", "1e+09"))
+        size_of(self.folder / "out/P9-1.png")
+        stamps = {p: p.stat().st_mtime_ns for p in (self.folder / "out/data").rglob("state.h5")}
+        self.assertEqual(len(stamps), 4)
+        self.figure("P9-1", "--figures", own, "--out", "out")
+        for path, stamp in stamps.items():
+            self.assertEqual(path.stat().st_mtime_ns, stamp)
+
+    def test_mistakes_are_told_before_anything_runs(self):
+        for old, new, *words in (
+                ('"tiny"', '"huge"', "huge.toml"),
+                ("table --x", "tabel --x", "tabel", "table"),
+                ("--y {y}", "--why {y}", "--why"),
+                ('title = "a title"', "", "title"),
+                ('claims = "a claim"', 'claims = "a claim', "own.toml:3"),
+                ("panel = [{", "panel = [] #", "no panel")):
+            with self.subTest(new=new):
+                own = self.own(ONE.replace(old, new))
+                for arguments in ((), ("P9-1",)):
+                    result = self.bagnold("figure", *arguments, "--figures", own, "--out", "bad")
+                    self.assert_clean_error(result, 2, *words)
+                self.assertFalse((self.folder / "bad").exists())
+        own = self.own(ONE)
+        self.assert_clean_error(self.bagnold("figure", "P9-2", "--figures", own), 2, "P9-1")
+        self.assert_clean_error(self.bagnold("figure", "P9-1", "--quick", "--figures", own), 2, "quick")
+
+
+if __name__ == "__main__":
+    unittest.main()
