@@ -266,11 +266,10 @@ void Runner::finish() {
     if (run_.scene.measure.profiles || run_.scene.measure.fields)
       warn(draw_frames(folder_.result(), folder_.path()));
   }
-  if (!quiet_) {
-    print_table(run_, list);
-    fmt::print("\nresults in {}\n", folder_.path().string());
-    std::fflush(stdout);  // before stderr
-  }
+  if (quiet_) return;
+  print_table(run_, list);
+  fmt::print("\nresults in {}\n", folder_.path().string());
+  std::fflush(stdout);  // before stderr
   for (auto const& warning : suspect) warn(text_of(warning));
 }
 

@@ -82,7 +82,7 @@ int write_tables(sweep::Sweep const& sweep, sweep::SweepFolder const& folder, bo
   sweep::write_csv(folder.path() / "sweep.csv", sweep, results);
   sweep::write_hdf5(folder.path() / "sweep.h5", sweep, results,
                     {{"bagnold_version", made.version}, {"git", made.git}});
-  warn(warnings_of(sweep, results));
+  if (!quiet) warn(warnings_of(sweep, results));
   auto const done = std::ranges::count(results.status, "done");
   auto const points = std::ssize(sweep.points);
   if (!quiet)

@@ -23,7 +23,7 @@ class Edges(CliTest):
         """(exit code, names of warnings, what was said)"""
         path = self.scene(SOUND, **changes)
         out = self.folder / f"out{self.written}"
-        result = self.bagnold("run", path, "--out", out, "--quiet", "--threads", "1", *arguments)
+        result = self.bagnold("run", path, "--out", out, "--threads", "1", *arguments)
         names = []
         if result.returncode == 0:
             names = [warning["name"] for warning in read_summary(out)["warnings"]]

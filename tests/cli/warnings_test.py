@@ -20,7 +20,7 @@ class Mechanism(SweepTest):
     def jammed(self, name, **changes):
         path = self.scene(**{**JAMMED, **changes})
         out = self.folder / name
-        result = self.bagnold("run", path, "--out", out, "--quiet")
+        result = self.bagnold("run", path, "--out", out)
         self.assertEqual(result.returncode, 0, result.stderr)
         return read_summary(out), result.stderr
 
@@ -39,6 +39,13 @@ class Mechanism(SweepTest):
             summary, said = self.jammed(f"lines{len(changes)}", **changes)
             lines = [line for line in said.splitlines() if line.startswith("bagnold: warning: ")]
             self.assertEqual([line.split(": ")[2] for line in lines], names(summary))
+
+    def test_quiet_leaves_them_to_the_files(self):
+        path = self.scene(**JAMMED)
+        out = self.folder / "quiet"
+        result = self.bagnold("run", path, "--out", out, "--quiet")
+        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
+        self.assertIn("above_jamming", names(read_summary(out)))
 
     def test_cascades_have_them_for_each_rate(self):
         summary, said = self.jammed("cascade", shear__protocol="cascade", shear__strain_rate=None,
@@ -62,7 +69,7 @@ class Mechanism(SweepTest):
         path.write_text(sweep_text(changed(SCENE, disks__model="CD"),
                                    grid={"disks.packing_fraction": [0.7, 0.86]}))
         out = self.folder / "sweep"
-        result = self.bagnold("sweep", path, "--out", out, "--quiet")
+        result = self.bagnold("sweep", path, "--out", out)
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertRegex(result.stderr, r"of 2 points are suspect: above_jamming \(1\)")
         with h5py.File(out / "sweep.h5") as file:
