@@ -9,7 +9,7 @@
 #include <limits>
 #include <optional>
 
-#include "src/config/errors.hpp"
+#include "src/analysis/panel.hpp"
 
 namespace bagnold {
 namespace {
@@ -55,6 +55,19 @@ std::string with_error(double value, double error) {
                               : fmt::format("{:.4g}", value);
 }
 
+/// ", phi = 0.7": scene keys that tell the chosen rows apart.
+std::string differences(analysis::Rows const& table, std::vector<std::size_t> const& chosen,
+                        std::size_t row) {
+  std::string out;
+  for (std::size_t column = 0; column < table.columns.size(); ++column) {
+    auto const cell = [&](std::size_t k) -> std::string const& { return table.rows[k][column]; };
+    bool const is_key = table.columns[column].find('.') != std::string::npos;
+    if (is_key && std::ranges::any_of(chosen, [&](auto k) { return cell(k) != cell(row); }))
+      out += fmt::format(", {} = {}", analysis::symbol(table.columns[column]), cell(row));
+  }
+  return out;
+}
+
 Comparison compared(json const& entry, Row const& row) {
   auto const column = entry.at("column").get<std::string>();
   auto const& stated = entry.at("stated");
@@ -82,14 +95,18 @@ Comparison compared(json const& entry, Row const& row) {
 }  // namespace
 
 std::vector<Comparison> compare(json const& entry, analysis::Rows const& results) {
-  std::vector<Comparison> out;
   auto const conditions = entry.value("row", json::object());
-  for (auto const& cells : results.rows) {
-    Row const row(results, cells);
-    auto const items = conditions.items();
-    if (std::all_of(items.begin(), items.end(),
-                    [&](auto const& one) { return agrees(row, one.key(), one.value()); }))
-      out.push_back(compared(entry, row));
+  auto const items = conditions.items();
+  std::vector<std::size_t> chosen;
+  for (std::size_t k = 0; k < results.rows.size(); ++k)
+    if (std::all_of(items.begin(), items.end(), [&](auto const& one) {
+          return agrees(Row(results, results.rows[k]), one.key(), one.value());
+        }))
+      chosen.push_back(k);
+  std::vector<Comparison> out;
+  for (auto const k : chosen) {
+    out.push_back(compared(entry, Row(results, results.rows[k])));
+    out.back().what += differences(results, chosen, k);
   }
   return out;
 }

@@ -41,6 +41,8 @@ TEST(Stated, SaysWhatIsNotFound) {
   EXPECT_EQ(missing[0].ours, "not found");
   EXPECT_EQ(compare(entry({{"column", "y"}}), rows)[0].ours, "not found");
   EXPECT_TRUE(compare(entry({{"row", {{"disks.elasticity", 7}}}}), rows).empty());
+  EXPECT_EQ(missing[0].what, "x");
+  EXPECT_EQ(compare(entry({}), rows)[1].what, "x, Q = 10");  // rows told apart
   EXPECT_EQ(compare(entry({{"about", true}}), rows)[0].stated, "about 1");
   EXPECT_EQ(compare(entry({{"about", true}}), rows)[0].deviation, "+50%");
 }

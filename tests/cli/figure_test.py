@@ -68,6 +68,16 @@ class FigureTest(CliTest):
             self.assertGreater(figure["hours"], 0, name)
             self.assertGreater(len(figure["claims"]), 10, name)
 
+    def test_the_documentation_shows_them(self):
+        text = (SOURCE / "docs/figures.md").read_text()
+        for name in WANTED:
+            self.assertIn(f"\n| {name} | ", text)
+        for name in QUICK:
+            self.assertIn(f"(figures/{name}.png)", text)
+            picture = SOURCE / f"docs/figures/{name}.png"
+            size_of(picture)
+            self.assertLess(picture.stat().st_size, 60e3)
+
     def test_every_data_set_is_used_and_says_what_it_costs(self):
         text = FIGURES.read_text()
         for path in FIGURES.parent.glob("*.toml"):
@@ -87,6 +97,9 @@ class FigureTest(CliTest):
                 text = re.sub(r"\nstrain = .*", "\nstrain = 0.1", text)
                 text = re.sub(r"strain_rates = .*", "strain_rates = [1e-3, 1e-4]", text)
                 text = text.replace("ramp_rate = 1e-4", "ramp_rate = 1e-3")
+                text = text.replace('"disks.seed" = [1, 2]', '"disks.seed" = [1]')
+                text = text.replace("[0.60, 0.70, 0.78, 0.82]", "[0.60, 0.78, 0.82]")
+                text = text.replace("[0.70, 0.76, 0.79, 0.81, 0.83]", "[0.70, 0.81]")
                 text = text.replace("[output]", "[output]\nsample_strain = 5e-3"
                                     if "ramp" not in path.stem else "[output]")
             (folder / path.name).write_text(text)
