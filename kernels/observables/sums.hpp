@@ -58,11 +58,12 @@ struct PairSums {
 
 /// Sums over blocks of consecutive disks, each in order; the blocks are added in order afterwards.
 /// So the result does not depend on threads.
-template <ContactLaw Law, class Repulsion, class Space>
+template <ContactLaw Law, class Repulsion, class Space, class Pairs>
 struct MeasureBlock {
   static constexpr std::int64_t disks = 64;  ///< in a block
 
   ContactForces<Law, Repulsion, Space> forces;
+  Pairs pairs;  ///< pairs(i, observer), for each disk
   Kokkos::View<Sums<Law::rotates>*, Space> block_sums;  ///< [ceil(N / disks)]
 
   KOKKOS_FUNCTION void operator()(std::int64_t block) const {
@@ -70,7 +71,7 @@ struct MeasureBlock {
     std::int64_t const count = forces.position.extent(0);
     std::int64_t const end = (block + 1) * disks < count ? (block + 1) * disks : count;
     for (std::int64_t i = block * disks; i < end; ++i) {
-      forces(static_cast<std::uint32_t>(i), PairSums<Law::rotates>{sums});
+      pairs(static_cast<std::uint32_t>(i), PairSums<Law::rotates>{sums});
       add_disk(sums.value, i);
     }
     block_sums(block) = sums;
