@@ -15,6 +15,9 @@ struct CDn {
   static constexpr bool rotates = false;  ///< a central force exerts no torque
   Real damping;                           ///< k_d, [m_0 / tau_e]; 1/Q in reduced units
 
+  Real normal_damping() const { return damping; }
+  Real tangential_damping() const { return 0; }
+
   template <class T>
   KOKKOS_FUNCTION Vec2<T> dissipative_force(Contact<T> const& c) const {
     return T(-damping) * dot(c.velocity, c.normal) * c.normal;

@@ -15,6 +15,9 @@ struct CDrot {
   static constexpr bool rotates = true;
   Real damping;  ///< k_d, [m / tau_e]; 1/Q in reduced units
 
+  Real normal_damping() const { return damping; }
+  Real tangential_damping() const { return damping; }
+
   template <class T>
   KOKKOS_FUNCTION Vec2<T> dissipative_force(Contact<T> const& c) const {
     return T(-damping) * c.velocity;

@@ -16,6 +16,9 @@ struct General {
   Real damping_normal;      ///< k_d^(n), [m / tau_e]
   Real damping_tangential;  ///< k_d^(t), [m / tau_e]
 
+  Real normal_damping() const { return damping_normal; }
+  Real tangential_damping() const { return damping_tangential; }
+
   template <class T>
   KOKKOS_FUNCTION Vec2<T> dissipative_force(Contact<T> const& c) const {
     T const normal_part = T(damping_tangential - damping_normal) * dot(c.velocity, c.normal);

@@ -22,11 +22,11 @@ struct NoPackObserver {
 /// The forces on the disks of one block from one of its near lists, a pack of pairs at once.
 ///
 /// The pairs are added in the order of the list, so the bits depend neither on threads nor on when
-/// the list was pruned: a pair that does not touch adds zero.
-template <ContactLaw Law, class Repulsion>
+/// the list was pruned: a pair that does not touch adds zero. Counting: each disk's contacts too.
+template <ContactLaw Law, class Repulsion, bool Counting = false>
 struct BlockForces {
   static constexpr bool rotates = Law::rotates;
-  using Force = std::conditional_t<rotates, simd::TurningForce, simd::Force>;
+  using Force = std::conditional_t<rotates || Counting, simd::TurningForce, simd::Force>;
 
   Law law;
   Repulsion repulsion;
@@ -82,8 +82,12 @@ struct BlockForces {
                                                       {d.vx, d.vy}, inverse_distance, diameter_a * now.spins);
       Pack const x = zero_unless(touching, f.elastic.x + f.dissipative.x);
       Pack const y = zero_unless(touching, f.elastic.y + f.dissipative.y);
-      if constexpr (rotates)
-        simd::scatter(force, pairs + k, x, y, zero_unless(touching, f.turn(inverse_distance)));
+      Pack turn = 0.0;
+      if constexpr (rotates) turn = zero_unless(touching, f.turn(inverse_distance));
+      if constexpr (Counting)
+        simd::scatter(force, pairs + k, x, y, turn, zero_unless(touching, 1.0));
+      else if constexpr (rotates)
+        simd::scatter(force, pairs + k, x, y, turn);
       else
         simd::scatter(force, pairs + k, x, y);
       observe(PackOfPairs{pairs + k, touching, f});

@@ -36,6 +36,24 @@ struct ContactForces {
   template <class Observer>
   KOKKOS_FUNCTION Action<rotates> operator()(std::uint32_t i, Observer&& observe) const {
     Action<rotates> total;
+    Real const diameter_i = table.diameter[species(i)];
+    each_contact(i, [&](std::uint32_t, Vec2<Real> const& separation, Real distance2,
+                        Real inverse_distance, Vec2<Real> const& velocity, Real spins) {
+      auto const pair =
+          pair_force(law, repulsion, separation, distance2, velocity, inverse_distance, spins);
+      total.force += pair.elastic + pair.dissipative;
+      if constexpr (rotates) total.torque += diameter_i * pair.turn(inverse_distance);
+      observe(pair);
+    });
+    return total;
+  }
+
+  /// The configuration.
+  KOKKOS_FUNCTION ContactForces const& now() const { return *this; }
+
+  /// visit(j, r_ij, r_ij^2, 1/d_ij, v_ij, thetadot_i d_i + thetadot_j d_j) for all disks j that i touches.
+  template <class Visit>
+  KOKKOS_FUNCTION void each_contact(std::uint32_t i, Visit const& visit) const {
     Vec2<Real> const position_i = position(i);
     Motion<rotates> const motion_i = motion(i);
     Real const diameter_i = table.diameter[species(i)];
@@ -56,13 +74,8 @@ struct ContactForces {
       Real const inverse_distance = 1 / contact_distance;
       Real spins = 0;
       if constexpr (rotates) spins = motion_i.spin * diameter_i + motion_j.spin * diameter_j;
-      auto const pair =
-          pair_force(law, repulsion, separation, distance2, velocity, inverse_distance, spins);
-      total.force += pair.elastic + pair.dissipative;
-      if constexpr (rotates) total.torque += diameter_i * pair.turn(inverse_distance);
-      observe(pair);
+      visit(j, separation, distance2, inverse_distance, velocity, spins);
     }
-    return total;
   }
 };
 

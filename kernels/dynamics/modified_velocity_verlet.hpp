@@ -50,6 +50,14 @@ struct OverlapLimit {
   }
 };
 
+/// Keeps the largest |w|^2 of a disk now and a step later; infinity where it is no number, or not sound.
+KOKKOS_INLINE_FUNCTION void keep_largest(Real& largest, Real now2, Real next2, bool sound) {
+  Real value = now2 > next2 ? now2 : next2;
+  if (!(sound && value < Kokkos::reduction_identity<Real>::min() && now2 == now2))
+    value = Kokkos::reduction_identity<Real>::min();
+  if (value > largest) largest = value;
+}
+
 /// Second half, P2 Eqs. (23)-(24), with v_0 + f(r_0, v_0) dt/2m written as (v_0 + v~_1)/2:
 ///
 ///     v_1 = (v_0 + v~_1)/2 + f(r~_1, v~_1) dt/2m,   r_1 = r_0 + (v_0 + v_1) dt/2
@@ -78,14 +86,10 @@ struct Correct {
     motion(i) = after;
     position(i) = moved;
 
-    Real const now2 = excursion2(moved, at_build(i), strain_since_build);
-    Real const next2 = excursion2(moved + time_step * after.velocity, at_build(i),
-                                  next_strain_since_build);
-    Real value = now2 > next2 ? now2 : next2;
-    bool const sound = value < Kokkos::reduction_identity<Real>::min() && now2 == now2 &&
-                       !limit.exceeded;
-    if (!sound) value = Kokkos::reduction_identity<Real>::min();
-    if (value > largest) largest = value;
+    keep_largest(largest, excursion2(moved, at_build(i), strain_since_build),
+                 excursion2(moved + time_step * after.velocity, at_build(i),
+                            next_strain_since_build),
+                 !limit.exceeded);
   }
 };
 

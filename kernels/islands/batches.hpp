@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "kernels/dynamics/block_step.hpp"
+#include "kernels/dynamics/block_system.hpp"
 #include "kernels/islands/islands.hpp"
 
 namespace bagnold {
 
 /// Islands put together to blocks without halo, on which the block step runs through a whole window
 /// in cache. Which island is in which batch depends on the islands alone.
-template <ContactLaw Law, class Repulsion>
+template <class Step>
 struct Batches {
-  using Step = BlockStep<Law, Repulsion>;
   static constexpr std::uint32_t size = 128;  ///< disks from which on a batch is full
 
   Step step;                             ///< blocks, state and species of the batches
@@ -69,7 +68,7 @@ struct Batches {
     need(step.species, slots, "islands::species");
     need(step.now.record, slots, "islands::record");
     need(step.trial.record, slots, "islands::trial_record");
-    if constexpr (Law::rotates) {
+    if constexpr (Step::rotates) {
       need(step.now.spin, slots, "islands::spin");
       need(step.trial.spin, slots, "islands::trial_spin");
     }
@@ -94,12 +93,12 @@ struct Batches {
       auto const slot = block.first + k;
       slot_of[first_place + k] = slot;
       place(slot, at_image(all.now.record(disk.slot), disk.image, box), all.species(disk.slot));
-      if constexpr (Law::rotates) step.now.spin(slot) = all.now.spin(disk.slot);
+      if constexpr (Step::rotates) step.now.spin(slot) = all.now.spin(disk.slot);
     }
     for (auto k = block.own; k < block.padded; ++k) {
       Real const far = 1e3 * box.length * (k - block.own + 1);
       place(block.first + k, {far, 0, 0, 0}, 0);
-      if constexpr (Law::rotates) step.now.spin(block.first + k) = 0;
+      if constexpr (Step::rotates) step.now.spin(block.first + k) = 0;
     }
     list_pairs(block, begin, end, first_place, islands);
     step.blocks.block(b) = block;

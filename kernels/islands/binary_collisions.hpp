@@ -3,6 +3,8 @@
 
 #include "kernels/contact/pair_force.hpp"
 #include "kernels/core/species.hpp"
+#include "kernels/dynamics/scheme.hpp"
+#include "kernels/dynamics/second_look.hpp"
 #include "kernels/islands/lane_watch.hpp"
 #include "kernels/islands/sample_times.hpp"
 #include "kernels/observables/sums.hpp"
@@ -14,9 +16,10 @@ namespace bagnold {
 /// Islands of two disks, eight at a time, one a lane, each at its own time: a pair flies to just
 /// before its contact in one go, is stepped while it touches, and flies on. So a collision costs the
 /// same whatever the time between collisions.
-template <ContactLaw Law, class Repulsion>
+template <ContactLaw Law, class Repulsion, Scheme Stepped>
 struct BinaryCollisions {
   static constexpr bool rotates = Law::rotates;
+  static constexpr bool two_stage = Stepped == Scheme::two_stage_leapfrog;
   static constexpr int width = simd::width;
   using Pack = simd::Pack;
 
@@ -46,7 +49,7 @@ struct BinaryCollisions {
   Outcome run(Disk* a, Disk* b, int count, std::int64_t steps, SampleTimes const& times,
               Sums<rotates>* sums, Watch&& watch) const {
     Lanes p(*this, a, count), q(*this, b, count);
-    Touch const touch(a, b, count);
+    Touch const touch(*this, a, b, count);
     Outcome outcome;
     Pack const end = static_cast<Real>(steps);
     Pack step = first_step(p, q, touch, end);
@@ -64,7 +67,8 @@ struct BinaryCollisions {
       auto const active = simd::Mask::of(busy) & (step < end);
       if (!active.any()) break;
       Pack const dt = zero_unless(active, time_step);
-      auto const f = feel(p, q, touch);
+      auto f = feel(p, q, touch);
+      if constexpr (two_stage) look_again(f, p, q, dt, touch);
       Vec2<Pack> const velocity{p.vx - q.vx, p.vy - q.vy};
       watch.look(active, f.touching, step, f.force.separation, velocity, {p.spin, q.spin});
       auto const sampled = active & (due < step + 0.5);
@@ -76,10 +80,7 @@ struct BinaryCollisions {
           watch.sample(k, times.bin(sample[k]), f.force.separation, velocity);
           due.v[k] = due_step(times, ++sample[k]);
         }
-      Lanes const p1 = p.predicted(f, dt, 1.0), q1 = q.predicted(f, dt, -1.0);
-      auto const g = feel(p1, q1, touch);
-      p.correct(p1, g, dt, 1.0);
-      q.correct(q1, g, dt, -1.0);
+      auto const g = take_step(p, q, f, dt, touch);
       step += zero_unless(active, 1.0);
       overlap = max(overlap, zero_unless(active & g.touching, g.force.relative_overlap));
       Pack const time = time_step * step;
@@ -112,13 +113,22 @@ struct BinaryCollisions {
  private:
   struct Touch {
     Pack reach2, inverse_distance, diameter_a, diameter_b;
-    Touch(Disk const* a, Disk const* b, int count) {
+    Pack share_normal, share_tangential;  ///< of a lone pair, in the second look
+
+    Touch(BinaryCollisions const& c, Disk const* a, Disk const* b, int count) {
+      SecondLook shares;
+      if constexpr (two_stage) shares = SecondLook(c.law, c.table, c.time_step);
       Pack distance;
       for (int k = 0; k < width; ++k) {
         int const j = k < count ? k : 0;
         diameter_a.v[k] = a[j].species ? big_diameter : small_diameter;
         diameter_b.v[k] = b[j].species ? big_diameter : small_diameter;
-        distance.v[k] = class_distance(pair_class(a[j].species, b[j].species));
+        int const both = pair_class(a[j].species, b[j].species);
+        distance.v[k] = class_distance(both);
+        if constexpr (two_stage) {
+          share_normal.v[k] = shares.normal[both][0];
+          share_tangential.v[k] = shares.tangential[both][0];
+        }
       }
       reach2 = distance * distance;
       inverse_distance = Pack(1.0) / distance;
@@ -176,6 +186,14 @@ struct BinaryCollisions {
       vy = wy;
       if constexpr (rotates)
         spin = fma(0.5 * dt * turn_to_spin, f.turn, 0.5 * (spin + t.spin));
+    }
+
+    void leap(Felt const& f, Pack dt, Real sign) {
+      Pack const k = sign * dt * inverse_mass;
+      vx = fma(k, f.x, vx);
+      vy = fma(k, f.y, vy);
+      fly(dt);
+      if constexpr (rotates) spin = fma(dt * turn_to_spin, f.turn, spin);
     }
 
     void watch(Pack time, Real time_step) {
@@ -252,6 +270,48 @@ struct BinaryCollisions {
     if constexpr (rotates)
       felt.turn = zero_unless(felt.touching, felt.force.turn(touch.inverse_distance));
     return felt;
+  }
+
+  /// A step of the active lanes. Returns what was felt on the way.
+  Felt take_step(Lanes& p, Lanes& q, Felt const& f, Pack dt, Touch const& touch) const {
+    if constexpr (two_stage) {
+      p.leap(f, dt, 1.0);
+      q.leap(f, dt, -1.0);
+      return f;
+    } else {
+      Lanes const p1 = p.predicted(f, dt, 1.0), q1 = q.predicted(f, dt, -1.0);
+      auto const g = feel(p1, q1, touch);
+      p.correct(p1, g, dt, 1.0);
+      q.correct(q1, g, dt, -1.0);
+      return g;
+    }
+  }
+
+  /// Adds the damping of what f changes in a step.
+  void look_again(Felt& f, Lanes const& p, Lanes const& q, Pack dt, Touch const& touch) const {
+    auto const& separation = f.force.separation;
+    Pack const inverse =
+        inverse_sqrt(fma(separation.x, separation.x, separation.y * separation.y));
+    Contact<Pack> contact;
+    contact.normal = inverse * separation;
+    contact.relative_overlap = f.force.relative_overlap;
+    contact.inverse_distance = touch.inverse_distance;
+    Pack const per_force = dt * (p.inverse_mass + q.inverse_mass);
+    Vec2<Pack> change{per_force * f.x, per_force * f.y};
+    if constexpr (rotates) {
+      Pack const spins = dt * f.turn *
+                         fma(touch.diameter_a, p.turn_to_spin, touch.diameter_b * q.turn_to_spin);
+      change = change - (0.5 * touch.inverse_distance * spins) * perpendicular(separation);
+    }
+    contact.velocity =
+        looked_at<Law>(change, contact.normal, touch.share_normal, touch.share_tangential);
+    auto const more = law.dissipative_force(contact);
+    f.force.dissipative = f.force.dissipative + more;
+    f.force.velocity = f.force.velocity + Pack(0.5) * change;
+    f.x += zero_unless(f.touching, more.x);
+    f.y += zero_unless(f.touching, more.y);
+    if constexpr (rotates)
+      f.turn = zero_unless(f.touching, f.force.turn(touch.inverse_distance));
   }
 
   /// One evaluated configuration of one pair, less that of its straight flights.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "kernels/dynamics/block_step.hpp"
+#include "kernels/dynamics/block_system.hpp"
 #include "kernels/islands/islands.hpp"
 
 namespace bagnold {
@@ -84,8 +84,8 @@ struct FreeFlightSums {
 };
 
 /// Those of a block's own disks for which free(slot) holds, a pack at a time. Inert disks add zero.
-template <ContactLaw Law, class Repulsion, class Free>
-FreeFlightSums free_flight_sums(BlockStep<Law, Repulsion> const& step, Block const& block,
+template <class Step, class Free>
+FreeFlightSums free_flight_sums(Step const& step, Block const& block,
                                 Real strain_rate, Free const& free) {
   using simd::Pack;
   struct Packs {
@@ -116,7 +116,7 @@ FreeFlightSums free_flight_sums(BlockStep<Law, Repulsion> const& step, Block con
     Pack const a = fnma(strain_rate, r.y, r.vx), b = -strain_rate * r.vy;
     mass.add(m, a, b, r.vy);
     plain.add(one, a, b, r.vy);
-    if constexpr (Law::rotates) {
+    if constexpr (Step::rotates) {
       Pack const s = zero_unless(here, Pack::load(step.now.spin.data() + slot));
       spin += s;
       spin2 = fma(s, s, spin2);

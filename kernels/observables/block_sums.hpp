@@ -2,7 +2,7 @@
 #pragma once
 
 #include <algorithm>
-#include "kernels/dynamics/block_step.hpp"
+#include "kernels/dynamics/block_system.hpp"
 #include "kernels/observables/sums.hpp"
 
 namespace bagnold {
@@ -35,17 +35,16 @@ struct PackSums {
   }
 };
 
-/// The sums of one block: its pairs, and its own disks (inert ones add zero).
-template <ContactLaw Law, class Repulsion>
-Sums<Law::rotates> measure_block(BlockStep<Law, Repulsion> const& step, std::uint32_t b,
-                                 ShearedBox const& box,
-                                 typename BlockStep<Law, Repulsion>::Force* force) {
+/// The sums of one block: its pairs, and its own disks (inert ones add zero). Between the two halves of
+/// a step.
+template <class Step>
+Sums<Step::rotates> measure_block(Step const& step, std::uint32_t b, ShearedBox const& box,
+                                  typename Step::Force* force) {
   using simd::Pack;
   using C = SumColumns;
   Block const& block = step.blocks.block(b);
-  refresh_halo(step.blocks, block, step.now, box);
   PackSums pairs{block.padded};
-  step.evaluate(block, step.now, force, pairs);
+  step.observe(block, box, force, pairs);
   Pack v[C::count], spin = 0.0, spin2 = 0.0;
   for (auto& sum : v) sum = 0.0;
   for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
@@ -59,18 +58,18 @@ Sums<Law::rotates> measure_block(BlockStep<Law, Repulsion> const& step, std::uin
     v[C::kinetic_yy] += mass * uy * uy;
     v[C::velocity_x2] += ux * ux;
     v[C::velocity_y2] += uy * uy;
-    if constexpr (Law::rotates) {
+    if constexpr (Step::rotates) {
       Pack const s = Pack::load(step.now.spin.data() + slot);
       spin += s;
       spin2 += s * s;
     }
   }
-  Sums<Law::rotates> sums;
+  Sums<Step::rotates> sums;
   for (int c : {C::kinetic_xx, C::kinetic_xy, C::kinetic_yy, C::velocity_x2, C::velocity_y2})
     sums.value[c] = simd::sum(v[c]);
   for (int c = C::elastic_xx; c <= C::dissipation; ++c) sums.value[c] = pairs.value[c];
   sums.value[C::contacts] = pairs.value[C::contacts];
-  if constexpr (Law::rotates) {
+  if constexpr (Step::rotates) {
     sums.value[C::spin] = simd::sum(spin);
     sums.value[C::spin2] = simd::sum(spin2);
   }

@@ -63,25 +63,26 @@ struct PairSums {
   }
 };
 
-/// One disk's part of the sums.
-template <ContactLaw Law, class Repulsion, class Space>
+/// One disk's part of the sums. Forces: ContactForces, or what stands for them in a scheme's step.
+template <class Forces>
 struct MeasureDisk {
-  ContactForces<Law, Repulsion, Space> forces;
+  Forces forces;
 
-  KOKKOS_FUNCTION Sums<Law::rotates> operator()(std::uint32_t i) const {
-    Sums<Law::rotates> sums;
-    forces(i, PairSums<Law::rotates>{sums});
+  KOKKOS_FUNCTION auto operator()(std::uint32_t i) const {
+    auto const& now = forces.now();
+    Sums<Forces::rotates> sums;
+    forces(i, PairSums<Forces::rotates>{sums});
     Real* const s = sums.value;
-    Real const mass = 1 / forces.table.inverse_mass[forces.species(i)];
-    auto const motion = forces.motion(i);
-    Real const vx = motion.velocity.x - forces.box.strain_rate * forces.position(i).y;
+    Real const mass = 1 / now.table.inverse_mass[now.species(i)];
+    auto const motion = now.motion(i);
+    Real const vx = motion.velocity.x - now.box.strain_rate * now.position(i).y;
     Real const vy = motion.velocity.y;
     s[SumColumns::kinetic_xx] = mass * vx * vx;
     s[SumColumns::kinetic_xy] = mass * vx * vy;
     s[SumColumns::kinetic_yy] = mass * vy * vy;
     s[SumColumns::velocity_x2] = vx * vx;
     s[SumColumns::velocity_y2] = vy * vy;
-    if constexpr (Law::rotates) {
+    if constexpr (Forces::rotates) {
       s[SumColumns::spin] = motion.spin;
       s[SumColumns::spin2] = motion.spin * motion.spin;
     }
@@ -93,17 +94,17 @@ struct MeasureDisk {
 /// result does not depend on threads.
 inline constexpr std::uint32_t measured_block = 64;
 
-template <ContactLaw Law, class Repulsion, class Space>
+template <class Forces, class Space>
 struct MeasureBlock {
-  ContactForces<Law, Repulsion, Space> forces;
-  Kokkos::View<Sums<Law::rotates>*, Space> block_sums;  ///< [ceil(N / measured_block)]
+  Forces forces;
+  Kokkos::View<Sums<Forces::rotates>*, Space> block_sums;  ///< [ceil(N / measured_block)]
 
   KOKKOS_FUNCTION void operator()(std::int64_t block) const {
-    Sums<Law::rotates> sums;
-    auto const count = static_cast<std::int64_t>(forces.position.extent(0));
+    Sums<Forces::rotates> sums;
+    auto const count = static_cast<std::int64_t>(forces.now().position.extent(0));
     std::int64_t const begin = block * measured_block, full = begin + measured_block;
     for (std::int64_t i = begin; i < (full < count ? full : count); ++i)
-      sums += MeasureDisk<Law, Repulsion, Space>{forces}(static_cast<std::uint32_t>(i));
+      sums += MeasureDisk<Forces>{forces}(static_cast<std::uint32_t>(i));
     block_sums(block) = sums;
   }
 };

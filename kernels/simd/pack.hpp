@@ -197,4 +197,20 @@ BAGNOLD_INLINE Pack inverse_sqrt(Pack a) {
 #endif
 }
 
+/// table[k] for k = 1 .. 8 held as numbers, from table[1] on; k beyond 8 as 8.
+BAGNOLD_INLINE Pack look_up(Pack const& table, Pack k) {
+#if BAGNOLD_AVX512
+  auto const last = _mm512_set1_epi64(width);
+  auto const place = _mm512_min_epi64(_mm512_cvtpd_epi64((__m512d)k.v), last);
+  return (Lanes)_mm512_permutexvar_pd(_mm512_sub_epi64(place, _mm512_set1_epi64(1)), (__m512d)table.v);
+#else
+  Pack r;
+  for (int j = 0; j < width; ++j) {
+    int const place = k.v[j] < width ? static_cast<int>(k.v[j]) : width;
+    r.v[j] = table.v[place < 1 ? 0 : place - 1];
+  }
+  return r;
+#endif
+}
+
 }  // namespace bagnold::simd

@@ -49,12 +49,12 @@ struct alignas(16) Force {
 /// With rotation: `turn` times the diameter is the torque. The order suits addsub: what is opposite
 /// on the partner sits in even places.
 struct alignas(32) TurningForce {
-  double x, unused, y, turn;
+  double x, count, y, turn;  ///< count: of contacts, if asked for
 };
 
 /// The forces on eight disks, component by component.
 struct ForceComponents {
-  Pack x, y, turn;
+  Pack x, y, turn, count;
 };
 
 #if BAGNOLD_AVX512
@@ -74,6 +74,7 @@ BAGNOLD_INLINE Records transpose(__m512d z02, __m512d z13, __m512d z46, __m512d 
 }
 
 BAGNOLD_INLINE __m256d load(Record const& r) { return _mm256_load_pd(&r.x); }
+BAGNOLD_INLINE __m256d row(Record const& r) { return load(r); }
 
 /// Eight rows of four numbers, row(k) each.
 template <class Row>
@@ -106,7 +107,7 @@ BAGNOLD_INLINE Records load_records(Record const* r, std::uint16_t const* index4
 BAGNOLD_INLINE ForceComponents load_forces(TurningForce const* f, std::uint16_t const* index4) {
   auto const rows =
       detail::load_rows([&](int k) { return _mm256_load_pd(&at(f, index4[k]).x); });
-  return {rows.x, rows.vx, rows.vy};
+  return {rows.x, rows.vx, rows.vy, rows.y};
 }
 
 /// Moves `count` (even) disks straight on: to = {x + v time, v}; `to` may be `from`.
@@ -123,7 +124,7 @@ BAGNOLD_INLINE Records load_records(Record const* r) { return detail::load_rows(
 
 BAGNOLD_INLINE ForceComponents load_forces(TurningForce const* f) {
   auto const rows = detail::load_rows(&f->x);
-  return {rows.x, rows.vx, rows.vy};
+  return {rows.x, rows.vx, rows.vy, rows.y};
 }
 
 BAGNOLD_INLINE ForceComponents load_forces(Force const* f) {
@@ -131,7 +132,7 @@ BAGNOLD_INLINE ForceComponents load_forces(Force const* f) {
   __m512i const even = _mm512_setr_epi64(0, 2, 4, 6, 8, 10, 12, 14);
   __m512i const odd = _mm512_setr_epi64(1, 3, 5, 7, 9, 11, 13, 15);
   return {(Lanes)_mm512_permutex2var_pd((__m512d)a.v, even, (__m512d)b.v),
-          (Lanes)_mm512_permutex2var_pd((__m512d)a.v, odd, (__m512d)b.v), 0.0};
+          (Lanes)_mm512_permutex2var_pd((__m512d)a.v, odd, (__m512d)b.v), 0.0, 0.0};
 }
 
 /// Which of eight bytes are not zero.
@@ -193,9 +194,11 @@ BAGNOLD_INLINE void scatter(Force* force, LocalPair const* pairs, Pack x, Pack y
   add(7, _mm512_extractf64x2_pd(odd, 3));
 }
 
-BAGNOLD_INLINE void scatter(TurningForce* force, LocalPair const* pairs, Pack x, Pack y, Pack turn) {
-  __m512d const x0 = _mm512_unpacklo_pd((__m512d)x.v, _mm512_setzero_pd());
-  __m512d const x1 = _mm512_unpackhi_pd((__m512d)x.v, _mm512_setzero_pd());
+/// The turn and the count are the same for both.
+BAGNOLD_INLINE void scatter(TurningForce* force, LocalPair const* pairs, Pack x, Pack y, Pack turn,
+                            Pack count = 0.0) {
+  __m512d const x0 = _mm512_unpacklo_pd((__m512d)x.v, (__m512d)count.v);
+  __m512d const x1 = _mm512_unpackhi_pd((__m512d)x.v, (__m512d)count.v);
   __m512d const y0 = _mm512_unpacklo_pd((__m512d)y.v, (__m512d)turn.v);
   __m512d const y1 = _mm512_unpackhi_pd((__m512d)y.v, (__m512d)turn.v);
   __m512i const low = _mm512_setr_epi64(0, 1, 8, 9, 2, 3, 10, 11);
@@ -243,6 +246,8 @@ BAGNOLD_INLINE Records load_differences(Record const* records, LocalPair const* 
 
 namespace detail {
 
+BAGNOLD_INLINE Record const& row(Record const& r) { return r; }
+
 /// Eight records, row(k) each.
 template <class Row>
 BAGNOLD_INLINE Records load_rows(Row const& row) {
@@ -266,6 +271,7 @@ BAGNOLD_INLINE ForceComponents load_turning(Row const& row) {
     s.x.v[k] = from.x;
     s.y.v[k] = from.y;
     s.turn.v[k] = from.turn;
+    s.count.v[k] = from.count;
   }
   return s;
 }
@@ -305,7 +311,7 @@ BAGNOLD_INLINE ForceComponents load_forces(Force const* f) {
     s.x.v[k] = f[k].x;
     s.y.v[k] = f[k].y;
   }
-  s.turn = 0.0;
+  s.turn = s.count = 0.0;
   return s;
 }
 
@@ -328,12 +334,13 @@ BAGNOLD_INLINE void scatter(Force* force, LocalPair const* pairs, Pack x, Pack y
   }
 }
 
-BAGNOLD_INLINE void scatter(TurningForce* force, LocalPair const* pairs, Pack x, Pack y, Pack turn) {
+BAGNOLD_INLINE void scatter(TurningForce* force, LocalPair const* pairs, Pack x, Pack y, Pack turn,
+                            Pack count = 0.0) {
   for (int k = 0; k < width; ++k) {
     TurningForce& a = force[pairs[k].a()];
-    a = {a.x + x.v[k], 0, a.y + y.v[k], a.turn + turn.v[k]};
+    a = {a.x + x.v[k], a.count + count.v[k], a.y + y.v[k], a.turn + turn.v[k]};
     TurningForce& b = force[pairs[k].b()];
-    b = {b.x - x.v[k], 0, b.y - y.v[k], b.turn + turn.v[k]};
+    b = {b.x - x.v[k], b.count + count.v[k], b.y - y.v[k], b.turn + turn.v[k]};
   }
 }
 
@@ -352,8 +359,16 @@ BAGNOLD_INLINE ForceComponents load_forces(Force const* f, std::uint16_t const* 
     s.x.v[k] = at(f, index4[k]).x;
     s.y.v[k] = at(f, index4[k]).y;
   }
-  s.turn = 0.0;
+  s.turn = s.count = 0.0;
   return s;
+}
+
+/// The records of the first, and of the second, disk of eight pairs.
+BAGNOLD_INLINE Records load_first(Record const* records, LocalPair const* pairs) {
+  return detail::load_rows([&](int k) -> decltype(auto) { return detail::row(at(records, pairs[k].a4)); });
+}
+BAGNOLD_INLINE Records load_second(Record const* records, LocalPair const* pairs) {
+  return detail::load_rows([&](int k) -> decltype(auto) { return detail::row(at(records, pairs[k].b4)); });
 }
 
 /// The numbers of eight quadrupled indices.

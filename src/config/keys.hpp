@@ -104,7 +104,7 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
             0, 1e6, above}), shear.ramp_every);
 
   visit(Key{"integration.scheme", "", "P2 Eqs. 21-24", optional, 0, 0, false,
-            {"modified-velocity-verlet"}}, integration.scheme);
+            {"modified-velocity-verlet", "two-stage-leapfrog"}}, integration.scheme);
   visit(Key{"integration.engine", "", "how the scheme is computed; none changes the physics", optional,
             0, 0, false, {"auto", "reference", "dense", "contact-rich", "windowed"}}, integration.engine);
   visit(Key{"integration.time_step", "tau_e", "dt, or \"auto\": the papers' rules", optional, 0, 10,

@@ -14,11 +14,21 @@ double paper_time_step(Scene::Disks const& disks) {
   return std::min({0.5 / q, 0.1, 0.2 * q});
 }
 
+double two_stage_time_step(Scene const& scene) {
+  auto const& disks = scene.disks;
+  double const damping =
+      disks.model == "general" ? std::max(disks.damping_normal, disks.damping_tangential) : 1.0;
+  return std::min(0.2, (scene.rotates() ? 0.2 : 0.5) * disks.elasticity / damping);
+}
+
 double time_step(Scene const& scene) {
   if (scene.integration.time_step) return *scene.integration.time_step;
-  double const paper = paper_time_step(scene.disks), piece = scene.shear.ramp_every;
-  if (scene.shear.protocol != "ramp") return paper;
-  return piece / std::ceil(piece / paper * (1 - 1e-12));
+  double const rule = scene.integration.scheme == "two-stage-leapfrog"
+                          ? two_stage_time_step(scene)
+                          : paper_time_step(scene.disks);
+  double const piece = scene.shear.ramp_every;
+  if (scene.shear.protocol != "ramp") return rule;
+  return piece / std::ceil(piece / rule * (1 - 1e-12));
 }
 
 namespace {

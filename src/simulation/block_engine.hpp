@@ -5,6 +5,7 @@
 #include <memory>
 #include <type_traits>
 #include <utility>
+#include <variant>
 
 #include "kernels/blocks/prune.hpp"
 #include "kernels/dynamics/dense_step.hpp"
@@ -25,14 +26,16 @@ namespace bagnold {
 /// How an engine goes from step to step.
 enum class Stepping { automatic, dense, contact_rich, windowed };
 
-/// The papers' scheme on blocks of neighbouring disks, pairs and disks a pack at a time: step by step
-/// where contacts are many, in windows where most disks fly free.
+/// A scheme on blocks of neighbouring disks, pairs and disks a pack at a time: step by step where
+/// contacts are many, in windows where most disks fly free. Step: BlockStep or TwoStageBlockStep.
 ///
 /// Blocks are cut by place and not by thread, and each adds up its own disks' forces, so the bits do
 /// not depend on threads.
-template <ContactLaw Law, class Repulsion>
+template <class Step>
 class BlockEngine final : public Simulation {
  public:
+  using Law = typename Step::Law;
+  using Repulsion = typename Step::Repulsion;
   static constexpr bool rotates = Law::rotates;
   static constexpr std::uint32_t block_size = 1024;
 
@@ -44,7 +47,7 @@ class BlockEngine final : public Simulation {
         step_(snapshot.step),
         builds_(snapshot.list_builds),
         diameter_(snapshot.state.diameter) {
-    kernels_.forces = {law, Repulsion{}};
+    kernels_.forces.law = law;
     kernels_.table = table;
     kernels_.time_step = time_step;
     auto const position = vectors(snapshot.state.position);
@@ -99,7 +102,7 @@ class BlockEngine final : public Simulation {
   State state() const override { return in_box(raw_state()); }
 
  private:
-  using Step = BlockStep<Law, Repulsion>;
+  static constexpr bool has_dense = Step::scheme == Scheme::modified_velocity_verlet;
   using Force = typename Step::Force;
   struct alignas(64) DenseScratch {
     std::byte bytes[sizeof(simd::Record) + sizeof(Force)];
@@ -150,10 +153,11 @@ class BlockEngine final : public Simulation {
 
   void step_once(Sampling const& sampling, OpenWindows& windows) {
     keep_lists();
+    begin_step();
     if (sampling.sampled(step_)) windows.add(sampling.window(step_), measure().value, 1);
     if (windows.contacts)
       watch_.look(*loop_, kernels_, box_at(step_), step_, sampling, windows);
-    do_step();
+    end_step();
     ++steps_one_by_one_;
   }
 
@@ -177,7 +181,7 @@ class BlockEngine final : public Simulation {
     auto const end = std::min((step_ / length + 1) * length, sampling.last_step);
     windowed_.cautious = choice_.cautious();
     set_allowance(length);
-    typename WindowedSteps<Law, Repulsion>::Window window{step_, end, list_step_, 0};
+    typename WindowedSteps<Step>::Window window{step_, end, list_step_, 0};
     Real farthest = farthest_at(end);
     window.most_stray = list_reach(clock_.strain_between(list_step_, end), skin_) - farthest;
     if (window.most_stray < 2 * windowed_.allowance && list_step_ != step_) {
@@ -246,23 +250,33 @@ class BlockEngine final : public Simulation {
       leave_windows(contacts);
   }
 
-  void do_step() {
-    auto const box = box_at(step_), next_box = box_at(step_ + 1);
+  /// First half: changes what is not seen from outside.
+  void begin_step() {
+    auto const box = box_at(step_);
+    if constexpr (has_dense)
+      if (dense_)
+        return for_blocks([&](std::uint32_t b, Force* force) {
+          reports_(b) = {};
+          dense_step_.predict(kernels_, b, box, force);
+        });
+    for_blocks([&](std::uint32_t b, Force* force) { reports_(b) = kernels_.predict(b, box, force); });
+  }
+
+  void end_step() {
+    auto const next_box = box_at(step_ + 1);
     auto const& blocks = kernels_.blocks;
-    if (dense_) {
-      for_blocks([&](std::uint32_t b, Force* force) { dense_step_.predict(kernels_, b, box, force); });
+    if (!dense_) {
+      for_blocks([&](std::uint32_t b, Force* force) {
+        reports_(b) += kernels_.correct(b, next_box, force, [](auto&&...) {});
+      });
+    } else if constexpr (has_dense) {
       loop_->with_scratch<DenseScratch>(
           blocks.count, blocks.most_local, [&](std::uint32_t b, DenseScratch* scratch) {
             auto* const moved = reinterpret_cast<simd::Record*>(scratch);
             auto* const force = reinterpret_cast<Force*>(moved + blocks.most_local);
-            reports_(b) = dense_step_.correct(kernels_, b, next_box, force, moved);
+            reports_(b) += dense_step_.correct(kernels_, b, next_box, force, moved);
           });
       ++steps_dense_;
-    } else {
-      for_blocks([&](std::uint32_t b, Force* force) { kernels_.predict(b, box, force); });
-      for_blocks([&](std::uint32_t b, Force* force) {
-        reports_(b) = kernels_.correct(b, next_box, force, [](auto&&...) {});
-      });
     }
     ++step_;
     Real fastest2 = 0, overlap = 0, poison = 0;
@@ -282,7 +296,7 @@ class BlockEngine final : public Simulation {
     Real const moved = clock_.time_step * (before + fastest_) / 2 * step_strain_factor();
     outer_drift_ += moved;
     inner_.drift += moved;
-    pairs_evaluated_ += 2 * static_cast<std::int64_t>(near_pairs_);
+    pairs_evaluated_ += 2 * static_cast<std::int64_t>(near_pairs_);  // in each half
   }
 
   Real step_strain_factor() const {
@@ -402,6 +416,7 @@ class BlockEngine final : public Simulation {
 
   void choose_dense() {
     constexpr Real enter_below = 0.3, leave_above = 0.36;  // contacts per disk
+    if constexpr (!has_dense) return;
     if (stepping_ == Stepping::automatic)
       dense_ = contacts_per_disk() < (dense_ ? leave_above : enter_below);
     else
@@ -434,7 +449,8 @@ class BlockEngine final : public Simulation {
                   inner_.margin);
     });
     watch_.relisted();
-    if (dense_) dense_step_.resize(*loop_, blocks);
+    if constexpr (has_dense)
+      if (dense_) dense_step_.resize(*loop_, blocks);
   }
 
   /// Largest |w| at a later step if all disks fly straight until then, [d_s].
@@ -562,7 +578,7 @@ class BlockEngine final : public Simulation {
   std::vector<double> diameter_;
 
   Step kernels_;
-  DenseStep<Law, Repulsion> dense_step_;
+  std::conditional_t<has_dense, DenseStep<Law, Repulsion>, std::monostate> dense_step_;
   Blocks::Array<Vec2<Real>> at_build_;
   Blocks::Array<BlockReport> reports_;
   Blocks::Array<Sums<rotates>> sums_;
@@ -571,7 +587,7 @@ class BlockEngine final : public Simulation {
 
   static constexpr std::int64_t look_every = 256;  ///< steps between choices
   static constexpr Real most_active = 0.6;  ///< share of the disks in a window
-  WindowedSteps<Law, Repulsion> windowed_;
+  WindowedSteps<Step> windowed_;
   bool in_windows_ = false;
   WindowChoice choice_;
   std::int64_t allowance_steps_ = 0;  ///< length of the windows that the allowance is for

@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "kernels/dynamics/two_stage_block_step.hpp"
 #include "src/config/time_step.hpp"
 #include "src/simulation/backends.hpp"
 #include "src/simulation/block_engine.hpp"
@@ -28,16 +29,17 @@ inline Stepping stepping(std::string const& engine) {
                                   : Stepping::automatic;
 }
 
-/// make(Engine's type, what it takes beside what all engines take).
-template <ContactLaw Law, class Repulsion, class... Spaces, class Make>
+/// make(Engine's type, what it takes beside what all engines take). Step: of blocks, under one law.
+template <class Step, class... Spaces, class Make>
 std::unique_ptr<Simulation> make_engine(std::tuple<Spaces...> const*, std::string const& engine,
                                         std::string const& backend, Make const& make) {
   if (engine != "reference")
     if (auto loop = make_block_loop(backend))
-      return make(std::type_identity<BlockEngine<Law, Repulsion>>{}, std::move(loop), stepping(engine));
+      return make(std::type_identity<BlockEngine<Step>>{}, std::move(loop), stepping(engine));
   std::unique_ptr<Simulation> made;
   ((backend == backend_name<Spaces>
-        ? void(made = make(std::type_identity<ReferenceEngine<Law, Repulsion, Spaces>>{}))
+        ? void(made = make(std::type_identity<ReferenceEngine<typename Step::Law, typename Step::Repulsion,
+                                                              Spaces, Step::scheme>>{}))
         : void()),
    ...);
   return made;
@@ -53,9 +55,14 @@ std::unique_ptr<Simulation> make_for_law(Scene const& scene, Snapshot const& sna
         std::move(more)..., make_law<Law>(scene.disks), make_species_table(scene.mass_by_area()),
         scene.shear.strain_rate, time_step(scene), scene.integration.skin, snapshot));
   };
+  auto const make_step = [&]<class Step>(std::type_identity<Step>) {
+    return detail::make_engine<Step>(static_cast<Backends const*>(nullptr),
+                                     scene.integration.engine, backend, make);
+  };
   auto const make_with = [&]<class Repulsion>(Repulsion) {
-    return detail::make_engine<Law, Repulsion>(static_cast<Backends const*>(nullptr),
-                                               scene.integration.engine, backend, make);
+    if (scene.integration.scheme == scheme_name(Scheme::two_stage_leapfrog))
+      return make_step(std::type_identity<TwoStageBlockStep<Law, Repulsion>>{});
+    return make_step(std::type_identity<BlockStep<Law, Repulsion>>{});
   };
   return with_repulsion(scene.disks, make_with);
 }

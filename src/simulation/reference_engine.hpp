@@ -6,6 +6,8 @@
 #include "kernels/core/side_by_side.hpp"
 #include "kernels/dynamics/list_renewal.hpp"
 #include "kernels/dynamics/modified_velocity_verlet.hpp"
+#include "kernels/dynamics/scheme.hpp"
+#include "kernels/dynamics/two_stage_leapfrog.hpp"
 #include "kernels/observables/sums.hpp"
 #include "src/simulation/in_box.hpp"
 #include "src/simulation/row_contacts.hpp"
@@ -15,12 +17,13 @@
 
 namespace bagnold {
 
-/// The plain scheme: a full neighbour list, every disk sums its own contacts, two force evaluations
-/// a step. What the faster engines are held against.
-template <ContactLaw Law, class Repulsion, class Space>
+/// A scheme plainly: a full neighbour list, every disk sums its own contacts. What the faster engines
+/// are held against.
+template <ContactLaw Law, class Repulsion, class Space, Scheme Stepped>
 class ReferenceEngine final : public Simulation {
  public:
   static constexpr bool rotates = Law::rotates;
+  static constexpr bool two_stage = Stepped == Scheme::two_stage_leapfrog;
 
   /// A start: `snapshot.list_position` empty means no list yet.
   ReferenceEngine(Law law, SpeciesTable table, double strain_rate, double time_step, double skin,
@@ -39,6 +42,7 @@ class ReferenceEngine final : public Simulation {
     auto const count = state.count();
     trial_position_ = Positions("dynamics::trial_position", count);
     trial_motion_ = Motions("dynamics::trial_motion", count);
+    if constexpr (two_stage) contacts_ = Kokkos::View<int*, Space>("dynamics::contacts", count);
     block_sums_ = Kokkos::View<Sums<rotates>*, Space>("observables::block_sums", blocks());
     list_.skin = skin;
     if (snapshot.list_position.empty()) {
@@ -56,6 +60,7 @@ class ReferenceEngine final : public Simulation {
 
   void advance(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) override {
     for (auto const end = std::min(step_ + steps, sampling.last_step); step_ < end;) {
+      if constexpr (two_stage) look();
       if (sampling.sampled(step_)) windows.add(sampling.window(step_), measure().value, 1);
       if (windows.contacts)
         look_along_rows(forces_at(step_, position_, motion_), step_, sampling, windows);
@@ -96,20 +101,46 @@ class ReferenceEngine final : public Simulation {
     return {position, motion, species_, list_.rows, table_, box_at(step), law_, Repulsion{}};
   }
 
+  /// The first look of a two-stage step; the changes are in trial_motion_.
+  void look() {
+    Real failed = 0;
+    side_by_side::parallel_reduce(
+        "dynamics::FirstLook", Policy(space_, 0, count()),
+        FirstLook<Law, Repulsion, Space>{forces_at(step_, position_, motion_), clock_.time_step,
+                                         trial_motion_, contacts_},
+        Kokkos::Max<Real>(failed));
+    if (failed > 0)
+      why_unsound(space_, forces_at(step_, position_, motion_), clock_, step_, raw_state());
+  }
+
+  ChangeForces<Law, Repulsion, Space> change_forces() const {
+    return {forces_at(step_, position_, motion_), trial_motion_, contacts_,
+            SecondLook(law_, table_, clock_.time_step)};
+  }
+
   void do_step() {
-    side_by_side::parallel_for("dynamics::Predict", Policy(space_, 0, count()),
-                         Predict<Law, Repulsion, Space>{forces_at(step_, position_, motion_),
-                                                        clock_.time_step, trial_position_,
-                                                        trial_motion_});
     double const strain = clock_.strain_between(list_step_, step_ + 1);
     double const next_strain = clock_.strain_between(list_step_, step_ + 2);
     Real largest2 = 0;
-    side_by_side::parallel_reduce(
-        "dynamics::Correct", Policy(space_, 0, count()),
-        Correct<Law, Repulsion, Space>{forces_at(step_ + 1, trial_position_, trial_motion_),
-                                       clock_.time_step, position_, motion_, list_.at_build,
-                                       strain, next_strain},
-        Kokkos::Max<Real>(largest2));
+    if constexpr (two_stage) {
+      side_by_side::parallel_reduce(
+          "dynamics::LeapOn", Policy(space_, 0, count()),
+          LeapOn<Law, Repulsion, Space>{change_forces(), clock_.time_step, trial_position_, motion_,
+                                        list_.at_build, strain, next_strain},
+          Kokkos::Max<Real>(largest2));
+      std::swap(position_, trial_position_);
+    } else {
+      side_by_side::parallel_for(
+          "dynamics::Predict", Policy(space_, 0, count()),
+          Predict<Law, Repulsion, Space>{forces_at(step_, position_, motion_), clock_.time_step,
+                                         trial_position_, trial_motion_});
+      side_by_side::parallel_reduce(
+          "dynamics::Correct", Policy(space_, 0, count()),
+          Correct<Law, Repulsion, Space>{forces_at(step_ + 1, trial_position_, trial_motion_),
+                                         clock_.time_step, position_, motion_, list_.at_build,
+                                         strain, next_strain},
+          Kokkos::Max<Real>(largest2));
+    }
     ++step_;
     if (largest2 == std::numeric_limits<Real>::max())
       why_unsound(space_, forces_at(step_, position_, motion_), clock_, step_, raw_state());
@@ -138,12 +169,19 @@ class ReferenceEngine final : public Simulation {
   }
 
   Sums<rotates> measure() {
-    side_by_side::parallel_for(
-        "observables::MeasureBlock", Policy(space_, 0, blocks()),
-        MeasureBlock<Law, Repulsion, Space>{forces_at(step_, position_, motion_), block_sums_});
+    if constexpr (two_stage)
+      measure_with(change_forces());
+    else
+      measure_with(forces_at(step_, position_, motion_));
     Sums<rotates> total;
     for (auto const& block : to_host(block_sums_)) total += block;
     return total;
+  }
+
+  template <class SomeForces>
+  void measure_with(SomeForces const& forces) {
+    side_by_side::parallel_for("observables::MeasureBlock", Policy(space_, 0, blocks()),
+                               MeasureBlock<SomeForces, Space>{forces, block_sums_});
   }
 
   State raw_state() const {
@@ -163,7 +201,8 @@ class ReferenceEngine final : public Simulation {
   Motions motion_;
   Kokkos::View<Species*, Space> species_;
   Positions trial_position_;
-  Motions trial_motion_;
+  Motions trial_motion_;  ///< two-stage: what the first look changes
+  Kokkos::View<int*, Space> contacts_;  ///< two-stage: of each disk
   VerletList<Space> list_;
   Kokkos::View<Sums<rotates>*, Space> block_sums_;
 };

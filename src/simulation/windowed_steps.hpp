@@ -14,18 +14,17 @@
 
 namespace bagnold {
 
-/// The papers' scheme where most disks fly straight: a window of many steps at a time.
+/// The step of a scheme where most disks fly straight: a window of many steps at a time.
 ///
 /// From straight flights it foretells which disks meet within the window, steps only these, island by
 /// island, and moves all others at once: for a disk that touches nothing the scheme is x += v dt. A
 /// disk that meets another strays from its straight flight; how far is watched at every step. Pairs
 /// that could have touched for that, unforeseen, are added, and their islands are done again, until
 /// there are none.
-template <ContactLaw Law, class Repulsion>
+template <class Step>
 class WindowedSteps {
  public:
-  using Step = BlockStep<Law, Repulsion>;
-  static constexpr bool rotates = Law::rotates;
+  static constexpr bool rotates = Step::rotates;
 
   /// What windows cost and find; none of it is time, so it is the same on every machine.
   struct Counters {
@@ -97,7 +96,7 @@ class WindowedSteps {
  private:
   static constexpr std::uint32_t none = ~std::uint32_t{0};
   static constexpr std::uint32_t lanes = simd::width;
-  using Binary = BinaryCollisions<Law, Repulsion>;
+  using Binary = BinaryCollisions<typename Step::Law, typename Step::Repulsion, Step::scheme>;
 
   /// What is done at one go: a pair of disks, or a batch of larger islands.
   struct Unit {
@@ -335,6 +334,7 @@ class WindowedSteps {
               if (s == steps) break;
               look(b, s);
             }
+            auto report = step.predict(b, box, force);
             if (sample < times_.size() && s == times_.step(sample)) {
               auto& sums = sums_[units_[first_unit + b].sums + times_.bin(sample)];
               auto const here = measure_block(step, b, box, force);
@@ -344,9 +344,8 @@ class WindowedSteps {
                                  times_.bin(sample));
               ++sample;
             }
-            step.predict(b, box, force);
             watch.time = static_cast<Real>(s + 1) * clock.time_step;
-            auto const report = step.correct(b, box, force, watch);
+            report += step.correct(b, box, force, watch);
             idle = report.touching == 0;
             outcome_[b].touching += report.touching;
             outcome_[b].bad = outcome_[b].bad || report.poison != 0 ||
@@ -564,7 +563,7 @@ class WindowedSteps {
   IslandFinder finder_;
   Islands islands_, larger_;
   std::vector<Islands::Pair> binary_;
-  Batches<Law, Repulsion> batches_;
+  Batches<Step> batches_;
   SampleTimes times_;
   std::vector<Forecast> found_;  ///< by block
   std::vector<SlotPair> todo_;

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+
+#include "kernels/core/species.hpp"
+#include "kernels/dynamics/block_forces.hpp"
+
+namespace bagnold {
+
+/// Positions and velocities of all blocks, slot by slot.
+struct BlockState {
+  Blocks::Array<simd::Record> record;
+  Blocks::Array<double> spin;  ///< thetadot, [1 / tau_e]; empty if the law does not rotate
+};
+
+/// A disk where its image is.
+inline simd::Record at_image(simd::Record record, Image const& image, ShearedBox const& box) {
+  Vec2<Real> const shift = box.shift(image);
+  record.x += shift.x;
+  record.y += shift.y;
+  record.vx += box.velocity_shift(image);
+  return record;
+}
+
+/// Copies the disks of other blocks, and images, into a block's halo.
+inline void refresh_halo(Blocks const& blocks, Block const& block, BlockState const& state,
+                         ShearedBox const& box) {
+  auto const* halo = blocks.halo.data() + block.halo_first;
+  auto* const record = state.record.data();
+  auto const to = block.first + block.padded;
+  for (std::uint32_t h = 0; h < block.halo; ++h) {
+    record[to + h] = at_image(record[halo[h].index()], halo[h].image(), box);
+    if (state.spin.extent(0) != 0) state.spin(to + h) = state.spin(halo[h].index());
+  }
+}
+
+/// Largest (v - gammadot y x^)^2 of a block's disks, [d_s^2 / tau_e^2].
+inline Real fastest2_of(Block const& block, BlockState const& state, Real strain_rate) {
+  simd::Pack fastest2 = 0.0;
+  for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
+    auto const r = simd::load_records(state.record.data() + block.first + i);
+    simd::Pack const ux = fnma(strain_rate, r.y, r.vx);
+    fastest2 = max(fastest2, fma(ux, ux, r.vy * r.vy));
+  }
+  return simd::largest(fastest2);
+}
+
+/// What a step tells of a block; each half of the step adds its part.
+struct BlockReport {
+  Real fastest2 = 0;          ///< largest (v - gammadot y x^)^2, [d_s^2 / tau_e^2]
+  Real largest_overlap = 0;   ///< relative
+  std::uint32_t touching = 0;  ///< pairs, those across the edge included
+  Real poison = 0;            ///< 0, or no number where a motion is none
+
+  BlockReport& operator+=(BlockReport const& o) {
+    fastest2 = std::max(fastest2, o.fastest2);
+    largest_overlap = std::max(largest_overlap, o.largest_overlap);
+    touching += o.touching;
+    poison += o.poison;
+    return *this;
+  }
+};
+
+/// Keeps the largest overlap and counts contacts.
+struct OverlapWatch {
+  simd::Pack largest = 0.0;
+  std::uint32_t touching = 0;
+  void operator()(PackOfPairs const& p) {
+    touching += __builtin_popcount(p.touching.lanes());
+    largest = max(largest, zero_unless(p.touching, p.force.relative_overlap));
+  }
+};
+
+/// All blocks, and what a step of a scheme needs of them. The scheme has two halves with a barrier between
+/// them, as `trial` of a block is read by its neighbours: see BlockStep, TwoStageBlockStep.
+template <ContactLaw L, class R, bool Counting>
+struct BlockSystem {
+  using Law = L;
+  using Repulsion = R;
+  using Forces = BlockForces<Law, Repulsion, Counting>;
+  using Force = typename Forces::Force;
+  static constexpr bool rotates = Law::rotates;
+
+  Forces forces;
+  Blocks blocks;
+  Blocks::Array<Species> species;  ///< by slot
+  SpeciesTable table;
+  BlockState now;
+  BlockState trial;
+  Real time_step;
+
+  /// force: [block.local()], zeroed here.
+  template <class Observer>
+  void evaluate(Block const& block, BlockState const& state, Force* force,
+                Observer&& observe) const {
+    for (std::uint32_t i = 0; i < block.local(); ++i) force[i] = Force{};
+    add_forces(block, inner_list, state, force, observe);
+  }
+
+  /// Adds to force what the pairs of a near list exert.
+  template <class Observer>
+  void add_forces(Block const& block, NearList list, BlockState const& state, Force* force,
+                  Observer&& observe) const {
+    double const* spins = nullptr;
+    if constexpr (rotates) spins = state.spin.data() + block.first;
+    forces(blocks, block, list, state.record.data() + block.first, spins, force, observe);
+  }
+
+  /// What turns forces on eight disks into changes of motion, by species.
+  struct Kick {
+    simd::Pack mass[2], inertia[2];
+
+    Kick(SpeciesTable const& table, Real time) {
+      for (int s = 0; s < 2; ++s) {
+        mass[s] = time * table.inverse_mass[s];
+        inertia[s] = time * table.diameter[s] * table.inverse_inertia[s];
+      }
+    }
+    simd::Pack per_mass(simd::Mask big) const { return select(big, mass[1], mass[0]); }  ///< dt / m
+    simd::Pack per_inertia(simd::Mask big) const {  ///< dt d / I
+      return select(big, inertia[1], inertia[0]);
+    }
+  };
+};
+
+}  // namespace bagnold
