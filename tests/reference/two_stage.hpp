@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <vector>
+
+#include "tests/reference/system.hpp"
+
+namespace bagnold::reference {
+
+/// alpha(z) = max{1/7, (z - 1 + e^-z)/z^2}, as a series where the difference cancels.
+inline double second_share(double z) {
+  double sum = 0.0, term = 0.5;  // sum of (-z)^k / (k + 2)!
+  if (z > 1.0) return std::max((z - 1.0 + std::exp(-z)) / (z * z), 1.0 / 7.0);
+  for (int k = 0; k < 30; ++k) {
+    sum += term;
+    term *= -z / (k + 3);
+  }
+  return std::max(sum, 1.0 / 7.0);
+}
+
+/// The law with its damping times alpha(z), z = N k dt (1/m_i + 1/m_j), along the normal and, threefold
+/// for disks that roll, along the tangent; N from the disk with more contacts.
+inline Parameters second_law(Parameters p, State const& s, Contact const& c, int most) {
+  double const z = most * p.time_step / p.elasticity *
+                   (1.0 / mass(p, s.diameter[c.i]) + 1.0 / mass(p, s.diameter[c.j]));
+  if (!rotates(p)) {
+    p.elasticity /= second_share(z);
+    return p;
+  }
+  if (p.model == Parameters::Model::CD_rot) p.damping_normal = p.damping_tangential = 1.0;
+  p.model = Parameters::Model::general;
+  p.damping_normal *= second_share(p.damping_normal * z);
+  p.damping_tangential *= second_share(3.0 * p.damping_tangential * z);
+  return p;
+}
+
+/// One step of the two-stage leapfrog: all forces with the velocities of half a step before, then the
+/// damping of the changes that they make, then positions. dissipative: out, sum f_a r_b of both.
+inline void two_stage_step(System& system, double (&dissipative)[2][2]) {
+  Parameters const& p = system.p;
+  State& s = system.s;
+  double const dt = p.time_step;
+  auto const found = contacts(system);
+  State change = s;
+  for (auto& v : change.velocity) v = {0.0, 0.0};
+  for (auto& spin : change.spin) spin = 0.0;
+  State more = change;
+  std::vector<int> count(s.count(), 0);
+  for (auto& row : dissipative) row[0] = row[1] = 0.0;
+  auto const exert = [&](Contact const& c, double x, double y, PairForce const& f, State& on) {
+    for (auto const& [disk, sign, torque] :
+         {std::tuple{c.i, 1.0, f.torque_i}, std::tuple{c.j, -1.0, f.torque_j}}) {
+      double const m = mass(p, s.diameter[disk]);
+      on.velocity[disk][0] += sign * x * dt / m;
+      on.velocity[disk][1] += sign * y * dt / m;
+      if (rotates(p)) on.spin[disk] += torque * dt / moment_of_inertia(p, s.diameter[disk]);
+    }
+    double const force[2] = {f.dissipative_x, f.dissipative_y}, r[2] = {c.x, c.y};
+    for (int a = 0; a < 2; ++a)
+      for (int b = 0; b < 2; ++b) dissipative[a][b] += force[a] * r[b];
+  };
+  for (Contact const& c : found) {
+    PairForce const f = pair_force(p, s, c);
+    exert(c, f.elastic_x + f.dissipative_x, f.elastic_y + f.dissipative_y, f, change);
+    ++count[c.i];
+    ++count[c.j];
+  }
+  for (Contact c : found) {
+    c.velocity_x = change.velocity[c.i][0] - change.velocity[c.j][0];
+    c.velocity_y = change.velocity[c.i][1] - change.velocity[c.j][1];
+    PairForce const f =
+        pair_force(second_law(p, s, c, std::max(count[c.i], count[c.j])), change, c);
+    exert(c, f.dissipative_x, f.dissipative_y, f, more);
+  }
+  for (std::size_t i = 0; i < s.count(); ++i) {
+    for (int a = 0; a < 2; ++a) {
+      s.velocity[i][a] += change.velocity[i][a] + more.velocity[i][a];
+      s.position[i][a] += s.velocity[i][a] * dt;
+    }
+    if (rotates(p)) s.spin[i] += change.spin[i] + more.spin[i];
+  }
+  ++system.step;
+  wrap(p, s, strain(system));
+  s.offset = reduced_offset(strain(system), s.box_length);
+  s.time = system.initial_time + dt * static_cast<double>(system.step);
+}
+
+}  // namespace bagnold::reference

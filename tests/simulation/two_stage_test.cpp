@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/reference/two_stage.hpp"
+#include "tests/support/simulations.hpp"
+
+namespace bagnold::test {
+
+/// The two-stage leapfrog, in every engine.
+class TwoStage : public EverySimulation {
+ public:
+  Scene two_stage_scene(double packing_fraction, std::int64_t count = 64) const {
+    Scene scene = small_scene(packing_fraction, count);
+    scene.integration.scheme = "two-stage-leapfrog";
+    return scene;
+  }
+};
+
+/// Against all pairs and all images, from the formulas: weak and strong damping, so that alpha is near
+/// 1/2, well below, and at its bound.
+TEST_P(TwoStage, IsThatOfTheAllPairsReference) {
+  struct Case {
+    double packing_fraction, elasticity, time_step;
+    char const* mass;
+  };
+  for (auto const& [packing_fraction, elasticity, time_step, mass] :
+       {Case{0.60, 20.0, 0.2, "area"}, Case{0.84, 1.0, 0.1, "equal"}, Case{0.84, 0.2, 0.035, "area"}}) {
+    Scene scene = two_stage_scene(packing_fraction);
+    scene.disks.elasticity = elasticity;
+    scene.disks.mass = mass;
+    scene.integration.time_step = time_step;
+    State const state = shaken_start(scene);
+    auto const simulation = simulate(scene, state, backend());
+    reference::System oracle(reference_parameters(scene), state);
+    constexpr int steps = 300;
+    double dissipative[2][2];
+    for (int k = 0; k < steps; ++k) reference::two_stage_step(oracle, dissipative);
+    advance(*simulation, steps);
+    EXPECT_LT(largest_difference(simulation->state(), oracle.s, scene.shear.strain_rate), 1e-12)
+        << "phi " << packing_fraction << " Q " << elasticity;
+    EXPECT_GE(simulation->snapshot().list_builds, 2);
+
+    auto const here = reference::measure(oracle);
+    EXPECT_GE(here.contacts, packing_fraction > 0.8 ? 50 : 1);
+    reference::two_stage_step(oracle, dissipative);
+    auto const sums = advance(*simulation, 1, 1).sums;
+    auto const near = [&](int column, double value) {
+      EXPECT_NEAR(sums[column], value, 1e-11 * (1 + std::abs(value))) << "column " << column;
+    };
+    using C = SumColumns;
+    double const area = state.box_length * state.box_length;
+    near(C::elastic_xy, here.el[0][1] * area);
+    near(C::kinetic_xy, here.kin[0][1] * area);
+    near(C::contacts, 2.0 * static_cast<double>(here.contacts));
+    near(C::dissipative_xx, dissipative[0][0]);
+    near(C::dissipative_xy, dissipative[0][1]);
+    near(C::dissipative_yx, dissipative[1][0]);
+    near(C::dissipative_yy, dissipative[1][1]);
+  }
+}
+
+/// A dilute gas, evaluated at every step, against the reference engine: what windows leave out.
+TEST_P(TwoStage, OfADiluteGas) {
+  if (engine() == "reference") GTEST_SKIP() << "is the oracle";
+  Scene scene = two_stage_scene(0.6, 1200);
+  scene.disks.elasticity = 10;
+  scene.shear.strain_rate = 2e-4;
+  scene.integration.skin = 0.35;
+  scene.integration.time_step = 0.2;
+  State state = shaken_start(scene);
+  for (std::size_t i = 0; i < state.count(); ++i) state.velocity[i][1] -= 0.1;  // no common drift
+  auto const simulation = simulate(scene, state, backend());
+  scene.integration.engine = "reference";
+  auto const oracle = simulate(scene, state, backend_names().front());
+  constexpr int steps = 400;
+  auto const sums = advance(*simulation, steps, 1);
+  auto const expected = advance(*oracle, steps, 1);
+  EXPECT_LT(largest_difference(simulation->state(), oracle->state(), scene.shear.strain_rate), 1e-10);
+  using C = SumColumns;
+  EXPECT_GE(expected.sums[C::contacts], 2400.0);
+  EXPECT_EQ(sums.sums[C::contacts], expected.sums[C::contacts]);
+  double const kinetic = expected.sums[C::kinetic_xx] + expected.sums[C::kinetic_yy];
+  double const elastic = expected.sums[C::elastic_xx] + expected.sums[C::elastic_yy];
+  for (int c = 0; c < simulation->columns(); ++c) {
+    double const scale = c < C::kinetic_xx ? elastic : kinetic;
+    EXPECT_NEAR(sums.sums[c], expected.sums[c], 1e-9 * (std::abs(expected.sums[c]) + scale)) << c;
+  }
+  if (engine() == "windowed") {
+    EXPECT_GE(simulation->snapshot().engine.at("steps_in_windows"), steps / 2);
+    EXPECT_GT(simulation->snapshot().engine.at("binary_islands"), 0);
+  }
+}
+
+/// Several patches, in contact across every edge.
+TEST_P(TwoStage, InManyPatches) {
+  if (engine() == "reference") GTEST_SKIP() << "is the oracle";
+  Scene scene = two_stage_scene(0.84, 3000);
+  State const state = shaken_start(scene);
+  auto const simulation = simulate(scene, state, backend());
+  scene.integration.engine = "reference";
+  auto const oracle = simulate(scene, state, backend_names().front());
+  auto const sums = advance(*simulation, 150, 50);
+  auto const expected = advance(*oracle, 150, 50);
+  EXPECT_LT(largest_difference(simulation->state(), oracle->state(), scene.shear.strain_rate), 1e-12);
+  for (int c = 0; c < simulation->columns(); ++c)
+    EXPECT_NEAR(sums.sums[c], expected.sums[c], 1e-10 * (1 + std::abs(expected.sums[c]))) << c;
+}
+
+/// Where damping alone acts on a lone pair, it relaxes as the equation of motion says, at any step: the
+/// tangential motion of two disks that touch without overlap force to speak of.
+TEST_P(TwoStage, ALonePairRelaxesExactly) {
+  if (law() == "CD_n") GTEST_SKIP() << "has no tangential damping";
+  Scene scene = two_stage_scene(0.8);
+  scene.shear.strain_rate = 0.0;
+  scene.disks.mass = "equal";
+  scene.disks.elasticity = 1.0;
+  scene.integration.skin = 0.5;
+  scene.integration.time_step = 0.4;
+  double const slide = 1e-7, overlap = 1e-6;
+  State state;
+  state.box_length = 10.0;
+  state.position = {{4.0, 5.0}, {5.0 - overlap, 5.0}};
+  state.velocity = {{0.0, slide / 2}, {0.0, -slide / 2}};
+  if (scene.rotates()) state.spin = {0.0, 0.0};
+  state.diameter = {1.0, 1.0};
+  auto const simulation = simulate(scene, state, backend());
+  advance(*simulation, 1);
+  State const after = simulation->state();
+  // d/dt v_t = -k_t (2/m) v_t, with spins -k_t (2/m + 2 (d/2)^2/I) v_t = -k_t (6/m) v_t at the contact.
+  double const k = law() == "general" ? scene.disks.damping_tangential : 1.0;
+  double slip = after.velocity[0][1] - after.velocity[1][1];
+  if (scene.rotates()) slip += 0.5 * (after.spin[0] + after.spin[1]);
+  double const z = k * 0.4 * (scene.rotates() ? 6.0 : 2.0);
+  EXPECT_NEAR(slip / slide, std::exp(-z), 2e-6) << "z " << z;
+}
+
+BAGNOLD_FOR_EVERY_SIMULATION(TwoStage);
+
+}  // namespace bagnold::test
