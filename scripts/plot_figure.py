@@ -175,6 +175,10 @@ def draw_loop(axes, panel, points):
     axes.set_ylabel(label(name))
 
 
+def mark_boundary(axes, name, points, k):
+    axes.plot(*points.T, MARKERS[k] + "-", color=(BLUE, VERMILION)[k], ms=5, mfc="white", label=name)
+
+
 def draw_boundary(axes, panel, _):
     """Where a boundary phi(gammadot), found by an analysis, lies in other quantities: `at` are the
     two of the axes, each of the sweep's curves against phi taken at the boundary. P2 Figs. 26, 29."""
@@ -192,8 +196,7 @@ def draw_boundary(axes, panel, _):
                 pair.append(np.exp(np.interp(place["x"], phi, np.log(value))))
             found.append(pair)
         if found:
-            axes.plot(*np.array(found).T, MARKERS[k] + "-", color=(BLUE, VERMILION)[k], ms=5,
-                      mfc="white", label=(r"$\phi_B$", r"$\phi_N$")[k])
+            mark_boundary(axes, (r"$\phi_B$", r"$\phi_N$")[k], np.array(found), k)
     axes.set(xscale="log", yscale="log")
     axes.set_xlabel(label(panel["at"][0]))
     axes.set_ylabel(label(panel["at"][1]))

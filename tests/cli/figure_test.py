@@ -2,10 +2,14 @@
 """bagnold figure: every figure of the papers is there, and the quick ones come out as pictures."""
 
 import csv
+import json
 import re
 import struct
+import sys
 import tomllib
 import unittest
+
+import numpy as np
 
 from bagnold import SOURCE, CliTest
 
@@ -127,6 +131,46 @@ class FigureTest(CliTest):
         self.figure("P9-1", "--figures", own, "--out", "out")
         for path, stamp in stamps.items():
             self.assertEqual(path.stat().st_mtime_ns, stamp)
+
+    def test_kinds_of_panels_that_no_quick_figure_has(self):
+        text = """[P9-2]
+title = "of frames and contacts"
+claims = "a claim"
+data = "tiny"
+panel = [
+  { profile = "v_x_aligned", where = { "disks.elasticity" = 1 } },
+  { profile = "phi_aligned", level = "disks.packing_fraction", curve = ["disks.elasticity"] },
+  { field = "phi", where = { "disks.elasticity" = 10 } },
+  { histogram = "theta", at = 90, x = "disks.elasticity" },
+  { bands = true },
+]
+"""
+        sweep = SWEEP.replace("[output]", "[measure]\ncontacts = true\nprofiles = true\nfields = true\n[output]")
+        own = self.own(text, sweep.replace("count = 32", "count = 64"))
+        self.figure("P9-2", "--figures", own, "--out", "out")
+        size_of(self.folder / "out/P9-2.png")
+
+    def test_boundaries_are_taken_over_to_other_quantities(self):
+        """phi_B = 0.78 and 0.80 at two rates; p = gammadot e^(10 phi) there is read off curves of p."""
+        head = "panel,x_name,y_name,x_scale,y_scale,curve,what,x,x_error,y,y_error\n"
+        rates = (1e-5, 1e-4)
+        places = "".join(f"1,phi,shear.strain_rate,linear,log,phi_up,data,{x},0.001,{rate},\n"
+                         for x, rate in zip((0.80, 0.78), rates))
+        curves = "".join(f"1,disks.packing_fraction,p,linear,log,gammadot = {rate:g},data,{x},,"
+                         f"{rate * np.exp(10 * x)},\n" for rate in rates for x in (0.7, 0.75, 0.85))
+        (self.folder / "jump.csv").write_text(head + places)
+        (self.folder / "p.csv").write_text(head + curves)
+        recipe = {"name": "P9-3", "panel": [{"analyse": "jump", "drawn": "jump.csv", "at": ["p", "gammadot"],
+                                             "of": {"p": ""}, "of_drawn": {"p": "p.csv"}}]}
+        (self.folder / "recipe.json").write_text(json.dumps(recipe))
+        sys.path.insert(0, str(SOURCE / "scripts"))
+        import plot_figure
+        found = []
+        plot_figure.mark_boundary = lambda axes, name, points, k: found.append((name, points))
+        plot_figure.draw(json.loads((self.folder / "recipe.json").read_text()), str(self.folder))
+        (name, points), = found
+        np.testing.assert_allclose(points[:, 1], rates)
+        np.testing.assert_allclose(points[:, 0], np.multiply(rates, np.exp([8.0, 7.8])), rtol=1e-9)
 
     def test_mistakes_are_told_before_anything_runs(self):
         for old, new, *words in (
