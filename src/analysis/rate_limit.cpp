@@ -13,8 +13,8 @@ constexpr double never = 1e300;
 
 Measured ratio(AtTwoRates const& x) {
   double const value = x.half.value / x.whole.value;
-  return {value, std::abs(value) * std::hypot(x.half.error / x.half.value,
-                                              x.whole.error / x.whole.value)};
+  return {value,
+          std::abs(value) * std::hypot(x.half.error / x.half.value, x.whole.error / x.whole.value)};
 }
 
 /// x = log2(whole / half), for the rate falls by two.

@@ -22,27 +22,29 @@ struct AtTwoRates {
 enum class Verdict { holds, fails, undecided };
 std::string_view word(Verdict verdict);
 
-/// Whether quantities that a limit gammadot -> 0 leaves constant are constant between a rate and half of
-/// it: those of P1 Eq. (16), B_p and B_sigma, in the hard-core limit of Bagnold's rheology (P1 Fig. 1),
-/// those of P2 Eq. (20), eta_p and eta_sigma, in Newton's (P2 Sec. III A).
+/// Whether quantities that a limit gammadot -> 0 leaves constant are constant between a rate and
+/// half of it: those of P1 Eq. (16), B_p and B_sigma, in the hard-core limit of Bagnold's rheology
+/// (P1 Fig. 1), those of P2 Eq. (20), eta_p and eta_sigma, in Newton's (P2 Sec. III A).
 struct Limit {
   std::string name;                        ///< "Bagnold" or "Newton"
   std::map<std::string, Measured> ratios;  ///< by quantity: at half the rate over at the rate
   Verdict verdict = Verdict::undecided;
-  double longer = 1;  ///< where undecided: how many times the strain would decide; 1e300: none known
+  double longer =
+      1;  ///< where undecided: how many times the strain would decide; 1e300: none known
 };
 
 struct RateLimit {
-  std::vector<Limit> limits;                  ///< Bagnold, Newton
-  std::map<std::string, Measured> exponents;  ///< x of p ~ gammadot^x and sigma ~ gammadot^x; 2: Bagnold
+  std::vector<Limit> limits;  ///< Bagnold, Newton
+  std::map<std::string, Measured>
+      exponents;  ///< x of p ~ gammadot^x and sigma ~ gammadot^x; 2: Bagnold
 
   /// "Bagnold" or "Newton", the limit that holds; "neither" where both fail; "undecided".
   std::string verdict() const;
 };
 
-/// found: of B_p, B_sigma, eta_p, eta_sigma, p and sigma. A limit holds where all its ratios are within
-/// 1 +- tolerance by two standard errors, and fails where one is outside by as much: so a measurement
-/// too short to tell is never taken for a proof.
+/// found: of B_p, B_sigma, eta_p, eta_sigma, p and sigma. A limit holds where all its ratios are
+/// within 1 +- tolerance by two standard errors, and fails where one is outside by as much: so a
+/// measurement too short to tell is never taken for a proof.
 RateLimit rate_limit(std::map<std::string, AtTwoRates> const& found, double tolerance);
 
 }  // namespace bagnold::analysis

@@ -23,10 +23,11 @@ using Json = nlohmann::ordered_json;
 
 sweep::Sweep both_rates(Scene const& scene, RunOptions const& options) {
   if (scene.shear.protocol != "steady")
-    throw InputError(fmt::format(
-        "{}: shear.protocol = \"{}\" (must be \"steady\": a limit is checked at one rate); make a scene "
-        "of the rate in question",
-        options.scene_file.string(), scene.shear.protocol));
+    throw InputError(
+        fmt::format("{}: shear.protocol = \"{}\" (must be \"steady\": a limit is checked at one "
+                    "rate); make a scene "
+                    "of the rate in question",
+                    options.scene_file.string(), scene.shear.protocol));
   double const rate = scene.shear.strain_rate;
   auto const text = fmt::format("{}\n[sweep]\ngrid = {{ \"shear.strain_rate\" = [{}, {}] }}\n",
                                 write_scene(scene), rate, rate / 2);
@@ -55,7 +56,9 @@ Json json_of(Measured const& one) {
 }
 
 Json json_of(analysis::RateLimit const& found, double rate, double tolerance) {
-  Json json{{"schema", 1}, {"verdict", found.verdict()}, {"strain_rates", {rate, rate / 2}},
+  Json json{{"schema", 1},
+            {"verdict", found.verdict()},
+            {"strain_rates", {rate, rate / 2}},
             {"tolerance", tolerance}};
   for (auto const& limit : found.limits) {
     Json& one = json["limits"][limit.name];
@@ -83,8 +86,9 @@ void print(analysis::RateLimit const& found, std::map<std::string, AtTwoRates> c
   for (auto const& [name, exponent] : found.exponents)
     fmt::print("{} ~ gammadot^x, x = {}\n", name, text_of(exponent));
   for (auto const& limit : found.limits) {
-    auto longer = limit.longer < 1e6 ? fmt::format("; about {:.2g} times the strain would tell", limit.longer)
-                                     : std::string("; raise shear.strain");
+    auto longer = limit.longer < 1e6
+                      ? fmt::format("; about {:.2g} times the strain would tell", limit.longer)
+                      : std::string("; raise shear.strain");
     if (limit.verdict != analysis::Verdict::undecided) longer.clear();
     fmt::print("{}'s limit, within {:g}%: {}{}\n", limit.name, 100 * tolerance,
                analysis::word(limit.verdict), longer);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// No more than a scene needs: what is allocated for each law, engine and measurement, by the labels of
-// Views (Kokkos' own tool callbacks) and by the heap (operator new, replaced in tests/support/heap.cpp).
+// No more than a scene needs: what is allocated for each law, engine and measurement, by the labels
+// of Views (Kokkos' own tool callbacks) and by the heap (operator new, replaced in
+// tests/support/heap.cpp).
 #include <map>
 #include <mutex>
 #include <set>
@@ -29,8 +30,8 @@ void freed(Kokkos_Profiling_SpaceHandle, char const* label, void const*, std::ui
 }
 
 struct Allocated {
-  Bytes views;        ///< by label, live ones
-  double heap = 0;    ///< bytes
+  Bytes views;      ///< by label, live ones
+  double heap = 0;  ///< bytes
 };
 
 Scene scene_of(std::string const& law, std::string const& engine, std::int64_t count = 2048) {
@@ -112,7 +113,8 @@ TEST(Allocations, SpinsAreOnlyWhereTheLawRotates) {
       if (rotates(law)) expected = {"state::spin", "dynamics::trial_spin"};
       if (rotates(law) && engine == "windowed")
         expected.insert({"islands::spin", "islands::trial_spin"});
-      EXPECT_EQ(labels(held(scene_of(law, engine)).views, "spin"), expected) << law << ' ' << engine;
+      EXPECT_EQ(labels(held(scene_of(law, engine)).views, "spin"), expected)
+          << law << ' ' << engine;
     }
 }
 
@@ -160,7 +162,8 @@ TEST(Allocations, ArraysOfAWayOfSteppingAreOnlyThere) {
       auto const found = labels(held(scene_of(law, engine)).views);
       for (auto const& label : of_dense)
         EXPECT_EQ(found.contains(label), engine == "dense") << law << ' ' << engine << ' ' << label;
-      EXPECT_EQ(!labels(held(scene_of(law, engine)).views, "islands::").empty(), engine == "windowed")
+      EXPECT_EQ(!labels(held(scene_of(law, engine)).views, "islands::").empty(),
+                engine == "windowed")
           << law << ' ' << engine;
       EXPECT_EQ(found.contains("dynamics::trial_position"), engine == "reference");
       EXPECT_EQ(found.contains("dynamics::trial_record"), engine != "reference");

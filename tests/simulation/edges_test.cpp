@@ -25,8 +25,8 @@ class Edges : public EverySimulation {
   }
 };
 
-/// The rate jumps by a thousand in between steps, velocities with it, as in a ramp of long pieces: lists
-/// from the slow flow would be outrun in a step. Against all pairs, all images.
+/// The rate jumps by a thousand in between steps, velocities with it, as in a ramp of long pieces:
+/// lists from the slow flow would be outrun in a step. Against all pairs, all images.
 TEST_P(Edges, ASuddenRateChangeLosesNoContact) {
   Scene scene = small_scene(0.8);
   scene.shear.strain_rate = 2e-5;

@@ -12,9 +12,10 @@ std::optional<Warning> above_jamming(Finished const& finished) {
   return Warning{
       "above_jamming",
       {{"packing_fraction", phi}, {"jamming_fraction", jamming_fraction}},
-      fmt::format("disks.packing_fraction = {} is {:.2g} above jamming at {}, where a yield stress is "
-                  "left as the rate vanishes: B and eta have no limit",
-                  phi, phi - jamming_fraction, jamming_fraction),
+      fmt::format(
+          "disks.packing_fraction = {} is {:.2g} above jamming at {}, where a yield stress is "
+          "left as the rate vanishes: B and eta have no limit",
+          phi, phi - jamming_fraction, jamming_fraction),
       "read p and sigma instead, at several rates"};
 }
 

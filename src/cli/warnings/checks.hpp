@@ -3,8 +3,8 @@
 
 #include "src/cli/warnings/warning.hpp"
 
-/// Each looks at one thing that may be wrong with a result, in a file of its own, and warns or not. What
-/// they go by, and why, is in docs/stability.md.
+/// Each looks at one thing that may be wrong with a result, in a file of its own, and warns or not.
+/// What they go by, and why, is in docs/stability.md.
 namespace bagnold {
 
 using Check = std::optional<Warning>(Finished const&);

@@ -12,14 +12,14 @@ namespace {
 constexpr double most_gap = 0.02;
 constexpr double standard_errors = 4;
 
-/// Kinetic and elastic energy over L^2 in a window, [m / tau_e^2]: p_kin and, as V_ij ~ overlap f_ij
-/// r_ij / alpha, p_el times the overlap at most.
+/// Kinetic and elastic energy over L^2 in a window, [m / tau_e^2]: p_kin and, as V_ij ~ overlap
+/// f_ij r_ij / alpha, p_el times the overlap at most.
 double energy(Finished const& finished, double overlap, std::size_t window) {
   auto const at = [&](char const* name) {
     double sum = 0;
     for (auto const& replica : finished.run.replicas)
-      sum += finished.of(name)->observable.value(
-          replica.measurement.windows.mean(window, window + 1));
+      sum +=
+          finished.of(name)->observable.value(replica.measurement.windows.mean(window, window + 1));
     return sum / static_cast<double>(finished.run.replicas.size());
   };
   return at("p_kin") + (overlap > 0 ? overlap * at("p_el") : 0.0);
@@ -40,10 +40,11 @@ std::optional<Warning> energy_balance(Finished const& finished) {
   return Warning{
       "energy_balance",
       {{"energy_gap", gap}, {"error", error}, {"stored", kept}},
-      fmt::format("{:.2g}% of the power of the shear is {}: integration.time_step = {} is too coarse for "
-                  "these contacts",
-                  100 * std::abs(gap), gap > 0 ? "not dissipated" : "missing from what is dissipated",
-                  finished.run.plan.time_step),
+      fmt::format(
+          "{:.2g}% of the power of the shear is {}: integration.time_step = {} is too coarse for "
+          "these contacts",
+          100 * std::abs(gap), gap > 0 ? "not dissipated" : "missing from what is dissipated",
+          finished.run.plan.time_step),
       "halve it and compare"};
 }
 

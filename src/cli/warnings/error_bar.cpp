@@ -9,8 +9,8 @@ namespace bagnold {
 
 namespace {
 
-/// Scatter of replicas over what their own errors make of it, above which they are not of one state:
-/// four standard deviations for two of them, and rarer for more.
+/// Scatter of replicas over what their own errors make of it, above which they are not of one
+/// state: four standard deviations for two of them, and rarer for more.
 constexpr double most_scatter = 4;
 
 /// (1/(R - 1)) sum (x_r - mean)^2 over the mean of the squared errors of each, its root; 0 where
@@ -32,14 +32,15 @@ Warning none_known(Finished const& finished, NamedEstimate const& found) {
   double const strain = finished.measured_strain();
   double const replicas = static_cast<double>(finished.run.replicas.size());
   double const correlation = strain * replicas / (2 * all.independent);
-  return {"error_bar",
-          {{"measured_strain", strain},
-           {"correlation_strain", all.independent > 0 ? correlation : std::nan("")},
-           {"independent_windows", all.independent}},
-          fmt::format("{} has no error: the measured strain of {:.3g} holds about {:.2g} independent "
-                      "windows, an error takes {}",
-                      found.observable.name, strain, all.independent, 4 * statistics::fewest_blocks),
-          "raise shear.strain, or take disks.replicas of 3 or more"};
+  return {
+      "error_bar",
+      {{"measured_strain", strain},
+       {"correlation_strain", all.independent > 0 ? correlation : std::nan("")},
+       {"independent_windows", all.independent}},
+      fmt::format("{} has no error: the measured strain of {:.3g} holds about {:.2g} independent "
+                  "windows, an error takes {}",
+                  found.observable.name, strain, all.independent, 4 * statistics::fewest_blocks),
+      "raise shear.strain, or take disks.replicas of 3 or more"};
 }
 
 }  // namespace
@@ -50,12 +51,13 @@ std::optional<Warning> error_bar(Finished const& finished) {
     if (!found) return {};
     if (!found->estimate.all.error) return none_known(finished, *found);
     if (double const scatter = scatter_over_errors(found->estimate); scatter > most_scatter)
-      return Warning{"error_bar",
-                     {{"scatter_over_errors", scatter}},
-                     fmt::format("replicas differ in {} by {:.2g} times what the fluctuations of each "
-                                 "explain: they sit in different states",
-                                 name, scatter),
-                     "raise shear.strain, and look at the replicas one by one"};
+      return Warning{
+          "error_bar",
+          {{"scatter_over_errors", scatter}},
+          fmt::format("replicas differ in {} by {:.2g} times what the fluctuations of each "
+                      "explain: they sit in different states",
+                      name, scatter),
+          "raise shear.strain, and look at the replicas one by one"};
   }
   return {};
 }

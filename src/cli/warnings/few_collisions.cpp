@@ -36,9 +36,10 @@ std::optional<Warning> few_collisions(Finished const& finished) {
   return Warning{
       "few_collisions",
       {{"collisions_per_disk", collisions}},
-      fmt::format("a disk collides {:.2g} times at most in the measured strain of {:.3g}; it takes {:.0f} "
-                  "to forget the start",
-                  collisions, finished.measured_strain(), fewest_collisions),
+      fmt::format(
+          "a disk collides {:.2g} times at most in the measured strain of {:.3g}; it takes {:.0f} "
+          "to forget the start",
+          collisions, finished.measured_strain(), fewest_collisions),
       "raise shear.strain"};
 }
 

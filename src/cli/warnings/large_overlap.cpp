@@ -23,11 +23,12 @@ double mean_overlap(Finished const& finished) {
 std::optional<Warning> large_overlap(Finished const& finished) {
   double const overlap = mean_overlap(finished);
   if (!(overlap > most_overlap)) return {};
-  return Warning{"large_overlap",
-                 {{"mean_overlap", overlap}},
-                 fmt::format("disks in contact overlap by {:.2g}% on average: soft bodies, not grains",
-                             100 * overlap),
-                 "lower shear.strain_rate or disks.packing_fraction"};
+  return Warning{
+      "large_overlap",
+      {{"mean_overlap", overlap}},
+      fmt::format("disks in contact overlap by {:.2g}% on average: soft bodies, not grains",
+                  100 * overlap),
+      "lower shear.strain_rate or disks.packing_fraction"};
 }
 
 }  // namespace bagnold

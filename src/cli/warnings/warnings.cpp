@@ -9,8 +9,8 @@
 namespace bagnold {
 
 NamedEstimate const* Finished::of(std::string_view name) const {
-  auto const at = std::ranges::find(
-      found, name, [](NamedEstimate const& one) { return one.observable.name; });
+  auto const at =
+      std::ranges::find(found, name, [](NamedEstimate const& one) { return one.observable.name; });
   return at == found.end() ? nullptr : &*at;
 }
 
