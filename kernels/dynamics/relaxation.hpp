@@ -24,15 +24,14 @@ struct NoDissipation {
 /// Local to a disk, so its bits do not depend on threads. Reduces (Max) the largest |w|^2.
 template <class Space>
 struct Relax {
-  static constexpr Real time_step = 0.3;  ///< below 2/omega_max, omega_max^2 about 10 at Z = 5
-  static constexpr Real keep = 0.9;       ///< share of the velocity kept
-
   ContactForces<NoDissipation, HarmonicRepulsion, Space> forces;
   Kokkos::View<Motion<false>*, Space> motion;
   Kokkos::View<Vec2<Real>*, Space> next_position;
   Kokkos::View<Vec2<Real>*, Space> at_build;
 
   KOKKOS_FUNCTION void operator()(std::uint32_t i, Real& largest) const {
+    constexpr Real time_step = 0.3;  // below 2/omega_max, omega_max^2 about 10 at Z = 5
+    constexpr Real keep = 0.9;       // share of the velocity kept
     auto const action = forces(i, NoObserver{});
     Vec2<Real> const velocity = keep * motion(i).velocity + time_step * action.force;
     Vec2<Real> const moved = forces.position(i) + time_step * velocity;
