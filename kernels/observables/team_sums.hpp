@@ -22,7 +22,7 @@ struct TeamSums {
     auto const count = static_cast<std::int32_t>(of_disk.extent(0));
     auto const blocks = static_cast<std::int32_t>(of_block.extent(0));
     team::for_all(members, count, [this](std::int32_t i) {
-      of_disk(i) = MeasureDisk<Law, Repulsion, Space>{forces}(static_cast<std::uint32_t>(i));
+      of_disk(i) = MeasureDisk<ContactForces<Law, Repulsion, Space>>{forces}(static_cast<std::uint32_t>(i));
     });
     team::for_all(members, blocks * columns, [&](std::int32_t k) {
       std::int32_t const block = k / columns, column = k % columns;
