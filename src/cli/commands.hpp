@@ -48,8 +48,8 @@ struct SweepOptions {
 };
 
 struct FigureOptions {
-  std::string name;               ///< "P2-15"; "": list all
-  std::filesystem::path folder;   ///< for pictures, and data that figures share; "": results/figures
+  std::string name;              ///< "P2-15"; "": list all
+  std::filesystem::path folder;  ///< for pictures, and data that figures share; "": results/figures
   std::filesystem::path figures;  ///< figures.toml; "": found
   int jobs = 0;                   ///< as of a sweep
   bool quick = false;
@@ -73,8 +73,8 @@ std::string analyse_kinds();
 /// 1 where points failed or, with `collect`, have no result yet; 0, 130 and 143 as the others.
 int sweep_command(SweepOptions const& options);
 
-/// Makes a figure of the papers: runs its sweeps where they are not done, draws it, and compares with
-/// what the text of the paper states. Codes as of a sweep; 1 where there is no picture.
+/// Makes a figure of the papers: runs its sweeps where they are not done, draws it, and compares
+/// with what the text of the paper states. Codes as of a sweep; 1 where there is no picture.
 int figure_command(FigureOptions const& options);
 
 /// Prints what a sweep file comes to: points, chains, steps, time.
