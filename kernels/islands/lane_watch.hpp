@@ -16,11 +16,12 @@ struct LaneWatch {
     std::vector<ContactEvent>* events = nullptr;
     ContactMotion* motion = nullptr;  ///< by measurement window
     std::vector<ContactSample>* samples = nullptr;
-    std::int64_t opened = 0, due = SampleChoice::never;  ///< of the contact, as OpenContact has them
-    Real share_a = 0.5, share_b = 0.5;                   ///< d / (d_a + d_b)
+    std::int64_t opened = 0,
+                 due = SampleChoice::never;  ///< of the contact, as OpenContact has them
+    Real share_a = 0.5, share_b = 0.5;       ///< d / (d_a + d_b)
   };
   SampleChoice choice;
-  Real strain_rate = 0;  ///< gammadot, [1/tau_e]
+  Real strain_rate = 0;    ///< gammadot, [1/tau_e]
   std::int64_t begin = 0;  ///< of the window, [steps]
   unsigned touched = 0;    ///< lanes in contact
   Lane lane[simd::width];

@@ -58,8 +58,8 @@ struct CheckLimitOptions {
 };
 
 struct FigureOptions {
-  std::string name;               ///< "P2-15"; "": list all
-  std::filesystem::path folder;   ///< for pictures, and data that figures share; "": results/figures
+  std::string name;              ///< "P2-15"; "": list all
+  std::filesystem::path folder;  ///< for pictures, and data that figures share; "": results/figures
   std::filesystem::path figures;  ///< figures.toml; "": found
   int jobs = 0;                   ///< as of a sweep
   bool quick = false;

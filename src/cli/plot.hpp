@@ -16,8 +16,8 @@ std::string draw_frames(std::filesystem::path const& result, std::filesystem::pa
 /// The same of an analysis, from its table of what is to be drawn (scripts/plot_analysis.py).
 std::string draw_analysis(std::filesystem::path const& drawn, std::filesystem::path const& picture);
 
-/// The same of a figure of the papers, from its recipe (scripts/plot_figure.py). Python's own errors go
-/// to stderr: a recipe is written by hand.
+/// The same of a figure of the papers, from its recipe (scripts/plot_figure.py). Python's own
+/// errors go to stderr: a recipe is written by hand.
 std::string draw_figure(std::filesystem::path const& recipe, std::filesystem::path const& picture);
 
 }  // namespace bagnold

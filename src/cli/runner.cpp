@@ -116,7 +116,8 @@ void Runner::watch(std::size_t r, State const& start) {
   auto const columns = simulations_[r]->columns();
   replica.measurement.windows.columns = static_cast<std::size_t>(columns);
   if (run_.scene.measure.contacts) {
-    replica.measurement.open.contacts = watch_contacts(run_.scene, run_.plan, columns, seed(r), frames);
+    replica.measurement.open.contacts =
+        watch_contacts(run_.scene, run_.plan, columns, seed(r), frames);
     replica.measurement.windows.columns += ContactColumns::count;
   }
   if (replica.saved_frames)

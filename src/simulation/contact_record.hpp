@@ -69,8 +69,7 @@ class ContactRecord {
   void add(int column, double value, std::int64_t window, OpenWindows& windows) const;
 
   /// Configurations begin .. end - 1 have been looked at.
-  void looked(std::int64_t begin, std::int64_t end, Sampling const& sampling,
-              OpenWindows& windows);
+  void looked(std::int64_t begin, std::int64_t end, Sampling const& sampling, OpenWindows& windows);
 
   /// Sums over one evaluated configuration, or several.
   void add(ContactMotion const& motion, std::int64_t window, OpenWindows& windows) const;
@@ -86,7 +85,7 @@ class ContactRecord {
 
   std::size_t first_column_;
   std::int64_t first_step_;
-  std::shared_ptr<ContactListener> listener_;  ///< or none
+  std::shared_ptr<ContactListener> listener_;      ///< or none
   std::map<std::int64_t, std::vector<Pair>> due_;  ///< by step; some may have ended since
 };
 

@@ -56,8 +56,9 @@ class ContactWatch {
     if (record.choice)
       for (auto const& contact : record.due(step)) {
         auto const pair = pair_now(all, box, contact);
-        record.add({step, contact.a, contact.b,
-                    contact_velocities(pair.separation, pair.velocity, pair.spin, box.strain_rate)});
+        record.add(
+            {step, contact.a, contact.b,
+             contact_velocities(pair.separation, pair.velocity, pair.spin, box.strain_rate)});
       }
     record.looked(step, step + 1, sampling, windows);
   }

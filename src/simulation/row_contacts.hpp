@@ -45,8 +45,9 @@ void look_along_rows(ContactForces<Law, Repulsion, Space> const& forces, std::in
       velocity.x -= forces.box.velocity_shift(image);
       if (touching) sums.add(1, separation, velocity);
       if (touching && record.choice)
-        touched.push_back({step, i, j, contact_velocities(separation, velocity, spin(i, j),
-                                                          forces.box.strain_rate)});
+        touched.push_back(
+            {step, i, j,
+             contact_velocities(separation, velocity, spin(i, j), forces.box.strain_rate)});
       if (touching != record.table.is_open(i, j))
         events.push_back(contact_event(step, touching, i, j, separation, velocity));
     }

@@ -102,9 +102,10 @@ class WindowContacts {
       Real spin = 0;
       if constexpr (Step::rotates)
         spin = step.common_spin(block.first + contact.a, block.first + contact.b);
-      samples_[unit].push_back({now, disk(contact.a), disk(contact.b),
-                                contact_velocities({p.x - q.x, p.y - q.y}, {p.vx - q.vx, p.vy - q.vy},
-                                                   spin, strain_rate_)});
+      samples_[unit].push_back(
+          {now, disk(contact.a), disk(contact.b),
+           contact_velocities({p.x - q.x, p.y - q.y}, {p.vx - q.vx, p.vy - q.vy}, spin,
+                              strain_rate_)});
       contact.due = choice_.next(disk(contact.a), disk(contact.b), contact.begin, now);
     }
   }

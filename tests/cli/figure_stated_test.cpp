@@ -25,7 +25,7 @@ TEST(Stated, DeviatesInStandardErrorsOfBoth) {
   EXPECT_EQ(deviations({{"row", {{"disks.elasticity", 1}}}}), Texts{"+1.7 standard errors"});
   EXPECT_EQ(deviations({{"row", {{"disks.elasticity", 1}}}, {"error", 0.4}}),
             Texts{"+1.0 standard errors"});
-  EXPECT_EQ(deviations({}), (Texts{"+1.7 standard errors", "-", "-"}));
+  EXPECT_EQ(deviations(nlohmann::json::object()), (Texts{"+1.7 standard errors", "-", "-"}));
 }
 
 TEST(Stated, RangesAreMissedByTheDistanceToThem) {
@@ -42,7 +42,8 @@ TEST(Stated, SaysWhatIsNotFound) {
   EXPECT_EQ(compare(entry({{"column", "y"}}), rows)[0].ours, "not found");
   EXPECT_TRUE(compare(entry({{"row", {{"disks.elasticity", 7}}}}), rows).empty());
   EXPECT_EQ(missing[0].what, "x");
-  EXPECT_EQ(compare(entry({}), rows)[1].what, "x, Q = 10");  // rows told apart
+  EXPECT_EQ(compare(entry(nlohmann::json::object()), rows)[1].what,
+            "x, Q = 10");  // rows told apart
   EXPECT_EQ(compare(entry({{"about", true}}), rows)[0].stated, "about 1");
   EXPECT_EQ(compare(entry({{"about", true}}), rows)[0].deviation, "+50%");
 }

@@ -118,13 +118,13 @@ class AllPairs {
   /// The last step that the choice comes to before the end.
   ContactVelocities chosen(PairOfDisks const& pair, Open const& open, std::int64_t end) const {
     auto last = choice_.first(open.begin);
-    for (auto due = last; due < end;
-         due = choice_.next(pair.first, pair.second, open.begin, due))
+    for (auto due = last; due < end; due = choice_.next(pair.first, pair.second, open.begin, due))
       last = due;
     return open.each.at(static_cast<std::size_t>(last - open.begin));
   }
 
-  /// V_ij . t, the part of the spins, V_ij . n with n from i to j, by P2 Eqs. (6), (30), (33), (34).
+  /// V_ij . t, the part of the spins, V_ij . n with n from i to j, by P2 Eqs. (6), (30), (33),
+  /// (34).
   static ContactVelocities velocities(reference::System const& system,
                                       reference::Contact const& c) {
     double const nx = -c.x / c.separation, ny = -c.y / c.separation, tx = -ny, ty = nx;
@@ -173,8 +173,8 @@ struct Watched {
 
   Watched(Simulation const& simulation, std::size_t disks, std::int64_t first_step = 0,
           SampleChoice choice = {}) {
-    windows.contacts = std::make_shared<ContactRecord>(disks, simulation.columns(), first_step,
-                                                       listener, choice);
+    windows.contacts =
+        std::make_shared<ContactRecord>(disks, simulation.columns(), first_step, listener, choice);
   }
   double sum(std::size_t window, int column, int columns) const {
     return windows.sums.at(window).sums.at(static_cast<std::size_t>(columns + column));
