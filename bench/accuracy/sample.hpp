@@ -58,26 +58,37 @@ void sample_dissipative(World const& world, typename World::Touches const& touch
   }
 }
 
-/// Adds the motion of all disks, dv = v - gammadot y x^, with a weight.
+/// Adds a dissipative impulse of one step, relative motion being `before` and `after` it: the energy
+/// lost is that of the pair.
+template <class World>
+void sample_impulse(World const& world, Touch<typename World::Pair> const& t,
+                    Vec2<double> const& impulse, Contact<typename World::Pair> const& before,
+                    Contact<typename World::Pair> const& after, Sample& sample) {
+  Vec2<double> const force = (1 / world.clock.time_step) * impulse;
+  Vec2<double> const mean = 0.5 * (wide(before.velocity) + wide(after.velocity));
+  sample.add_dissipative(force, wide(t.separation), -dot(force, mean));
+}
+
+/// Adds the motion of all disks, dv = v - gammadot y x^.
 template <class World>
 void sample_motion(World const& world, typename World::Positions const& position,
-                   typename World::Motions const& motion, double weight, Sample& sample) {
+                   typename World::Motions const& motion, Sample& sample) {
   auto& to = sample.value;
   for (std::size_t i = 0; i < world.size(); ++i) {
     auto const species = world.species[i];
-    double const m = weight / world.table.inverse_mass[species];
+    double const m = 1 / world.table.inverse_mass[species];
     double const vx = motion[i].velocity.x - world.clock.strain_rate * position[i].y;
     double const vy = motion[i].velocity.y, spin = motion[i].spin;
     to[SumColumns::kinetic_xx] += m * vx * vx;
     to[SumColumns::kinetic_xy] += m * vx * vy;
     to[SumColumns::kinetic_yy] += m * vy * vy;
-    to[SumColumns::velocity_x2] += weight * vx * vx;
-    to[SumColumns::velocity_y2] += weight * vy * vy;
+    to[SumColumns::velocity_x2] += vx * vx;
+    to[SumColumns::velocity_y2] += vy * vy;
     to[Sample::kinetic_energy] += m * (vx * vx + vy * vy) / 2;
     if constexpr (World::rotates) {
-      to[SumColumns::spin] += weight * spin;
-      to[SumColumns::spin2] += weight * spin * spin;
-      to[Sample::kinetic_energy] += weight * spin * spin / world.table.inverse_inertia[species] / 2;
+      to[SumColumns::spin] += spin;
+      to[SumColumns::spin2] += spin * spin;
+      to[Sample::kinetic_energy] += spin * spin / world.table.inverse_inertia[species] / 2;
     }
   }
 }

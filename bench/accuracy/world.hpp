@@ -139,6 +139,11 @@ class World {
   /// Of the touches found last, how many of the first lie across an edge between blocks.
   std::size_t across() const { return across_; }
 
+  /// r_n+1 = r_n + v dt
+  void fly() {
+    for (std::size_t i = 0; i < size(); ++i) position[i] += time_step() * motion[i].velocity;
+  }
+
   /// After position and motion have been brought to the next step. Throws NumericalError where a
   /// disk left reason.
   void finish_step() {

@@ -15,6 +15,7 @@ namespace bagnold::accuracy {
 template <class World>
 struct GrootWarren {
   static constexpr std::string_view name = "groot-warren";
+  static constexpr bool staggered = false;
   using Kept = typename World::Kept;
 
   double lambda = 0.65;
@@ -41,7 +42,7 @@ struct GrootWarren {
     if (sample) {
       sample_elastic(world, touches, *sample);
       sample_dissipative(world, touches, felt, *sample);
-      sample_motion(world, world.position, world.motion, 1, *sample);
+      sample_motion(world, world.position, world.motion, *sample);
     }
     world.finish_step();
   }

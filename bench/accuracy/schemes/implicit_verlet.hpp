@@ -19,30 +19,32 @@ namespace bagnold::accuracy {
 template <class World>
 struct ImplicitVerlet {
   static constexpr std::string_view name = "implicit-verlet";
+  static constexpr bool staggered = true;
   using Kept = typename World::Kept;
   using Motions = typename World::Motions;
 
-  typename World::Touches touches;
+  typename World::Touches touches, still;  ///< still: as changes of motion see them
   Motions middle, residual, direction, image;
 
   void step(World& world, Sample* sample) {
     double const dt = world.clock.time_step;
     world.find_touches(world.position, world.step, touches);
+    still = touches;
+    for (auto& t : still) t.velocity_shift = 0;
     middle = world.motion;
     kick_elastic(world, touches, dt / 2, middle);
     solve(world);
-    for (std::size_t i = 0; i < world.size(); ++i) {
-      auto& v = world.motion[i];
-      Moving<Kept> const before = v;
-      v.velocity = Kept(2) * middle[i].velocity - before.velocity;
-      v.spin = 2 * middle[i].spin - before.spin;
-      world.position[i] += world.time_step() * v.velocity;
-    }
     if (sample) {
       sample_elastic(world, touches, *sample);
       sample_dissipative(world, touches, middle, *sample);
-      sample_motion(world, world.position, world.motion, 1, *sample);
+      sample_motion(world, world.position, world.motion, *sample);
     }
+    for (std::size_t i = 0; i < world.size(); ++i) {
+      auto& v = world.motion[i];
+      v.velocity = Kept(2) * middle[i].velocity - v.velocity;
+      v.spin = 2 * middle[i].spin - v.spin;
+    }
+    world.fly();
     world.finish_step();
   }
 
@@ -50,8 +52,6 @@ struct ImplicitVerlet {
   /// x + A x dt/2 for velocities that are differences (no shear of images).
   void apply(World& world, Motions const& x, Motions& result) {
     result = x;
-    auto still = touches;
-    for (auto& t : still) t.velocity_shift = 0;
     kick_dissipative(world, still, -world.clock.time_step / 2, x, result);
     ++world.counts.damping_passes;
   }

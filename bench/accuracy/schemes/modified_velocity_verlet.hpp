@@ -12,6 +12,7 @@ namespace bagnold::accuracy {
 template <class World>
 struct ModifiedVelocityVerlet {
   static constexpr std::string_view name = "modified-velocity-verlet";
+  static constexpr bool staggered = false;
 
   typename World::Positions trial_position;
   typename World::Motions trial, after;
@@ -24,7 +25,7 @@ struct ModifiedVelocityVerlet {
     if (sample) {
       sample_elastic(world, touches, *sample);
       sample_dissipative(world, touches, world.motion, *sample);
-      sample_motion(world, world.position, world.motion, 1, *sample);
+      sample_motion(world, world.position, world.motion, *sample);
     }
     trial = after = world.motion;
     kick(world, dt, world.motion, trial);

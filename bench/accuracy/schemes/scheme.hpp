@@ -14,6 +14,7 @@ namespace bagnold::accuracy {
 template <class S, class World>
 concept Scheme = requires(S scheme, World& world, Sample* sample) {
   { S::name } -> std::convertible_to<std::string_view>;
+  { S::staggered } -> std::convertible_to<bool>;  // velocities are those of half a step before
   scheme.step(world, sample);
 };
 
