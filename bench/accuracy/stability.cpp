@@ -41,7 +41,7 @@ struct Packing {
   int steps = 300;
 };
 
-/// Grows small random velocities in a frozen packing?
+/// Whether small random velocities grow.
 bool grows(Scene const& scene, State state, Method const& method, int steps) {
   std::uint64_t random = 88172645463325252ull;
   auto const next = [&random] {  // xorshift64, Marsaglia, J. Stat. Softw. 8, 14 (2003)
@@ -56,7 +56,8 @@ bool grows(Scene const& scene, State state, Method const& method, int steps) {
   auto const norm = [](State const& s) {
     double sum = 0;
     for (auto const& v : s.velocity) sum += v[0] * v[0] + v[1] * v[1];
-    for (double spin : s.spin) sum += spin * spin / 8;
+    for (std::size_t i = 0; i < s.spin.size(); ++i)
+      sum += std::pow(s.spin[i] * s.diameter[i], 2) / 8;
     return sum;
   };
   auto const system = make_system(scene, state, method);
@@ -78,6 +79,7 @@ void run(Packing& o) {
   fmt::print("model,mass,phi,scheme,arrangement,largest_dt_over_Q\n");
   for (auto const& text : o.schemes) {
     Method method = read_method(text + ":1");
+    method.elastic = false;
     double low = 1e-3 * q, high = 20 * q;
     auto const unstable = [&](double dt) {
       method.time_step = dt;
