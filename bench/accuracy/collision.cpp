@@ -52,8 +52,8 @@ Collision collide(Scene const& scene, Method const& method, double phase, double
     double const overlap = 1 - (now.position[1][0] - now.position[0][0]);
     double const time = (static_cast<double>(n) - 2 + phase) * dt;
     if (overlap > 0 && time < exact.duration())
-      c.overlap_error = std::max(
-          c.overlap_error, std::abs(overlap - normal * exact.overlap(time)) / largest);
+      c.overlap_error =
+          std::max(c.overlap_error, std::abs(overlap - normal * exact.overlap(time)) / largest);
     if (overlap > 0) c.duration += dt;
     bool const apart = before > 0 && overlap <= 0;
     before = std::max(before, overlap);
@@ -87,9 +87,9 @@ void print_row(Scene const& scene, Method const& method, double angle, int phase
              angle > 0 ? "oblique" : "head-on", method.scheme, method.time_step);
   if (returns) {
     double const whole = 1 - std::pow(exact.restitution(), 2);
-    fmt::print("{:.6g},{:.3g},{:.3g},{:.3g},", exact.restitution(), e, std::sqrt(e2), loss / whole - 1);
-    if (angle > 0)
-      fmt::print("{:.3g}", tangential);
+    fmt::print("{:.6g},{:.3g},{:.3g},{:.3g},", exact.restitution(), e, std::sqrt(e2),
+               loss / whole - 1);
+    if (angle > 0) fmt::print("{:.3g}", tangential);
     fmt::print(",{:.3g},", duration / exact.duration() - 1);
   } else {
     fmt::print(",,,,,,");

@@ -13,8 +13,8 @@ struct ContactRadius {
   double tangential;  ///< of the sliding
 };
 
-/// By the eigenvalues of the step's matrix (Eigen), written down for each scheme from its definition
-/// for mu x'' = -k_e x - k_d x'. InputError for a scheme it does not know.
+/// By the eigenvalues of the step's matrix (Eigen), written down for each scheme from its
+/// definition for mu x'' = -k_e x - k_d x'. InputError for a scheme it does not know.
 ContactRadius contact_radius(Scene const& scene, std::string const& scheme, double time_step);
 
 }  // namespace bagnold::accuracy

@@ -3,6 +3,7 @@
 
 namespace bagnold::accuracy {
 
-template std::unique_ptr<System> make_for_law<CDrot>(Scene const&, State const&, Method const&, bool);
+template std::unique_ptr<System> make_for_law<CDrot>(Scene const&, State const&, Method const&,
+                                                     bool);
 
 }  // namespace bagnold::accuracy

@@ -4,10 +4,9 @@
 namespace bagnold::accuracy {
 
 std::span<std::string const> scheme_names() {
-  static std::string const names[] = {"modified-velocity-verlet", "lagged-velocity-verlet",
-                                      "groot-warren",             "implicit-verlet",
-                                      "pairwise-sweep",           "increment-sweep",
-                                      "two-stage"};
+  static std::string const names[] = {
+      "modified-velocity-verlet", "lagged-velocity-verlet", "groot-warren", "implicit-verlet",
+      "pairwise-sweep",           "increment-sweep",        "two-stage"};
   return names;
 }
 

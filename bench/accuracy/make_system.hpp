@@ -78,8 +78,9 @@ std::unique_ptr<System> in_float(W const& world, std::string const& scheme, bool
   if (scheme == ModifiedVelocityVerlet<W>::name)
     return stepped_by<ModifiedVelocityVerlet>(world, synchronous);
   if (scheme == TwoStage<W>::name) return stepped_by<TwoStage>(world, synchronous);
-  throw InputError("scheme = \"" + scheme +
-                   "\" (in float only modified-velocity-verlet and two-stage); use --precision double");
+  throw InputError(
+      "scheme = \"" + scheme +
+      "\" (in float only modified-velocity-verlet and two-stage); use --precision double");
 }
 
 /// Instantiated for each law in a source file of its own.

@@ -32,12 +32,11 @@ Pairs in_packs(Pairs const& pairs) {
   std::size_t first_open = 0;
   for (NearPair const& pair : pairs) {
     auto const takes = [&](Pairs const& pack) {
-      return pack.size() < simd::width && std::none_of(pack.begin(), pack.end(), [&](auto const& p) {
-               return meet(p, pair);
-             });
+      return pack.size() < simd::width &&
+             std::none_of(pack.begin(), pack.end(), [&](auto const& p) { return meet(p, pair); });
     };
-    auto const found = std::find_if(packs.begin() + static_cast<std::ptrdiff_t>(first_open),
-                                    packs.end(), takes);
+    auto const found =
+        std::find_if(packs.begin() + static_cast<std::ptrdiff_t>(first_open), packs.end(), takes);
     if (found == packs.end())
       packs.push_back({pair});
     else
@@ -68,8 +67,8 @@ NearPairs find_near_pairs(std::vector<Vec2<Real>> const& position,
                           Arrangement const& arrangement) {
   auto const place = view_of("accuracy::position", position);
   auto const grid = make_cell_grid(Space(), place, box.length, big_diameter + skin);
-  NeighborSearch<Space> const search{place, view_of("accuracy::species", species), grid,
-                                     make_species_table(false), box, skin};
+  NeighborSearch<Space> const search{
+      place, view_of("accuracy::species", species), grid, make_species_table(false), box, skin};
   auto const rows = make_neighbor_rows(Space(), search, NeighborRows<Space>{});
 
   auto const tile = [&](std::uint32_t i) {

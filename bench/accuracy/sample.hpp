@@ -58,8 +58,8 @@ void sample_dissipative(World const& world, typename World::Touches const& touch
   }
 }
 
-/// Adds a dissipative impulse of one step, relative motion being `before` and `after` it: the energy
-/// lost is that of the pair.
+/// Adds a dissipative impulse of one step, relative motion being `before` and `after` it: the
+/// energy lost is that of the pair.
 template <class World>
 void sample_impulse(World const& world, Touch<typename World::Pair> const& t,
                     Vec2<double> const& impulse, Contact<typename World::Pair> const& before,

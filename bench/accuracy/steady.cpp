@@ -22,7 +22,8 @@ struct Steady {
 
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-constexpr char const* quantities[] = {"B_p", "B_p_el", "B_p_kin", "B_sigma", "Z", "mu", "T_g", "R_v"};
+constexpr char const* quantities[] = {"B_p", "B_p_el", "B_p_kin", "B_sigma",
+                                      "Z",   "mu",     "T_g",     "R_v"};
 
 void print_header() {
   fmt::print("{},{},strain,evaluations,passes,cpu_seconds,gap", scene_header, method_header);

@@ -36,18 +36,22 @@ double value_of(Sample const& sample, int quantity) {
     case 0:
       return a[C::elastic_xx] + a[C::elastic_yy] + a[C::dissipative_xx] + a[C::dissipative_yy] +
              a[C::kinetic_xx] + a[C::kinetic_yy];
-    case 1: return a[C::elastic_xx] + a[C::elastic_yy];
-    case 2: return -(a[C::elastic_xy] + a[C::dissipative_xy] + a[C::kinetic_xy]);
-    case 3: return a[C::contacts];
-    case 4: return a[C::kinetic_xx] + a[C::kinetic_yy];
-    default: return a[Sample::dissipated];
+    case 1:
+      return a[C::elastic_xx] + a[C::elastic_yy];
+    case 2:
+      return -(a[C::elastic_xy] + a[C::dissipative_xy] + a[C::kinetic_xy]);
+    case 3:
+      return a[C::contacts];
+    case 4:
+      return a[C::kinetic_xx] + a[C::kinetic_yy];
+    default:
+      return a[Sample::dissipated];
   }
 }
 
 Outcome stretch(Stretches const& o, State const& from, Method const& method) {
   auto const system = make_system(o.start.scene, from, method, true);
-  auto const steps =
-      std::llround(o.length / (o.start.scene.shear.strain_rate * method.time_step));
+  auto const steps = std::llround(o.length / (o.start.scene.shear.strain_rate * method.time_step));
   auto const settled = std::llround(o.settle * static_cast<double>(steps));
   Outcome outcome;
   for (long long k = 0; k < steps; ++k) system->step(k < settled ? nullptr : &outcome.mean);

@@ -33,9 +33,9 @@ class System {
 /// The names of all schemes.
 std::span<std::string const> scheme_names();
 
-/// The model, the rate and the constants come from the scene. `synchronous`: the state's velocities are
-/// those of its time; a scheme that keeps them half a step behind is then given them there, to first
-/// order. Throws InputError for a word it does not know.
+/// The model, the rate and the constants come from the scene. `synchronous`: the state's velocities
+/// are those of its time; a scheme that keeps them half a step behind is then given them there, to
+/// first order. Throws InputError for a word it does not know.
 std::unique_ptr<System> make_system(Scene const& scene, State const& state, Method const& method,
                                     bool synchronous = false);
 

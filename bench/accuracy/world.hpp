@@ -25,12 +25,12 @@ struct Moving {
 template <class T>
 struct Touch {
   std::uint32_t i, j;
-  std::uint8_t big;      ///< how many of the two are big
-  T velocity_shift;      ///< v_x of the image of j less that of j, [d_s / tau_e]
-  Vec2<T> separation;    ///< r_ij, [d_s]
-  Vec2<T> normal;        ///< r_ij / |r_ij|
-  T relative_overlap;    ///< 1 - r_ij / d_ij
-  T inverse_distance;    ///< 1 / d_ij
+  std::uint8_t big;    ///< how many of the two are big
+  T velocity_shift;    ///< v_x of the image of j less that of j, [d_s / tau_e]
+  Vec2<T> separation;  ///< r_ij, [d_s]
+  Vec2<T> normal;      ///< r_ij / |r_ij|
+  T relative_overlap;  ///< 1 - r_ij / d_ij
+  T inverse_distance;  ///< 1 / d_ij
 };
 
 /// What a run has asked for: noise-free measures of cost.
@@ -78,7 +78,8 @@ class World {
         motion(state.count()),
         species(state.count()) {
     for (std::size_t i = 0; i < state.count(); ++i) {
-      position[i] = {static_cast<Kept>(state.position[i][0]), static_cast<Kept>(state.position[i][1])};
+      position[i] = {static_cast<Kept>(state.position[i][0]),
+                     static_cast<Kept>(state.position[i][1])};
       motion[i].velocity = {static_cast<Kept>(state.velocity[i][0]),
                             static_cast<Kept>(state.velocity[i][1])};
       motion[i].spin = rotates ? static_cast<Kept>(state.spin[i]) : Kept(0);
@@ -118,7 +119,8 @@ class World {
     for (std::size_t k = 0; k < near_.pairs.size(); ++k) {
       if (k == near_.across) across_ = touches.size();
       NearPair const& pair = near_.pairs[k];
-      Kept const shift_x = static_cast<Kept>(pair.image.m * clock.box_length + pair.image.n * offset);
+      Kept const shift_x =
+          static_cast<Kept>(pair.image.m * clock.box_length + pair.image.n * offset);
       Kept const shift_y = static_cast<Kept>(pair.image.n * clock.box_length);
       Vec2<Pair> const separation{static_cast<Pair>((at[pair.i].x - at[pair.j].x) - shift_x),
                                   static_cast<Pair>((at[pair.i].y - at[pair.j].y) - shift_y)};
@@ -157,7 +159,8 @@ class World {
       Vec2<Real> const v{motion[i].velocity.x, motion[i].velocity.y};
       Real const now2 = excursion2(r, at_build_[i], strain);
       Real const next2 = excursion2(r + clock.time_step * v, at_build_[i], next);
-      if (!(next2 < 1e6)) throw NumericalError("a disk has left reason: the time step is too large");
+      if (!(next2 < 1e6))
+        throw NumericalError("a disk has left reason: the time step is too large");
       largest2 = std::max({largest2, now2, next2});
     }
     if (!list_holds(std::max(std::abs(strain), std::abs(next)), largest2, skin)) renew_list();

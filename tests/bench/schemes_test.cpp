@@ -61,7 +61,9 @@ State crowd(bool rotates, std::size_t count = 200, unsigned seed = 3) {
   return s;
 }
 
-std::ostream& operator<<(std::ostream& to, Case const& c) { return to << c.model << " " << c.scheme; }
+std::ostream& operator<<(std::ostream& to, Case const& c) {
+  return to << c.model << " " << c.scheme;
+}
 
 class EveryScheme : public testing::TestWithParam<Case> {};
 
@@ -81,8 +83,8 @@ std::string case_name(testing::TestParamInfo<Case> const& info) {
 
 INSTANTIATE_TEST_SUITE_P(Accuracy, EveryScheme, testing::ValuesIn(cases()), case_name);
 
-/// Two disks in a contact that lasts, at a small speed: after half a tau_e the overlap is that of the
-/// closed form, of which `distance` is left out; so the order shows.
+/// Two disks in a contact that lasts, at a small speed: after half a tau_e the overlap is that of
+/// the closed form, of which `distance` is left out; so the order shows.
 double overlap_error(Case const& c, double time_step) {
   Scene const scene = scene_of(c.model, 1.0, 0.0);
   DampedContact const exact(scene);
@@ -135,7 +137,8 @@ TEST_P(EveryScheme, RestitutionOfACollision) {
     auto const system = make_system(scene, s, method(GetParam().scheme, 2e-3));
     for (int k = 0; k < std::llround(1.5 * exact.duration() / 2e-3); ++k) system->step(nullptr);
     State const after = system->state();
-    EXPECT_NEAR((after.velocity[1][0] - after.velocity[0][0]) / 1e-4, exact.restitution(), 4e-3 / q);
+    EXPECT_NEAR((after.velocity[1][0] - after.velocity[0][0]) / 1e-4, exact.restitution(),
+                4e-3 / q);
   }
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "bench/accuracy/schemes/pair_relaxation.hpp"
 #include "bench/accuracy/schemes/increments.hpp"
+#include "bench/accuracy/schemes/pair_relaxation.hpp"
 
 namespace bagnold::accuracy {
 
@@ -12,11 +12,12 @@ namespace bagnold::accuracy {
 ///     for each contact c:  a <- phi(A_c dt) a,   phi(z) = (1 - exp(-z))/z
 ///     v <- v + a,   r_n+1 = r_n + v dt
 ///
-/// Exact for two disks alone (exponential Euler). In a flow that hardly changes a is small, and with
-/// it all that the splitting does wrong. Always in the same direction: alternating is less stable.
+/// Exact for two disks alone (exponential Euler). In a flow that hardly changes a is small, and
+/// with it all that the splitting does wrong. Always in the same direction: alternating is less
+/// stable.
 ///
-/// Pairs across blocks come first, all from the same increments, with masses cut in two: both blocks
-/// can work them out, and no count of contacts is needed.
+/// Pairs across blocks come first, all from the same increments, with masses cut in two: both
+/// blocks can work them out, and no count of contacts is needed.
 template <class World>
 struct IncrementSweep {
   static constexpr std::string_view name = "increment-sweep";

@@ -36,8 +36,8 @@ struct ModifiedVelocityVerlet {
     world.find_touches(trial_position, world.step + 1, touches);
     kick(world, dt / 2, trial, after);
     for (std::size_t i = 0; i < world.size(); ++i)
-      world.position[i] += Kept(0.5) * world.time_step() *
-                           (world.motion[i].velocity + after[i].velocity);
+      world.position[i] +=
+          Kept(0.5) * world.time_step() * (world.motion[i].velocity + after[i].velocity);
     std::swap(world.motion, after);
     world.finish_step();
   }

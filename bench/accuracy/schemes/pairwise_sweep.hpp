@@ -6,9 +6,9 @@
 
 namespace bagnold::accuracy {
 
-/// The elastic force once a step, and the damping of each contact exactly, one pair after the other:
-/// a splitting, of second order as odd steps go backwards through the contacts. Shardlow, SIAM J.
-/// Sci. Comput. 24, 1267 (2003), does the same for dissipative particles.
+/// The elastic force once a step, and the damping of each contact exactly, one pair after the
+/// other: a splitting, of second order as odd steps go backwards through the contacts. Shardlow,
+/// SIAM J. Sci. Comput. 24, 1267 (2003), does the same for dissipative particles.
 ///
 ///     v' = v + f_el(r_n) dt/2m;   for each contact c:  v' <- exp(-A_c dt) v'
 ///     v <- v' + f_el(r_n) dt/2m,   r_n+1 = r_n + v dt
@@ -45,8 +45,8 @@ struct PairwiseSweep {
  private:
   void relax(World& world, Touch<Pair> const& t, PairRelaxation const& by, Sample* sample) {
     auto const before = contact_of(world, t, world.motion);
-    auto const impulse = along(t, before.velocity, by.normal[t.big].slowing(),
-                               by.tangential[t.big].slowing());
+    auto const impulse =
+        along(t, before.velocity, by.normal[t.big].slowing(), by.tangential[t.big].slowing());
     exert(world, t, impulse, world.motion);
     if (!sample) return;
     auto const after = contact_of(world, t, world.motion);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "bench/accuracy/schemes/pair_relaxation.hpp"
 #include "bench/accuracy/schemes/increments.hpp"
+#include "bench/accuracy/schemes/pair_relaxation.hpp"
 
 namespace bagnold::accuracy {
 
@@ -14,23 +14,24 @@ inline Real second_share(Real z) {
   return std::max(least, exact);
 }
 
-/// One evaluation of the force, and a second look at its contacts: the damping of the change that it
-/// makes.
+/// One evaluation of the force, and a second look at its contacts: the damping of the change that
+/// it makes.
 ///
 ///     a_i = [f_el(r_n) + f_dis(r_n, v)]_i dt/m_i
 ///     b_i = sum_c alpha_c f_dis,c(r_n, a) dt/m_i
 ///     v <- v + a + b,   r_n+1 = r_n + v dt
 ///
-/// and the spin alike. In each of both stages all contacts read the same numbers: nothing depends on
-/// their order. A relaxation of rate y/dt shrinks by 1 - y + alpha y^2: with alpha = 1/2 the series of
-/// exp(-y) to second order, stable below y = 2; with less, down to 1/8, stable up to 1/alpha, the
-/// polynomial of a two-stage Runge-Kutta-Chebyshev method. Normal and tangential, each with its z,
+/// and the spin alike. In each of both stages all contacts read the same numbers: nothing depends
+/// on their order. A relaxation of rate y/dt shrinks by 1 - y + alpha y^2: with alpha = 1/2 the
+/// series of exp(-y) to second order, stable below y = 2; with less, down to 1/8, stable up to
+/// 1/alpha, the polynomial of a two-stage Runge-Kutta-Chebyshev method. Normal and tangential, each
+/// with its z,
 ///
 ///     alpha = max{1/7, (N z - 1 + exp(-N z))/(N z)^2}.
 ///
-/// Two disks alone (N = 1) relax exactly. For more, dt A = G C G^T with the matrix C of the z, and the
-/// second stage takes off S = G (alpha C) G^T; masses cut in N parts bound it, S <= 1, so that the
-/// eigenvalues of 1 - dt A + dt A S are real and between -1 and 1 as long as N z < 7.
+/// Two disks alone (N = 1) relax exactly. For more, dt A = G C G^T with the matrix C of the z, and
+/// the second stage takes off S = G (alpha C) G^T; masses cut in N parts bound it, S <= 1, so that
+/// the eigenvalues of 1 - dt A + dt A S are real and between -1 and 1 as long as N z < 7.
 template <class World>
 struct TwoStage {
   static constexpr std::string_view name = "two-stage";
