@@ -40,6 +40,7 @@ Method read_method(std::string const& text) {
   std::getline(parts, step, ':');
   std::getline(parts, precision, ':');
   Method method;
+  method.time_step = 0;
   std::stringstream words(scheme);
   std::getline(words, method.scheme, '+');
   for (std::string word; std::getline(words, word, '+');) {
@@ -50,7 +51,7 @@ Method read_method(std::string const& text) {
     else
       throw InputError("+" + word + " in " + text + " (not known); use +packs or +blocks=N");
   }
-  method.time_step = step.empty() ? 0 : std::stod(step);
+  std::stringstream(step) >> method.time_step;
   if (!(method.time_step > 0))
     throw InputError(text + " (needs a time step above 0); write it as " + scheme + ":0.1");
   if (!precision.empty()) method.precision = precision;

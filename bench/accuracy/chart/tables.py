@@ -26,14 +26,13 @@ class Tables:
     def write(self, name, calls):
         """One table of all calls: each prints the same header."""
         self.say(f"{name}: {len(calls)} calls")
-        with ThreadPoolExecutor(self.jobs) as pool:
-            tables = list(pool.map(lambda call: self.call(*call), calls))
         os.makedirs(self.folder, exist_ok=True)
-        with open(os.path.join(self.folder, name), "w", newline="") as file:
+        with ThreadPoolExecutor(self.jobs) as pool, \
+                open(os.path.join(self.folder, name), "w", newline="") as file:
             out = csv.writer(file, lineterminator="\n")
-            out.writerow(tables[0][0])
-            for table in tables:
-                out.writerows(table[1:])
+            for number, table in enumerate(pool.map(lambda call: self.call(*call), calls)):
+                out.writerows(table if number == 0 else table[1:])
+                file.flush()  # what is done is kept if the rest is stopped
 
     def state(self, case):
         return ["--state", os.path.join(self.states, case.state, "state.h5")]
