@@ -53,20 +53,19 @@ Matrix papers_step(double k, double c, double h) {
   return {1 + h / 2 * vx, h / 2 * (1 + vv), vx, vv};
 }
 
-/// Share of the second stage at N z = z, see docs/accuracy.md.
-double second_share(double z) {
-  double const exact = z < 1e-3 ? 0.5 - z / 6 : (z + std::expm1(-z)) / (z * z);
-  return std::max(1.0 / 7, exact);
-}
-
 /// v_1 = v + (1 - alpha h c) h f_0,  x_1 = x + h v_1.
 Matrix two_stage_step(double k, double c, double h) {
-  double const held = 1 - second_share(h * c) * h * c;
+  double const held = 1 - second_stage_share(h * c) * h * c;
   double const vx = -held * h * k, vv = 1 - held * h * c;
   return {1 + h * vx, h * vv, vx, vv};
 }
 
 }  // namespace
+
+double second_stage_share(double z) {
+  double const exact = z < 1e-3 ? 0.5 - z / 6 : (z + std::expm1(-z)) / (z * z);
+  return std::max(1.0 / 7, exact);
+}
 
 double contact_spectral_radius(Scene const& scene, std::string_view scheme, double time_step) {
   Rates const r(scene);

@@ -11,6 +11,14 @@ namespace bagnold {
 inline constexpr std::string_view papers_scheme = "modified-velocity-verlet";  ///< P2 Eqs. 21-24
 inline constexpr std::string_view two_stage_scheme = "two-stage";              ///< docs/accuracy.md
 
+/// Share alpha of the second stage of that scheme for a contact with N z, where z = k_d dt/mu and N
+/// is the larger number of contacts of its two disks:
+///
+///     alpha = max{1/7, (N z - 1 + exp(-N z)) / (N z)^2}
+///
+/// Two disks alone relax by exp(-z) with it; rates up to 7/dt do not grow.
+double second_stage_share(double contacts_z);
+
 /// Spectral radius of one step for two small disks, the lightest pair, held in contact: the larger
 /// one of the normal and the tangential motion. Above 1 the step makes energy.
 ///

@@ -3,16 +3,9 @@
 
 #include "bench/accuracy/schemes/increments.hpp"
 #include "bench/accuracy/schemes/pair_relaxation.hpp"
+#include "src/config/stability.hpp"
 
 namespace bagnold::accuracy {
-
-/// Share of the second stage for a contact with N z, z = k_d dt/mu and N the larger number of
-/// contacts of its disks; see TwoStage.
-inline Real second_share(Real z) {
-  constexpr Real least = 1.0 / 7;
-  Real const exact = z < 1e-3 ? 0.5 - z / 6 : (z + std::expm1(-z)) / (z * z);
-  return std::max(least, exact);
-}
 
 /// One evaluation of the force, and a second look at its contacts: the damping of the change that
 /// it makes.
@@ -27,7 +20,7 @@ inline Real second_share(Real z) {
 /// 1/alpha, the polynomial of a two-stage Runge-Kutta-Chebyshev method. Normal and tangential, each
 /// with its z,
 ///
-///     alpha = max{1/7, (N z - 1 + exp(-N z))/(N z)^2}.
+///     alpha = second_stage_share(N z),   N the larger number of contacts of the two disks.
 ///
 /// Two disks alone (N = 1) relax exactly. For more, dt A = G C G^T with the matrix C of the z, and
 /// the second stage takes off S = G (alpha C) G^T; masses cut in N parts bound it, S <= 1, so that
@@ -58,7 +51,7 @@ struct TwoStage {
       auto const& t = touches[k];
       int const n = std::max(contacts[t.i], contacts[t.j]);
       auto const share = [n](Relaxing const& r) {
-        return r.mass * r.steps * second_share(n * r.steps);
+        return r.mass * r.steps * second_stage_share(n * r.steps);
       };
       impulse[k] = along(t, change_of(world, t, first).velocity, share(by.normal[t.big]),
                          share(by.tangential[t.big]));
