@@ -107,6 +107,7 @@ def bias(data, out):
             points = []
             for scheme, label in LEGEND.items():
                 mine = [r for r in here if belongs(r, case) and r["scheme"] == scheme]
+                axis.plot([], [], color=COLOURS[scheme], marker=MARKERS[scheme], linestyle="", label=label)
                 for r in mine:
                     error, noise = bias_of(r)
                     if not error < 1:
@@ -116,8 +117,7 @@ def bias(data, out):
                         points.append((cost, max(error, noise)))
                     axis.errorbar(cost, error, noise, color=COLOURS[scheme], marker=MARKERS[scheme],
                                   linestyle="", elinewidth=0.6,
-                                  markerfacecolor=COLOURS[scheme] if error > noise else "none",
-                                  label=label if r is mine[0] else None)
+                                  markerfacecolor=COLOURS[scheme] if error > noise else "none")
             axis.step(*zip(*front(points)), where="post", color="black", linewidth=0.6)
             axis.set(xscale="log", yscale="log", title=case.name, ylim=(5e-6, 1))
             axis.axhline(0.01, color="#BBBBBB", linewidth=0.8)

@@ -46,7 +46,7 @@ class Tables:
     def stability(self):
         self.write("stability_contact.csv", [("stability", "--models", model, "--points", self.form.map_points)
                                          for model in ("CD", "CD_n", "CD_rot")])
-        schemes = ",".join([*LEGEND, "increment-sweep+packs+blocks=4"])
+        schemes = ",".join([*LEGEND, "increment-sweep+packs+blocks=8"])
         self.write("stability_packing.csv", [
             ("packing", *self.state(CASES[0]), "--model", model, "--phi", CASES[0].phi, "--schemes", schemes)
             for model in ("CD", "CD_n", "CD_rot")])
