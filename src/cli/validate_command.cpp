@@ -7,6 +7,7 @@
 #include "src/config/cascade.hpp"
 #include "src/config/run_time.hpp"
 #include "src/config/scene_file.hpp"
+#include "src/config/stability.hpp"
 #include "src/config/time_step.hpp"
 #include "src/config/toml_text.hpp"
 #include "src/sweep/sweep_table.hpp"

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "src/config/errors.hpp"
+#include "src/config/stability.hpp"
 #include "src/config/time_step.hpp"
 
 namespace bagnold {

@@ -14,12 +14,4 @@ double paper_time_step(Scene::Disks const& disks);
 /// The time step of a scene: as given, or the papers', of a ramp shortened to divide ramp_every.
 double time_step(Scene const& scene);
 
-/// Spectral radius of one step of the modified velocity Verlet scheme (P2 Eqs. 21-24) for two small
-/// disks, the lightest pair, held in contact: the larger one of the normal and the tangential
-/// motion. Above 1 the step makes energy.
-///
-/// Normal: mu x'' = -k x - k_n x' with k = 1/d^2 (for alpha = 5/2 the stiffness at 20% overlap).
-/// Tangential: mu_t u' = -k_t u, with 1/mu_t = 2/m, and 4/m more where the disks can roll.
-double contact_spectral_radius(Scene const& scene, double time_step);
-
 }  // namespace bagnold

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bench/accuracy/make_system.hpp"
+
+namespace bagnold::accuracy {
+
+template std::unique_ptr<System> make_for_law<CD>(Scene const&, State const&, Method const&, bool);
+
+}  // namespace bagnold::accuracy

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string_view>
+
+#include "src/config/scene.hpp"
+
+namespace bagnold {
+
+/// The schemes whose stability is known here.
+inline constexpr std::string_view papers_scheme = "modified-velocity-verlet";  ///< P2 Eqs. 21-24
+inline constexpr std::string_view two_stage_scheme = "two-stage-leapfrog";     ///< docs/accuracy.md
+
+/// Share alpha of the second stage of that scheme for a contact with N z, where z = k_d dt/mu and N
+/// is the larger number of contacts of its two disks:
+///
+///     alpha = max{1/7, (N z - 1 + exp(-N z)) / (N z)^2}
+///
+/// Two disks alone relax by exp(-z) with it; rates up to 7/dt do not grow.
+double second_stage_share(double contacts_z);
+
+/// Spectral radius of one step for two small disks, the lightest pair, held in contact: the larger
+/// one of the normal and the tangential motion. Above 1 the step makes energy.
+///
+/// Normal: mu x'' = -k x - k_n x' with k = 1/d^2 (for alpha = 5/2 the stiffness at 20% overlap).
+/// Tangential: mu_t u' = -k_t u, with 1/mu_t = 2/m, and 4/m more where the disks can roll.
+double contact_spectral_radius(Scene const& scene, std::string_view scheme, double time_step);
+
+/// That of the scheme of the scene.
+double contact_spectral_radius(Scene const& scene, double time_step);
+
+/// The largest time step at which no network of contacts grows in which a disk has six at most,
+/// damping and elastic force each for itself, [tau_e]; sufficient, not necessary.
+///
+/// Cut in six parts a disk takes part in six contacts alone: rates of damping are at most 6 k_d/mu,
+/// squared frequencies 6 k/mu. The papers' step bears a rate of 2/dt, and no oscillation without
+/// damping: its own limit on it is that of one contact. Two stages bear 7/dt and, as a leapfrog,
+/// the frequency 2/dt.
+double largest_stable_time_step(Scene const& scene, std::string_view scheme);
+
+}  // namespace bagnold
