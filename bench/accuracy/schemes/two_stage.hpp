@@ -24,7 +24,7 @@ namespace bagnold::accuracy {
 ///
 /// Two disks alone (N = 1) relax exactly. For more, dt A = G C G^T with the matrix C of the z, and
 /// the second stage takes off S = G (alpha C) G^T; masses cut in N parts bound it, S <= 1, so that
-/// the eigenvalues of 1 - dt A + dt A S are real and between -1 and 1 as long as N z < 7.
+/// the eigenvalues of 1 - dt A + S dt A are real and between -1 and 1 as long as N z < 7.
 template <class World>
 struct TwoStage {
   static constexpr std::string_view name = "two-stage";
