@@ -16,14 +16,6 @@ struct BlockStep : BlockSystem<Law, Repulsion, false> {
       System::time_step, System::rotates;
   static constexpr Scheme scheme = Scheme::modified_velocity_verlet;
 
-  /// (d_i thetadot_i + d_j thetadot_j) / (d_i + d_j) of two slots, [1/tau_e].
-  Real common_spin(std::uint32_t i, std::uint32_t j) const
-    requires rotates
-  {
-    Real const a = table.diameter[species(i)], b = table.diameter[species(j)];
-    return (a * now.spin(i) + b * now.spin(j)) / (a + b);
-  }
-
   /// First half: trial state at t + dt from forces at t. force: scratch, [most_local].
   BlockReport predict(std::uint32_t b, ShearedBox const& box, Force* force) const {
     using simd::Pack;

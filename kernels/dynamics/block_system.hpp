@@ -90,6 +90,14 @@ struct BlockSystem {
   BlockState trial;
   Real time_step;
 
+  /// (d_i thetadot_i + d_j thetadot_j) / (d_i + d_j) of two slots, [1/tau_e].
+  Real common_spin(std::uint32_t i, std::uint32_t j) const
+    requires rotates
+  {
+    Real const a = table.diameter[species(i)], b = table.diameter[species(j)];
+    return (a * now.spin(i) + b * now.spin(j)) / (a + b);
+  }
+
   /// force: [block.local()], zeroed here.
   template <class Observer>
   void evaluate(Block const& block, BlockState const& state, Force* force,
