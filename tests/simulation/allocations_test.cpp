@@ -69,7 +69,7 @@ Allocated held(Scene const& scene, bool contacts = false) {
     OpenWindows windows;
     Frames frames;
     if (contacts)
-      windows.contacts = watch_contacts(scene, make_plan(scene), simulation->columns(), frames);
+      windows.contacts = watch_contacts(scene, make_plan(scene), simulation->columns(), 1, frames);
     simulation->advance(40, Sampling{1 << 20, 1 << 20, 1 << 20}, windows);
     result.heap = static_cast<double>(heap_bytes() - before);
     std::scoped_lock const lock(of_views);

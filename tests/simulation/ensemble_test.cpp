@@ -39,7 +39,7 @@ class EnsembleOf : public testing::Test {
 
   template <class Repulsion = HarmonicRepulsion>
   static std::unique_ptr<Simulation> alone(Scene const& scene, Snapshot const& from) {
-    return std::make_unique<ReferenceEngine<Law, Repulsion, Space>>(
+    return std::make_unique<ReferenceEngine<Law, Repulsion, Space, Scheme::modified_velocity_verlet>>(
         make_law<Law>(scene.disks), make_species_table(scene.mass_by_area()),
         scene.shear.strain_rate, time_step(scene), scene.integration.skin, from);
   }
