@@ -30,7 +30,7 @@ TEST_P(TwoStage, IsThatOfTheAllPairsReference) {
     State const state = shaken_start(scene);
     auto const simulation = simulate(scene, state, backend());
     reference::System oracle(reference_parameters(scene), state);
-    constexpr int steps = 300;
+    int const steps = static_cast<int>(20 / time_step);  // rounding grows with time, by collisions
     double dissipative[2][2];
     for (int k = 0; k < steps; ++k) reference::two_stage_step(oracle, dissipative);
     advance(*simulation, steps);
@@ -66,11 +66,14 @@ TEST_P(TwoStage, OfADiluteGas) {
   scene.integration.skin = 0.35;
   scene.integration.time_step = 0.2;
   State state = shaken_start(scene);
-  for (std::size_t i = 0; i < state.count(); ++i) state.velocity[i][1] -= 0.1;  // no common drift
+  for (std::size_t i = 0; i < state.count(); ++i) {  // no common drift, and few collisions a step
+    state.velocity[i][0] -= 0.7 * (state.velocity[i][0] - scene.shear.strain_rate * state.position[i][1]);
+    state.velocity[i][1] = 0.3 * (state.velocity[i][1] - 0.1);
+  }
   auto const simulation = simulate(scene, state, backend());
   scene.integration.engine = "reference";
   auto const oracle = simulate(scene, state, backend_names().front());
-  constexpr int steps = 400;
+  constexpr int steps = 800;
   auto const sums = advance(*simulation, steps, 1);
   auto const expected = advance(*oracle, steps, 1);
   EXPECT_LT(largest_difference(simulation->state(), oracle->state(), scene.shear.strain_rate), 1e-10);
@@ -129,7 +132,7 @@ TEST_P(TwoStage, ALonePairRelaxesExactly) {
   double slip = after.velocity[0][1] - after.velocity[1][1];
   if (scene.rotates()) slip += 0.5 * (after.spin[0] + after.spin[1]);
   double const z = k * 0.4 * (scene.rotates() ? 6.0 : 2.0);
-  EXPECT_NEAR(slip / slide, std::exp(-z), 2e-6) << "z " << z;
+  EXPECT_NEAR(slip / slide, std::exp(-z), 10 * overlap) << "z " << z;  // arms are r/2, not 1/2
 }
 
 BAGNOLD_FOR_EVERY_SIMULATION(TwoStage);
