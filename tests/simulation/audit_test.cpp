@@ -14,11 +14,38 @@ struct Case {
   double pair_contacts;      ///< to audit: pairs that touch, summed over steps
 };
 
+/// Pairs whose gap is smaller than `within` either way, [d_s], so that rounding decides if they touch.
+int grazing(State const& s, double within) {
+  int found = 0;
+  double const L = s.box_length;
+  for (std::size_t i = 0; i < s.count(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      for (int n = -1; n <= 1; ++n)
+        for (int m = -2; m <= 2; ++m) {
+          double const x = s.position[i][0] - s.position[j][0] - m * L - n * s.offset;
+          double const y = s.position[i][1] - s.position[j][1] - n * L;
+          double const distance = (s.diameter[i] + s.diameter[j]) / 2;
+          found += std::abs(std::sqrt(x * x + y * y) - distance) < within;
+        }
+  return found;
+}
+
+/// The same over the configurations that a run of `steps` steps evaluates.
+int grazing(Scene const& scene, State const& start, std::int64_t steps, double within) {
+  auto const simulation = simulate(scene, start, backend_names().front());
+  int found = 0;
+  for (std::int64_t k = 0; k < steps; ++k) {
+    found += grazing(simulation->state(), within);
+    advance(*simulation, 1);
+  }
+  return found;
+}
+
 /// A long run of the automatic engine, compared stretch by stretch with the reference engine started
 /// from the same state. The reference evaluates every pair of its list at every step, so a contact
 /// missed or one too many at any step shows in the number of contacts, which must be equal. Stretches
 /// are short: collisions multiply rounding by up to d/gap each, and an overdamped contact opens so
-/// gently that rounding may move its end by a step.
+/// gently that rounding may move its end by a step: numbers may differ by pairs that graze, no more.
 class Audit : public testing::TestWithParam<Case> {};
 
 TEST_P(Audit, NoContactIsMissedAndNoneIsExtra) {
@@ -37,15 +64,21 @@ TEST_P(Audit, NoContactIsMissedAndNoneIsExtra) {
   Scene plain = scene;
   plain.integration.engine = "reference";
   double audited = 0, worst = 0;
-  int stretches = 0;
+  int stretches = 0, grazed = 0;
   for (; audited < c.pair_contacts; ++stretches) {
-    auto const oracle = simulate(plain, fast->state(), backend);
+    State const start = fast->state();
+    auto const oracle = simulate(plain, start, backend);
     auto const found = advance(*fast, c.steps, 1);
     auto const expected = advance(*oracle, c.steps, 1);
-    ASSERT_EQ(found.sums[SumColumns::contacts], expected.sums[SumColumns::contacts])
-        << "stretch " << stretches << ", step " << fast->step() << ", states apart by "
-        << largest_difference(fast->state(), oracle->state(), c.strain_rate);
-    worst = std::max(worst, largest_difference(fast->state(), oracle->state(), c.strain_rate));
+    double const apart = largest_difference(fast->state(), oracle->state(), c.strain_rate);
+    double const more = found.sums[SumColumns::contacts] - expected.sums[SumColumns::contacts];
+    if (more != 0) {
+      int const graze = grazing(plain, start, c.steps, 2 * apart);
+      ASSERT_LE(std::abs(more) / 2, graze)
+          << "stretch " << stretches << ", step " << fast->step() << ", states apart by " << apart;
+      ++grazed;  // stretches
+    }
+    worst = std::max(worst, apart);
     ASSERT_LT(worst, 1e-9) << "stretch " << stretches << ", step " << fast->step();
     audited += expected.sums[SumColumns::contacts] / 2;
   }
@@ -53,6 +86,7 @@ TEST_P(Audit, NoContactIsMissedAndNoneIsExtra) {
   RecordProperty("pair_contacts", std::to_string(audited));
   RecordProperty("stretches", stretches);
   RecordProperty("worst_difference", std::to_string(worst));
+  EXPECT_LE(grazed, 3);  // rare
   bool const windows_wanted = c.packing_fraction < 0.8;
   EXPECT_EQ(counters.at("windows") > 100, windows_wanted);
   EXPECT_EQ(counters.at("steps_one_by_one") > counters.at("steps_in_windows"), !windows_wanted);
