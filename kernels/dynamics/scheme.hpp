@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <string_view>
-
 namespace bagnold {
 
 /// How the equations of motion are stepped.
@@ -10,10 +8,5 @@ enum class Scheme {
   modified_velocity_verlet,  ///< the papers', P2 Eqs. 21-24: two evaluations of all forces a step
   two_stage_leapfrog         ///< two_stage_leapfrog.hpp: one, and a second look at the damping
 };
-
-/// As in input and output.
-constexpr std::string_view scheme_name(Scheme scheme) {
-  return scheme == Scheme::two_stage_leapfrog ? "two-stage-leapfrog" : "modified-velocity-verlet";
-}
 
 }  // namespace bagnold

@@ -4,12 +4,9 @@
 #include <string_view>
 
 #include "src/config/scene.hpp"
+#include "src/config/schemes.hpp"
 
 namespace bagnold {
-
-/// The schemes whose stability is known here.
-inline constexpr std::string_view papers_scheme = "modified-velocity-verlet";  ///< P2 Eqs. 21-24
-inline constexpr std::string_view two_stage_scheme = "two-stage-leapfrog";     ///< docs/accuracy.md
 
 /// Share alpha of the second stage of that scheme for a contact with N z, where z = k_d dt/mu and N
 /// is the larger number of contacts of its two disks:

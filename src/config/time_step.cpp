@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/config/schemes.hpp"
+
 namespace bagnold {
 
 double paper_time_step(Scene::Disks const& disks) {
@@ -22,7 +24,7 @@ double two_stage_time_step(Scene const& scene) {
 
 double time_step(Scene const& scene) {
   if (scene.integration.time_step) return *scene.integration.time_step;
-  double const rule = scene.integration.scheme == "two-stage-leapfrog"
+  double const rule = scene.integration.scheme == two_stage_scheme
                           ? two_stage_time_step(scene)
                           : paper_time_step(scene.disks);
   double const piece = scene.shear.ramp_every;

@@ -88,4 +88,12 @@ inline bool same(Scene const& a, Scene const& b) {
 inline std::filesystem::path const source_folder =
     std::filesystem::path(__FILE__).parent_path().parent_path().parent_path();
 
+inline Scene::Disks disks(std::string const& model, double elasticity, std::string const& mass = "equal") {
+  Scene::Disks d;
+  d.model = model;
+  d.elasticity = elasticity;
+  d.mass = mass;
+  return d;
+}
+
 }  // namespace bagnold

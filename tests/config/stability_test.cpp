@@ -15,14 +15,6 @@
 namespace bagnold {
 namespace {
 
-Scene::Disks disks(std::string const& model, double elasticity, std::string const& mass = "equal") {
-  Scene::Disks d;
-  d.model = model;
-  d.elasticity = elasticity;
-  d.mass = mass;
-  return d;
-}
-
 /// Two small disks in a contact that lasts, along x at distance d_s: the motion to first order.
 ///
 /// (x_i, x_j, y_i, y_j; their velocities, spin_i, spin_j). Forces of P1 and P2 Eqs. (2), (3), (5)

@@ -8,14 +8,6 @@
 namespace bagnold {
 namespace {
 
-Scene::Disks disks(std::string const& model, double elasticity, std::string const& mass = "equal") {
-  Scene::Disks d;
-  d.model = model;
-  d.elasticity = elasticity;
-  d.mass = mass;
-  return d;
-}
-
 /// P1 Sec. II C: dt = min{0.5/Q, 0.1, 0.2 Q}.
 TEST(PaperTimeStep, OfP1) {
   for (auto const* model : {"CD_n", "general"}) {

@@ -98,13 +98,7 @@ TEST_P(TwoStage, InManyPatches) {
   Scene scene = two_stage_scene(0.84, 3000);
   State const state = shaken_start(scene);
   auto const simulation = simulate(scene, state, backend());
-  scene.integration.engine = "reference";
-  auto const oracle = simulate(scene, state, backend_names().front());
-  auto const sums = advance(*simulation, 150, 50);
-  auto const expected = advance(*oracle, 150, 50);
-  EXPECT_LT(largest_difference(simulation->state(), oracle->state(), scene.shear.strain_rate), 1e-12);
-  for (int c = 0; c < simulation->columns(); ++c)
-    EXPECT_NEAR(sums.sums[c], expected.sums[c], 1e-10 * (1 + std::abs(expected.sums[c]))) << c;
+  expect_the_reference_engines(*simulation, scene, state, 150);
 }
 
 /// Where damping alone acts on a lone pair, it relaxes as the equation of motion says, at any step: the

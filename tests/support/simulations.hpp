@@ -150,4 +150,16 @@ inline double largest_difference(State const& a, State const& b, double strain_r
   return largest;
 }
 
+/// Steps on, and holds state and sums against those of the reference engine from the same start.
+inline void expect_the_reference_engines(Simulation& simulation, Scene scene, State const& start,
+                                         std::int64_t steps) {
+  scene.integration.engine = "reference";
+  auto const oracle = simulate(scene, start, backend_names().front());
+  auto const sums = advance(simulation, steps, 50);
+  auto const expected = advance(*oracle, steps, 50);
+  EXPECT_LT(largest_difference(simulation.state(), oracle->state(), scene.shear.strain_rate), 1e-12);
+  for (int c = 0; c < simulation.columns(); ++c)
+    EXPECT_NEAR(sums.sums[c], expected.sums[c], 1e-10 * (1 + std::abs(expected.sums[c]))) << c;
+}
+
 }  // namespace bagnold::test
