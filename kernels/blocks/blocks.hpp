@@ -53,6 +53,14 @@ struct Blocks {
   Array<simd::LocalPair> outer;  ///< class segments, multiples of the pack width
   Array<simd::LocalPair> near[near_lists];  ///< the same places, filled from the front; or empty
   Array<std::uint32_t> slot_of;  ///< [N]: where a disk is, by its index at the start
+
+  /// Room for a near list beside the outer one.
+  void make_room(NearList list, char const* label) {
+    if (near[list].extent(0) >= outer.extent(0)) return;
+    near[list] = {};
+    near[list] = Array<simd::LocalPair>(
+        Kokkos::view_alloc(Kokkos::WithoutInitializing, std::string(label)), outer.extent(0));
+  }
 };
 
 }  // namespace bagnold

@@ -31,15 +31,14 @@ struct BlockForces {
   Law law;
   Repulsion repulsion;
 
-  /// records, spins (thetadot, [1 / tau_e]; null if the law does not rotate) and force: the
-  /// block's slots, halo included.
+  /// Of one class of pairs. records, spins (thetadot, [1 / tau_e]; null if the law does not rotate) and
+  /// force: the block's slots, halo included.
   template <class Observer>
-  void operator()(Blocks const& blocks, Block const& block, NearList list,
+  void operator()(int pair_class, Blocks const& blocks, Block const& block, NearList list,
                   simd::Record const* records, double const* spins, Force* force,
-                  Observer&& observe) const {
-    for (int c = 0; c < pair_classes; ++c)
-      add_class(c, blocks.near[list].data() + block.pairs[c], block.near[list][c], records, spins,
-                force, observe);
+                  Observer& observe) const {
+    add_class(pair_class, blocks.near[list].data() + block.pairs[pair_class],
+              block.near[list][pair_class], records, spins, force, observe);
   }
 
  private:

@@ -3,6 +3,7 @@
 
 #include "kernels/dynamics/block_system.hpp"
 #include "kernels/dynamics/scheme.hpp"
+#include "kernels/dynamics/second_look.hpp"
 
 namespace bagnold {
 
@@ -15,6 +16,9 @@ struct BlockStep : BlockSystem<Law, Repulsion, false> {
   using System::blocks, System::now, System::trial, System::species, System::table,
       System::time_step, System::rotates;
   static constexpr Scheme scheme = Scheme::modified_velocity_verlet;
+  static constexpr bool lists_contacts = false;
+
+  SecondLook const* second_look() const { return nullptr; }
 
   /// First half: trial state at t + dt from forces at t. force: scratch, [most_local].
   BlockReport predict(std::uint32_t b, ShearedBox const& box, Force* force) const {

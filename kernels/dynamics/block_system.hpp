@@ -90,6 +90,14 @@ struct BlockSystem {
   BlockState trial;
   Real time_step;
 
+  /// What does not depend on disks.
+  void set_laws(Law const& law, SpeciesTable const& of_species, Real dt) {
+    forces.law = law;
+    table = of_species;
+    time_step = dt;
+  }
+  void take_laws(BlockSystem const& from) { set_laws(from.forces.law, from.table, from.time_step); }
+
   /// (d_i thetadot_i + d_j thetadot_j) / (d_i + d_j) of two slots, [1/tau_e].
   Real common_spin(std::uint32_t i, std::uint32_t j) const
     requires rotates
@@ -102,17 +110,29 @@ struct BlockSystem {
   template <class Observer>
   void evaluate(Block const& block, BlockState const& state, Force* force,
                 Observer&& observe) const {
-    for (std::uint32_t i = 0; i < block.local(); ++i) force[i] = Force{};
+    clear(block, force);
     add_forces(block, inner_list, state, force, observe);
+  }
+
+  static void clear(Block const& block, Force* force) {
+    std::fill_n(force, block.local(), Force{});
   }
 
   /// Adds to force what the pairs of a near list exert.
   template <class Observer>
   void add_forces(Block const& block, NearList list, BlockState const& state, Force* force,
                   Observer&& observe) const {
+    for (int c = 0; c < pair_classes; ++c)
+      add_forces(c, block, list, state, force, observe);
+  }
+
+  /// Those of one class.
+  template <class Observer>
+  void add_forces(int pair_class, Block const& block, NearList list, BlockState const& state,
+                  Force* force, Observer&& observe) const {
     double const* spins = nullptr;
     if constexpr (rotates) spins = state.spin.data() + block.first;
-    forces(blocks, block, list, state.record.data() + block.first, spins, force, observe);
+    forces(pair_class, blocks, block, list, state.record.data() + block.first, spins, force, observe);
   }
 
   /// What turns forces on eight disks into changes of motion, by species.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "kernels/blocks/prune.hpp"
+#include "kernels/dynamics/active_disks.hpp"
 #include "kernels/dynamics/block_step.hpp"
 
 namespace bagnold {
@@ -15,36 +15,21 @@ struct DenseStep {
   using Force = typename Step::Force;
   static constexpr bool rotates = Law::rotates;
 
-  Blocks::Array<std::uint16_t> active;      ///< [slots], by block: four times the index of each disk
-                                            ///< that touches
-  Blocks::Array<std::uint8_t> is_active;    ///< [slots]
-  Blocks::Array<std::uint32_t> count;       ///< [blocks], in `active`
+  ActiveDisks active;
 
   /// Room for new blocks. loop: makes cleared room.
   template <class Loop>
-  void resize(Loop& loop, Blocks& blocks) {
-    auto& contacts = blocks.near[contact_list];
-    if (contacts.extent(0) < blocks.outer.extent(0))
-      contacts = Blocks::Array<simd::LocalPair>(
-          Kokkos::view_alloc(Kokkos::WithoutInitializing, std::string("dynamics::contacts")),
-          blocks.outer.extent(0));
-    if (active.extent(0) < blocks.slots) {
-      active = {};
-      is_active = {};
-      active = loop.template zeros<std::uint16_t>("dynamics::active", blocks.slots);
-      is_active = loop.template zeros<std::uint8_t>("dynamics::is_active", blocks.slots);
-    }
-    if (count.extent(0) < blocks.count)
-      count = loop.template zeros<std::uint32_t>("dynamics::active_count", blocks.count);
+  void resize(Loop& loop, Step& step) {
+    active.resize(loop, step.blocks);
   }
 
   /// First half: trial state at t + dt from forces at t. force: scratch, [most_local].
-  void predict(Step const& step, std::uint32_t b, ShearedBox const& box, Force* force) const {
+  BlockReport predict(Step const& step, std::uint32_t b, ShearedBox const& box, Force* force) const {
     using simd::Pack;
-    Block& block = step.blocks.block(b);
+    Block const& block = step.blocks.block(b);
     refresh_halo(step.blocks, block, step.now, box);
-    count(b) = 0;
-    find(step, b, step.now, force);
+    active.count(b) = 0;
+    active.find(step.blocks, b, step.now.record.data() + block.first, force);
     step.add_forces(block, contact_list, step.now, force, NoPackObserver{});
 
     auto const* const now = step.now.record.data() + block.first;
@@ -53,7 +38,7 @@ struct DenseStep {
     if constexpr (rotates)
       std::copy_n(spins(step.now, block), block.padded, spins(step.trial, block));
     typename Step::Kick const kick(step.table, step.time_step);
-    each_active(step, block, count(b), [&](std::uint16_t const* at, simd::Mask big) {
+    active.each_pack(block, active.count(b), step.species.data(), [&](std::uint16_t const* at, simd::Mask big) {
       auto r = simd::load_records(now, at);
       auto const f = simd::load_forces(force, at);
       Pack const k = kick.per_mass(big);
@@ -66,6 +51,7 @@ struct DenseStep {
         simd::store(spins(step.trial, block), at,
                     fma(kick.per_inertia(big), f.turn, simd::load(spins(step.now, block), at)));
     });
+    return {};
   }
 
   /// Second half: the state at t + dt from forces at the trial state. moved: scratch, [most_local].
@@ -73,9 +59,9 @@ struct DenseStep {
   BlockReport correct(Step const& step, std::uint32_t b, ShearedBox const& box, Force* force,
                       simd::Record* moved) const {
     using simd::Pack;
-    Block& block = step.blocks.block(b);
+    Block const& block = step.blocks.block(b);
     refresh_halo(step.blocks, block, step.trial, box);
-    find(step, b, step.trial, force);
+    active.find(step.blocks, b, step.trial.record.data() + block.first, force);
     OverlapWatch watch;
     step.add_forces(block, contact_list, step.trial, force, watch);
 
@@ -84,7 +70,7 @@ struct DenseStep {
     typename Step::Kick const kick(step.table, step.time_step / 2);
     Pack fastest2 = 0.0, poison = 0.0;
     auto* to = moved;
-    each_active(step, block, count(b), [&](std::uint16_t const* at, simd::Mask big) {
+    active.each_pack(block, active.count(b), step.species.data(), [&](std::uint16_t const* at, simd::Mask big) {
       auto r = simd::load_records(now, at);
       auto const t = simd::load_records(trial, at);
       auto const f = simd::load_forces(force, at);
@@ -108,10 +94,10 @@ struct DenseStep {
       poison = fma(speed2 + r.x, 0.0, poison);
     });
     simd::fly(now, now, block.padded, step.time_step);
-    auto const* const at = active.data() + block.first;
-    for (std::uint32_t k = 0; k < count(b); ++k) {
+    auto const* const at = active.list.data() + block.first;
+    for (std::uint32_t k = 0; k < active.count(b); ++k) {
       simd::at(now, at[k]) = moved[k];
-      is_active(block.first + at[k] / 4u) = 0;
+      active.is_active(block.first + at[k] / 4u) = 0;
     }
     return {simd::largest(fastest2), simd::largest(watch.largest), watch.touching, simd::sum(poison)};
   }
@@ -119,47 +105,6 @@ struct DenseStep {
  private:
   static double* spins(BlockState const& state, Block const& block) {
     return state.spin.data() + block.first;
-  }
-
-  /// Lists the pairs that touch, adds their disks to the active ones and clears the forces on these.
-  void find(Step const& step, std::uint32_t b, BlockState const& state, Force* force) const {
-    Block& block = step.blocks.block(b);
-    prune_block(step.blocks, block, contact_list, state.record.data() + block.first, 0);
-    auto* const list = active.data() + block.first;
-    auto* const marked = is_active.data() + block.first;
-    auto n = count(b);
-    auto const add = [&](std::uint16_t at) {
-      auto const i = at / 4u;
-      force[i] = Force{};
-      list[n] = at;
-      bool const fresh = i < block.own && marked[i] == 0;
-      n += fresh;
-      if (fresh) marked[i] = 1;
-    };
-    for (std::uint32_t k = 0; k < count(b); ++k) simd::at(force, list[k]) = Force{};
-    for (int c = 0; c < pair_classes; ++c) {
-      auto const* pairs = step.blocks.near[contact_list].data() + block.pairs[c];
-      for (std::uint32_t k = 0; k < block.near[contact_list][c]; ++k) {
-        add(pairs[k].a4);
-        add(pairs[k].b4);
-      }
-    }
-    count(b) = n;
-    auto const inert = static_cast<std::uint16_t>(4 * block.own);
-    force[block.own] = force[block.own + 1] = Force{};
-    for (auto k = n; k < simd::round_up(n); ++k) list[k] = inert;
-  }
-
-  /// body(at, big) for eight active disks at a time, the last ones inert.
-  template <class Body>
-  void each_active(Step const& step, Block const& block, std::uint32_t n, Body const& body) const {
-    auto const* const list = active.data() + block.first;
-    for (std::uint32_t k = 0; k < n; k += simd::width) {
-      unsigned big = 0;
-      for (int j = 0; j < simd::width; ++j)
-        big |= static_cast<unsigned>(step.species(block.first + list[k + j] / 4u)) << j;
-      body(list + k, simd::Mask::of(big));
-    }
   }
 };
 

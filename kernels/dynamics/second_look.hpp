@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "kernels/contact/contact.hpp"
+#include "kernels/contact/pair_force.hpp"
 #include "kernels/core/species.hpp"
 
 namespace bagnold {
@@ -16,23 +16,31 @@ namespace bagnold {
 /// N: the contacts of the one of the two disks that has more. For N = 1 the pair slows down by e^-z
 /// exactly; 1 - z + alpha z^2 stays within (-1, 1] up to z = 7 for any N.
 struct SecondLook {
-  static constexpr int most = 8;  ///< N beyond it counts as it
+  static constexpr int most = 8;  ///< N: no disk has more small ones around it
   static constexpr int classes = 3;  ///< small-small, small-big, big-big
-  Real normal[classes][most];
-  Real tangential[classes][most];
+  Real normal[classes][most];      ///< by N mod 8
+  Real tangential[classes][most];  ///< by N mod 8
+  Real per_force[classes];  ///< dt (1/m_i + 1/m_j)
+  Real per_turn[classes];   ///< dt (d_i^2/I_i + d_j^2/I_j)
 
   SecondLook() = default;
 
   /// The law is linear in the velocity, with these constants along the normal and the tangent.
   template <ContactLaw Law>
   SecondLook(Law const& law, SpeciesTable const& table, Real time_step) {
-    for (int c = 0; c < classes; ++c)
+    for (int c = 0; c < classes; ++c) {
+      Species const a = c == 2, b = c != 0;
+      auto const spun = [&](Species s) {
+        return table.diameter[s] * table.diameter[s] * table.inverse_inertia[s];
+      };
+      per_force[c] = time_step * (table.inverse_mass[a] + table.inverse_mass[b]);
+      per_turn[c] = time_step * (spun(a) + spun(b));
       for (int n = 1; n <= most; ++n) {
-        Real const z = n * time_step *
-                       (table.inverse_mass[c == 2] + table.inverse_mass[c == 0 ? 0 : 1]);
-        normal[c][n - 1] = share(law.normal_damping() * z);
-        tangential[c][n - 1] = share(law.tangential_damping() * z * (Law::rotates ? 3 : 1));
+        Real const z = n * per_force[c];
+        normal[c][n % most] = share(law.normal_damping() * z);
+        tangential[c][n % most] = share(law.tangential_damping() * z * (Law::rotates ? 3 : 1));
       }
+    }
   }
 
   static Real share(Real z) {
@@ -52,6 +60,18 @@ KOKKOS_FUNCTION Vec2<T> looked_at(Vec2<T> const& change, Vec2<T> const& normal, 
            ((share_normal - share_tangential) * dot(change, normal)) * normal;
   else
     return share_normal * change;  // CD: one and the same share; CD_n: no force along the tangent
+}
+
+/// What the second look at a pair changes of its velocity at the contact, by itself. damping: that of
+/// the second look, with its separation; the velocity is of no account.
+template <ContactLaw Law, class T>
+KOKKOS_FUNCTION Vec2<T> own_change(PairForce<T> const& damping, T const& inverse_distance,
+                                   T const& per_force, T const& per_turn) {
+  Vec2<T> change = per_force * damping.dissipative;
+  if constexpr (Law::rotates)
+    change = change - (T(0.5) * inverse_distance * per_turn * damping.turn(inverse_distance)) *
+                          perpendicular(damping.separation);
+  return change;
 }
 
 }  // namespace bagnold

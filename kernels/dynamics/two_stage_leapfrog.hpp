@@ -46,7 +46,7 @@ struct FirstLook {
 };
 
 /// The damping of the changes. Observers see the forces of both looks together, and the velocity halfway
-/// through the first.
+/// through the step, but for what the second looks at other pairs change.
 template <ContactLaw Law, class Repulsion, class Space>
 struct ChangeForces {
   static constexpr bool rotates = Law::rotates;
@@ -74,7 +74,7 @@ struct ChangeForces {
         at_contact = velocity - turned(spins);
       }
       int const most = contacts(i) > contacts(j) ? contacts(i) : contacts(j);
-      int const n = (most < SecondLook::most ? most : SecondLook::most) - 1;
+      int const n = most % SecondLook::most;
       int const c = forces.species(i) + forces.species(j);
       Real const inverse = math::inverse_sqrt(distance2);
       Contact<Real> contact;
@@ -84,10 +84,12 @@ struct ChangeForces {
       contact.velocity = looked_at<Law>(changed, contact.normal, shares.normal[c][n],
                                         shares.tangential[c][n]);
       PairForce<Real> pair{separation, forces.repulsion.magnitude(contact) * contact.normal,
-                           forces.law.dissipative_force(contact), contact.relative_overlap,
-                           at_contact + Real(0.5) * changed};
+                           forces.law.dissipative_force(contact), contact.relative_overlap, {}};
       total.force += pair.dissipative;
       if constexpr (rotates) total.torque += diameter_i * pair.turn(inverse_distance);
+      pair.velocity = at_contact + Real(0.5) * (changed + own_change<Law>(pair, inverse_distance,
+                                                                          shares.per_force[c],
+                                                                          shares.per_turn[c]));
       contact.velocity = contact.velocity + at_contact;
       pair.dissipative = forces.law.dissipative_force(contact);
       observe(pair);

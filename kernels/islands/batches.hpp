@@ -19,9 +19,7 @@ struct Batches {
 
   /// Takes islands and their disks' motion from `all`; false if one is too large for a batch.
   bool fill(Islands const& islands, Step const& all, ShearedBox const& box) {
-    step.forces = all.forces;
-    step.table = all.table;
-    step.time_step = all.time_step;
+    step.take_laws(all);
     if (!cut(islands)) return false;
     slot_of.resize(islands.disks.size());
     for (std::uint32_t b = 0; b < step.blocks.count; ++b) fill_block(b, islands, all, box);
@@ -65,6 +63,7 @@ struct Batches {
     blocks.count = static_cast<std::uint32_t>(stretches_.size());
     need(blocks.block, blocks.count, "islands::block");
     need(blocks.near[inner_list], pairs, "islands::pairs");
+    if constexpr (Step::lists_contacts) need(blocks.near[contact_list], pairs, "islands::contacts");
     need(step.species, slots, "islands::species");
     need(step.now.record, slots, "islands::record");
     need(step.trial.record, slots, "islands::trial_record");

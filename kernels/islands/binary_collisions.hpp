@@ -41,6 +41,7 @@ struct BinaryCollisions {
   SpeciesTable table;
   Real time_step;
   Real strain_rate;
+  SecondLook const* second_look = nullptr;  ///< of the two-stage leapfrog
 
   /// Brings pairs (a[k], b[k]), k < count <= 8, through `steps` steps. What they add to the sampled
   /// sums, beyond what their straight flights would, is added to sums[k * times.bins() + bin]. watch
@@ -116,8 +117,6 @@ struct BinaryCollisions {
     Pack share_normal, share_tangential;  ///< of a lone pair, in the second look
 
     Touch(BinaryCollisions const& c, Disk const* a, Disk const* b, int count) {
-      SecondLook shares;
-      if constexpr (two_stage) shares = SecondLook(c.law, c.table, c.time_step);
       Pack distance;
       for (int k = 0; k < width; ++k) {
         int const j = k < count ? k : 0;
@@ -126,8 +125,8 @@ struct BinaryCollisions {
         int const both = pair_class(a[j].species, b[j].species);
         distance.v[k] = class_distance(both);
         if constexpr (two_stage) {
-          share_normal.v[k] = shares.normal[both][0];
-          share_tangential.v[k] = shares.tangential[both][0];
+          share_normal.v[k] = c.second_look->normal[both][1];
+          share_tangential.v[k] = c.second_look->tangential[both][1];
         }
       }
       reach2 = distance * distance;
@@ -297,17 +296,20 @@ struct BinaryCollisions {
     contact.relative_overlap = f.force.relative_overlap;
     contact.inverse_distance = touch.inverse_distance;
     Pack const per_force = dt * (p.inverse_mass + q.inverse_mass);
+    Pack const per_turn =
+        dt * fma(touch.diameter_a, p.turn_to_spin, touch.diameter_b * q.turn_to_spin);
     Vec2<Pack> change{per_force * f.x, per_force * f.y};
     if constexpr (rotates) {
-      Pack const spins = dt * f.turn *
-                         fma(touch.diameter_a, p.turn_to_spin, touch.diameter_b * q.turn_to_spin);
-      change = change - (0.5 * touch.inverse_distance * spins) * perpendicular(separation);
+      change = change - (0.5 * touch.inverse_distance * per_turn * f.turn) * perpendicular(separation);
     }
     contact.velocity =
         looked_at<Law>(change, contact.normal, touch.share_normal, touch.share_tangential);
     auto const more = law.dissipative_force(contact);
+    PairForce<Pack> const second{separation, {}, more, {}, {}};
     f.force.dissipative = f.force.dissipative + more;
-    f.force.velocity = f.force.velocity + Pack(0.5) * change;
+    f.force.velocity =
+        f.force.velocity + Pack(0.5) * (change + own_change<Law>(second, touch.inverse_distance,
+                                                                 per_force, per_turn));
     f.x += zero_unless(f.touching, more.x);
     f.y += zero_unless(f.touching, more.y);
     if constexpr (rotates)

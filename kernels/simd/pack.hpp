@@ -151,6 +151,11 @@ BAGNOLD_INLINE Pack zero_unless(Mask mask, Pack a) {
 #endif
 }
 
+/// The first `count` lanes, all if there are no more.
+BAGNOLD_INLINE Mask first_lanes(std::uint32_t count) {
+  return Mask::of(count < width ? (1u << count) - 1 : (1u << width) - 1);
+}
+
 BAGNOLD_INLINE Pack max(Pack a, Pack b) { return select(a < b, b, a); }
 
 BAGNOLD_INLINE Pack positive_part(Pack a) { return select(Pack(0.0) < a, a, 0.0); }
@@ -179,9 +184,13 @@ BAGNOLD_INLINE Pack sqrt(Pack a) {
 }
 
 BAGNOLD_INLINE Pack floor(Pack a) {
+#if BAGNOLD_AVX512
+  return (Lanes)_mm512_roundscale_pd((__m512d)a.v, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC);
+#else
   Pack r;
   for (int k = 0; k < width; ++k) r.v[k] = std::floor(a.v[k]);
   return r;
+#endif
 }
 
 /// 1/sqrt(a), to about 1 ulp: an estimate y of 14 bits and one step of fourth order in
@@ -197,20 +206,39 @@ BAGNOLD_INLINE Pack inverse_sqrt(Pack a) {
 #endif
 }
 
-/// table[k] for k = 1 .. 8 held as numbers, from table[1] on; k beyond 8 as 8.
-BAGNOLD_INLINE Pack look_up(Pack const& table, Pack k) {
+/// Two counts a lane, as one number a + base b: 1 to 8 each.
+struct CountPairs {
+  static constexpr int base = 64;
 #if BAGNOLD_AVX512
-  auto const last = _mm512_set1_epi64(width);
-  auto const place = _mm512_min_epi64(_mm512_cvtpd_epi64((__m512d)k.v), last);
-  return (Lanes)_mm512_permutexvar_pd(_mm512_sub_epi64(place, _mm512_set1_epi64(1)), (__m512d)table.v);
-#else
-  Pack r;
-  for (int j = 0; j < width; ++j) {
-    int const place = k.v[j] < width ? static_cast<int>(k.v[j]) : width;
-    r.v[j] = table.v[place < 1 ? 0 : place - 1];
+  __m512i larger;
+
+  BAGNOLD_INLINE explicit CountPairs(Pack both) {
+    auto const counts = _mm512_set1_epi64(base - 1);
+    auto const bits = _mm512_castpd_si512(  // whole numbers stand in the lowest bits of 2^52 + number
+        _mm512_add_pd((__m512d)both.v, _mm512_set1_pd(4503599627370496.0)));
+    larger = _mm512_max_epi64(_mm512_and_si512(bits, counts),
+                              _mm512_and_si512(_mm512_srli_epi64(bits, 6), counts));
   }
-  return r;
+
+  /// table[n mod 8], n the larger of the two.
+  BAGNOLD_INLINE Pack look_up_larger(Pack const& table) const {
+    return (Lanes)_mm512_permutexvar_pd(larger, (__m512d)table.v);
+  }
+#else
+  int larger[width];
+
+  explicit CountPairs(Pack both) {
+    for (int k = 0; k < width; ++k) {
+      int const counts = static_cast<int>(both.v[k]);
+      larger[k] = counts % base > counts / base ? counts % base : counts / base;
+    }
+  }
+  Pack look_up_larger(Pack const& table) const {
+    Pack r;
+    for (int k = 0; k < width; ++k) r.v[k] = table.v[larger[k] % width];
+    return r;
+  }
 #endif
-}
+};
 
 }  // namespace bagnold::simd

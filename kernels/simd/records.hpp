@@ -74,7 +74,6 @@ BAGNOLD_INLINE Records transpose(__m512d z02, __m512d z13, __m512d z46, __m512d 
 }
 
 BAGNOLD_INLINE __m256d load(Record const& r) { return _mm256_load_pd(&r.x); }
-BAGNOLD_INLINE __m256d row(Record const& r) { return load(r); }
 
 /// Eight rows of four numbers, row(k) each.
 template <class Row>
@@ -97,6 +96,16 @@ BAGNOLD_INLINE Records load_differences(Record const* records, LocalPair const* 
   __m256d const d4 = difference(4), d5 = difference(5), d6 = difference(6), d7 = difference(7);
   return detail::transpose(detail::join(d0, d2), detail::join(d1, d3), detail::join(d4, d6),
                            detail::join(d5, d7));
+}
+
+/// record a plus `weight` times record b of eight pairs, component by component.
+BAGNOLD_INLINE Records load_combined(Record const* records, LocalPair const* pairs,
+                                     Record const& weight) {
+  __m256d const w = detail::load(weight);
+  return detail::load_rows([&](int k) {
+    return _mm256_fmadd_pd(w, detail::load(at(records, pairs[k].b4)),
+                           detail::load(at(records, pairs[k].a4)));
+  });
 }
 
 /// The records of eight quadrupled indices.
@@ -231,6 +240,20 @@ BAGNOLD_INLINE int append(LocalPair* to, Mask mask, LocalPair const* pairs) {
 
 #else
 
+BAGNOLD_INLINE Records load_combined(Record const* records, LocalPair const* pairs,
+                                     Record const& weight) {
+  Records r;
+  for (int k = 0; k < width; ++k) {
+    Record const& a = records[pairs[k].a()];
+    Record const& b = records[pairs[k].b()];
+    r.x.v[k] = a.x + weight.x * b.x;
+    r.y.v[k] = a.y + weight.y * b.y;
+    r.vx.v[k] = a.vx + weight.vx * b.vx;
+    r.vy.v[k] = a.vy + weight.vy * b.vy;
+  }
+  return r;
+}
+
 BAGNOLD_INLINE Records load_differences(Record const* records, LocalPair const* pairs) {
   Records r;
   for (int k = 0; k < width; ++k) {
@@ -245,8 +268,6 @@ BAGNOLD_INLINE Records load_differences(Record const* records, LocalPair const* 
 }
 
 namespace detail {
-
-BAGNOLD_INLINE Record const& row(Record const& r) { return r; }
 
 /// Eight records, row(k) each.
 template <class Row>
@@ -361,14 +382,6 @@ BAGNOLD_INLINE ForceComponents load_forces(Force const* f, std::uint16_t const* 
   }
   s.turn = s.count = 0.0;
   return s;
-}
-
-/// The records of the first, and of the second, disk of eight pairs.
-BAGNOLD_INLINE Records load_first(Record const* records, LocalPair const* pairs) {
-  return detail::load_rows([&](int k) -> decltype(auto) { return detail::row(at(records, pairs[k].a4)); });
-}
-BAGNOLD_INLINE Records load_second(Record const* records, LocalPair const* pairs) {
-  return detail::load_rows([&](int k) -> decltype(auto) { return detail::row(at(records, pairs[k].b4)); });
 }
 
 /// The numbers of eight quadrupled indices.

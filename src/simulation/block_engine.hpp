@@ -5,10 +5,10 @@
 #include <memory>
 #include <type_traits>
 #include <utility>
-#include <variant>
 
 #include "kernels/blocks/prune.hpp"
 #include "kernels/dynamics/dense_step.hpp"
+#include "kernels/dynamics/two_stage_dense_step.hpp"
 #include "kernels/neighbors/verlet_list.hpp"
 #include "kernels/observables/block_sums.hpp"
 #include "src/simulation/clock.hpp"
@@ -47,9 +47,7 @@ class BlockEngine final : public Simulation {
         step_(snapshot.step),
         builds_(snapshot.list_builds),
         diameter_(snapshot.state.diameter) {
-    kernels_.forces.law = law;
-    kernels_.table = table;
-    kernels_.time_step = time_step;
+    kernels_.set_laws(law, table, time_step);
     auto const position = vectors(snapshot.state.position);
     auto const motion = motions<rotates>(snapshot.state);
     if (snapshot.list_position.empty()) {
@@ -102,7 +100,9 @@ class BlockEngine final : public Simulation {
   State state() const override { return in_box(raw_state()); }
 
  private:
-  static constexpr bool has_dense = Step::scheme == Scheme::modified_velocity_verlet;
+  static constexpr bool two_stage = Step::scheme == Scheme::two_stage_leapfrog;
+  static constexpr int looks = two_stage ? 1 : 2;  ///< at all near pairs, in a step
+  using Dense = std::conditional_t<two_stage, TwoStageDenseStep<Law, Repulsion>, DenseStep<Law, Repulsion>>;
   using Force = typename Step::Force;
   struct alignas(64) DenseScratch {
     std::byte bytes[sizeof(simd::Record) + sizeof(Force)];
@@ -253,13 +253,10 @@ class BlockEngine final : public Simulation {
   /// First half: changes what is not seen from outside.
   void begin_step() {
     auto const box = box_at(step_);
-    if constexpr (has_dense)
-      if (dense_)
-        return for_blocks([&](std::uint32_t b, Force* force) {
-          reports_(b) = {};
-          dense_step_.predict(kernels_, b, box, force);
-        });
-    for_blocks([&](std::uint32_t b, Force* force) { reports_(b) = kernels_.predict(b, box, force); });
+    for_blocks([&](std::uint32_t b, Force* force) {
+      reports_(b) = dense_ ? dense_step_.predict(kernels_, b, box, force)
+                           : kernels_.predict(b, box, force);
+    });
   }
 
   void end_step() {
@@ -269,7 +266,7 @@ class BlockEngine final : public Simulation {
       for_blocks([&](std::uint32_t b, Force* force) {
         reports_(b) += kernels_.correct(b, next_box, force, [](auto&&...) {});
       });
-    } else if constexpr (has_dense) {
+    } else {
       loop_->with_scratch<DenseScratch>(
           blocks.count, blocks.most_local, [&](std::uint32_t b, DenseScratch* scratch) {
             auto* const moved = reinterpret_cast<simd::Record*>(scratch);
@@ -296,7 +293,7 @@ class BlockEngine final : public Simulation {
     Real const moved = clock_.time_step * (before + fastest_) / 2 * step_strain_factor();
     outer_drift_ += moved;
     inner_.drift += moved;
-    pairs_evaluated_ += 2 * static_cast<std::int64_t>(near_pairs_);  // in each half
+    pairs_evaluated_ += looks * static_cast<std::int64_t>(near_pairs_);
   }
 
   Real step_strain_factor() const {
@@ -361,6 +358,7 @@ class BlockEngine final : public Simulation {
     auto const species = species_of(diameter_);
     kernels_.blocks =
         loop_->build(at_build, species, kernels_.table, box_at(list_step_), skin_, block_size);
+    if constexpr (Step::lists_contacts) kernels_.blocks.make_room(contact_list, "dynamics::contacts");
     auto const& blocks = kernels_.blocks;
     auto const slots = blocks.slots;
     kernels_.species = loop_->zeros<Species>("state::species", slots);
@@ -416,7 +414,6 @@ class BlockEngine final : public Simulation {
 
   void choose_dense() {
     constexpr Real enter_below = 0.3, leave_above = 0.36;  // contacts per disk
-    if constexpr (!has_dense) return;
     if (stepping_ == Stepping::automatic)
       dense_ = contacts_per_disk() < (dense_ ? leave_above : enter_below);
     else
@@ -432,8 +429,9 @@ class BlockEngine final : public Simulation {
     use.kept = near_pairs_;
     use.wanted = touching_;
     use.per_step = 2 * clock_.time_step * fastest_;
+    use.step_cost = 12.5 * looks;
     if (dense_) {  // a pair that does not touch costs less, and near pairs are few
-      use.step_cost = 6;
+      use.step_cost = 3 * looks;
       use.fewest_steps = 12;
     }
     return use;
@@ -449,8 +447,7 @@ class BlockEngine final : public Simulation {
                   inner_.margin);
     });
     watch_.relisted();
-    if constexpr (has_dense)
-      if (dense_) dense_step_.resize(*loop_, blocks);
+    if (dense_) dense_step_.resize(*loop_, kernels_);
   }
 
   /// Largest |w| at a later step if all disks fly straight until then, [d_s].
@@ -522,17 +519,26 @@ class BlockEngine final : public Simulation {
     failure::too_deep(clock_, step_, disk, overlap);
   }
 
-  /// The largest relative overlap at the trial positions, and a disk that has it.
+  /// The largest relative overlap that the forces were last worked out at, and a disk that has it.
   std::pair<Real, std::size_t> deepest() const {
     std::pair<Real, std::uint32_t> found{-1, 0};
     auto const& blocks = kernels_.blocks;
+    auto const place = [&](std::uint32_t slot) -> Vec2<Real> {
+      if constexpr (two_stage) {  // where the step began
+        auto const& r = kernels_.now.record(slot);
+        return {r.x - clock_.time_step * r.vx, r.y - clock_.time_step * r.vy};
+      } else {
+        auto const& r = kernels_.trial.record(slot);
+        return {r.x, r.y};
+      }
+    };
     for (std::uint32_t b = 0; b < blocks.count; ++b) {
       Block const& block = blocks.block(b);
-      auto const* record = kernels_.trial.record.data() + block.first;
+      if constexpr (two_stage) refresh_halo(blocks, block, kernels_.now, box_at(step_));
       for (int c = 0; c < pair_classes; ++c)
         for (std::uint32_t k = 0; k < block.near[inner_list][c]; ++k) {
           auto const pair = blocks.near[inner_list](block.pairs[c] + k);
-          auto const &p = record[pair.a()], &q = record[pair.b()];
+          auto const p = place(block.first + pair.a()), q = place(block.first + pair.b());
           Real const overlap = 1 - std::hypot(p.x - q.x, p.y - q.y) / class_distance(c);
           if (overlap > found.first) found = {overlap, block.first + std::min(pair.a(), pair.b())};
         }
@@ -578,7 +584,7 @@ class BlockEngine final : public Simulation {
   std::vector<double> diameter_;
 
   Step kernels_;
-  std::conditional_t<has_dense, DenseStep<Law, Repulsion>, std::monostate> dense_step_;
+  Dense dense_step_;
   Blocks::Array<Vec2<Real>> at_build_;
   Blocks::Array<BlockReport> reports_;
   Blocks::Array<Sums<rotates>> sums_;

@@ -236,8 +236,8 @@ class WindowedSteps {
       add_result(islands_.disks[pair.a], units_.size() - 1);
       add_result(islands_.disks[pair.b], units_.size() - 1);
     }
-    Binary const collisions{all.forces.law, all.forces.repulsion, all.table, clock.time_step,
-                            clock.strain_rate};
+    Binary const collisions{all.forces.law, all.forces.repulsion, all.table,
+                            clock.time_step, clock.strain_rate, all.second_look()};
     auto const groups = (pairs + lanes - 1) / lanes;
     lane_outcome_.assign(groups, {});
     loop(groups, [&](std::uint32_t g) {
