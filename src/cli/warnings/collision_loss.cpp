@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "src/config/collision_loss.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "src/cli/warnings/checks.hpp"
-#include "src/config/collision_loss.hpp"
 #include "src/config/time_step.hpp"
 
 namespace bagnold {

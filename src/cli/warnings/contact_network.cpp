@@ -21,7 +21,8 @@ std::optional<Warning> contact_network(Finished const& finished) {
                   "damping of a dense flow (Z = 3.5): contacts of disks with several may grow, "
                   "unseen in averages",
                   taken, borne, scheme),
-      fmt::format("take at most {:.3g}, which six contacts a disk bear, or halve it and compare", sure)};
+      fmt::format("take at most {:.3g}, which six contacts a disk bear, or halve it and compare",
+                  sure)};
 }
 
 }  // namespace bagnold
