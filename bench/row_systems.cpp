@@ -8,6 +8,7 @@
 
 #include "src/config/errors.hpp"
 #include "src/config/scene_file.hpp"
+#include "src/config/time_step.hpp"
 #include "src/io/state_file.hpp"
 #include "src/protocols/side_by_side.hpp"
 #include "src/simulation/make_simulation.hpp"
@@ -40,10 +41,11 @@ Scene scene_of(Row const& row, std::string const& engine, RowOptions const& opti
   scene.start.kind = "state";
   scene.start.file = (folder / "state.h5").string();
   scene.integration.engine = engine;
+  scene.integration.scheme = papers_scheme;
   scene.integration.time_step = 0.05;
   scene.measure = {};
   scene.output = {};
-  double const step_strain = *scene.integration.time_step * scene.shear.strain_rate;
+  double const step_strain = time_step(scene) * scene.shear.strain_rate;
   double const most_steps = most_disk_steps(engine) / static_cast<double>(scene.disks.count);
   scene.shear.strain = std::max(static_cast<double>(fewest_steps) * step_strain,
                                 std::min(row.strain, most_steps * step_strain) / options.shorter);

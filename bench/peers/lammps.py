@@ -90,6 +90,7 @@ strain_rate = {rate}
 strain = {strain:.12g}
 discard = 0.0
 [integration]
+scheme = "modified-velocity-verlet"
 time_step = {scene.time_step}
 [output]
 sample_strain = {min(window, strain / 4):.12g}

@@ -17,6 +17,7 @@ NEWTONIAN = {"model": "CD_rot", "packing_fraction": 0.82, "elasticity": 1.0, "ma
 BAGNOLDIAN = {"model": "CD_n", "packing_fraction": 0.78, "elasticity": 50.0, "mass": "area"}
 QUICK_COUNT = {1024: 64, 16384: 128, 65536: 256}
 QUICK_STEPS = 1000
+SCHEME = "modified-velocity-verlet"  # what rows are timed with
 TIME_STEP = 0.05  # [tau_e]
 
 
@@ -94,7 +95,7 @@ def run(program, folder, state, quick, say):
     os.makedirs(folder, exist_ok=True)
     path = os.path.join(folder, state.name + ".toml")
     scene = {"disks": disks, "start": start, "shear": {"strain_rate": state.rate, "strain": strain},
-             "integration": {"time_step": TIME_STEP}, "output": {"plot": False}}
+             "integration": {"scheme": SCHEME, "time_step": TIME_STEP}, "output": {"plot": False}}
     with open(path, "w") as out:
         out.write("".join(f"[{table}]\n" + "".join(f"{key} = {toml(value)}\n" for key, value in keys.items())
                           for table, keys in scene.items()))

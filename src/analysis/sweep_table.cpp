@@ -68,6 +68,7 @@ std::optional<double> number_of(Scene const& scene, std::string const& wanted) {
     if (key.name != wanted) return;
     if constexpr (std::is_arithmetic_v<Member>) found = static_cast<double>(member);
     if constexpr (std::is_same_v<Member, std::optional<double>>) found = member;
+    if constexpr (std::is_same_v<Member, NumberOrWord>) found = member.number;
   });
   return found;
 }

@@ -8,6 +8,7 @@
 #include "src/cli/signals.hpp"
 #include "src/config/cascade.hpp"
 #include "src/config/scene_file.hpp"
+#include "src/config/time_step.hpp"
 
 namespace bagnold {
 
@@ -17,8 +18,8 @@ void warn(std::string const& message) {
 
 int run_command(RunOptions const& options) {
   Scene scene = read_scene(options.scene_file, options.overrides);
-  Plan const plan = checked_plan(scene, options.allow_unstable);
-  scene.integration.time_step = plan.time_step;  // resolved
+  checked_plan(scene, options.allow_unstable);
+  scene = resolved(std::move(scene));
   Machine const machine = choose(options.machine, scene);
   auto from_file = states_in_file(runs_of(scene).front());  // read before anything is written
 

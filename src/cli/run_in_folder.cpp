@@ -6,6 +6,7 @@
 #include "src/cli/runner.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/scene_file.hpp"
+#include "src/config/time_step.hpp"
 #include "src/config/toml_text.hpp"
 #include "src/io/checkpoint.hpp"
 #include "src/io/state_file.hpp"
@@ -74,6 +75,8 @@ int run_from_start(RunFolder const& folder, Scene const& scene, Machine const& m
   auto const replicas = static_cast<std::size_t>(scene.disks.replicas);
   Run run = run_of(scene, plan, machine);
   run.replicas.resize(replicas);
+  if (!quiet)
+    fmt::print("{}, a step of {:.6g} tau_e\n", scheme_of(scene), plan.time_step);
   std::vector<std::optional<Snapshot>> snapshots(replicas);
   for (std::size_t r = 0; r < started.size(); ++r) {
     run.replicas[r].start_record = std::move(started[r].record);

@@ -32,6 +32,8 @@ Json scene_json(Scene const& scene) {
     Json value;
     if constexpr (std::is_same_v<Member, std::optional<double>>)
       value = member ? Json(*member) : Json("auto");
+    else if constexpr (std::is_same_v<Member, NumberOrWord>)
+      value = member.number ? Json(*member.number) : Json(member.word);
     else if constexpr (std::is_same_v<Member, Strain>)
       value = member.is_list() ? Json(member.each) : Json(member.at(0));
     else
@@ -173,6 +175,7 @@ void write_result_file(RunFolder const& folder, Run const& run) {
                        {"strain_rate", run.scene.shear.strain_rate},
                        {"seed", disks.seed},
                        {"box_length", run.box_length},
+                       {"scheme", run.scene.integration.scheme},
                        {"time_step", run.plan.time_step},
                        {"steps", run.plan.steps},
                        {"window_steps", run.plan.window_steps}};

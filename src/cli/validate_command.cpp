@@ -75,12 +75,15 @@ int validate_command(RunOptions const& options) {
   Plan const plan = checked_plan(scene, options.allow_unstable);
   auto const runs = runs_of(scene);
   states_in_file(runs.front());
-  scene.integration.time_step = plan.time_step;
+  scene = resolved(std::move(scene));
 
   fmt::print("{}\n", write_scene(scene));
   fmt::print("# box            {:.6g} d_s wide\n", scene.box_length());
-  fmt::print("# time step      {:.6g} tau_e, spectral radius of a single contact {:.6f}\n",
-             plan.time_step, contact_spectral_radius(scene, plan.time_step));
+  auto const scheme = scheme_of(scene);
+  fmt::print("# time step      {:.6g} tau_e, {}, spectral radius of a single contact {:.6f}\n",
+             plan.time_step, scheme, contact_spectral_radius(scene, plan.time_step));
+  fmt::print("# stable         up to {:.3g} tau_e for six contacts a disk, measured {:.3g} (Z = 3.5)\n",
+             largest_stable_time_step(scene, scheme), dense_flow_time_step(scene, scheme));
   if (scene.disks.replicas > 1)
     fmt::print("# replicas       {}, seeds {} to {}; the steps and windows below are of each\n",
                scene.disks.replicas, scene.disks.seed, scene.disks.seed + scene.disks.replicas - 1);

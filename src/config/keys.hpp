@@ -103,12 +103,12 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
   visit(of({"ramp"}, Key{"shear.ramp_every", "tau_e", "between changes of the strain rate", optional,
             0, 1e6, above}), shear.ramp_every);
 
-  visit(Key{"integration.scheme", "", "how the motion is stepped; the first is the papers', P2 Eqs. 21-24", optional, 0, 0, false,
-            {"modified-velocity-verlet", "two-stage-leapfrog"}}, integration.scheme);
+  visit(Key{"integration.scheme", "", "how the motion is stepped, or \"auto\": two stages", optional, 0, 0,
+            false, {automatic, papers_scheme, two_stage_scheme}}, integration.scheme);
   visit(Key{"integration.engine", "", "how the scheme is computed; none changes the physics", optional,
             0, 0, false, {"auto", "reference", "dense", "contact-rich", "windowed"}}, integration.engine);
-  visit(Key{"integration.time_step", "tau_e", "dt, or \"auto\": the scheme's rule", optional, 0, 10,
-            above}, integration.time_step);
+  visit(Key{"integration.time_step", "tau_e", "dt, or \"auto\": the scheme's rule, or \"paper\": the papers'",
+            optional, 0, 10, above, {automatic, of_papers}}, integration.time_step);
   visit(Key{"integration.skin", "d_s", "neighbour list reaches this far beyond contact", optional,
             0.01, 10}, integration.skin);
 

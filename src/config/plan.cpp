@@ -167,8 +167,8 @@ void check_feasible(Scene const& scene, Plan const& plan, bool allow_unstable) {
   if (radius > 1 + 1e-9 && !allow_unstable)
     throw InputError(fmt::format(
         "integration.time_step = {} (unstable: one step of a single contact of the lightest pair has "
-        "spectral radius {:.3g}, above 1); the papers' rule gives {}, or pass --allow-unstable",
-        plan.time_step, radius, paper_time_step(scene.disks)));
+        "spectral radius {:.3g}, above 1, with {}); \"auto\" takes {} with {}, or pass --allow-unstable",
+        plan.time_step, radius, scheme_of(scene), two_stage_time_step(scene), two_stage_scheme));
 
   double const needed = memory_needed(scene, plan);
   double const there = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "src/config/number_or_word.hpp"
+#include "src/config/schemes.hpp"
 #include "src/config/strain.hpp"
 
 namespace bagnold {
@@ -53,9 +55,9 @@ struct Scene {
   } shear;
 
   struct Integration {
-    std::string scheme = "modified-velocity-verlet";
+    std::string scheme = automatic;  ///< scheme_of(scene) resolves it
     std::string engine = "auto";
-    std::optional<double> time_step;  ///< dt; none: "auto"
+    NumberOrWord time_step = automatic;  ///< dt; time_step(scene) resolves it
     double skin = 0.35;
   } integration;
 

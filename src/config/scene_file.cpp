@@ -136,6 +136,15 @@ class Reader {
     take(key, node, member.emplace());
   }
 
+  void take(Key const& key, toml::node const& node, NumberOrWord& member) const {
+    auto const* text = node.as_string();
+    if (!text) return take(key, node, (member = 0.0).number.value());
+    member = text->get().c_str();
+    if (std::find(key.words.begin(), key.words.end(), member.word) == key.words.end())
+      refuse(key, node,
+             fmt::format("must be a number or one of \"{}\"", fmt::join(key.words, "\", \"")));
+  }
+
   void take(Key const& key, toml::node const& node, std::vector<double>& member) const {
     auto const* list = node.as_array();
     if (!list || list->empty()) refuse(key, node, "must be a list of numbers, [1e-3, 1e-4]");
@@ -333,6 +342,9 @@ std::string toml_value(double number) {
 }
 std::string toml_value(std::optional<double> const& number) {
   return number ? toml_value(*number) : "\"auto\"";
+}
+std::string toml_value(NumberOrWord const& value) {
+  return value.number ? toml_value(*value.number) : toml_value(value.word);
 }
 std::string toml_value(std::vector<double> const& list) {
   std::string text;

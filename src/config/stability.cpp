@@ -6,30 +6,12 @@
 #include <limits>
 #include <numbers>
 
+#include "src/config/contact_rates.hpp"
+#include "src/config/time_step.hpp"
+
 namespace bagnold {
 
 namespace {
-
-/// Two small disks in contact: rates and squared frequency, [1/tau_e], [1/tau_e^2].
-struct Rates {
-  double stiffness, normal, tangential;
-
-  explicit Rates(Scene const& scene) {
-    auto const& disks = scene.disks;
-    double const mass = scene.mass_by_area() ? std::numbers::pi / 2 : 1.0;
-    double const inverse = 2 / mass;
-    double const largest_overlap = 0.2;
-    stiffness =
-        inverse * (disks.force_exponent - 1) * std::pow(largest_overlap, disks.force_exponent - 2);
-    bool const general = disks.model == "general";
-    double const rolling = scene.rotates() ? 3.0 : 1.0;
-    normal = inverse * (general ? disks.damping_normal : 1.0) / disks.elasticity;
-    tangential =
-        disks.model == "CD_n"
-            ? 0.0
-            : inverse * rolling * (general ? disks.damping_tangential : 1.0) / disks.elasticity;
-  }
-};
 
 /// One step on (x, v).
 struct Matrix {
@@ -60,6 +42,9 @@ Matrix two_stage_step(double k, double c, double h) {
   return {1 + h * vx, h * vv, vx, vv};
 }
 
+/// The largest rate of damping that does not grow, times dt.
+double largest_rate_borne(std::string_view scheme) { return scheme == two_stage_scheme ? 7 : 2; }
+
 }  // namespace
 
 double second_stage_share(double z) {
@@ -68,7 +53,7 @@ double second_stage_share(double z) {
 }
 
 double contact_spectral_radius(Scene const& scene, std::string_view scheme, double time_step) {
-  Rates const r(scene);
+  ContactRates const r(scene);
   double const h = time_step;
   if (scheme == two_stage_scheme)
     return std::max(two_stage_step(r.stiffness, r.normal, h).radius(),
@@ -78,21 +63,34 @@ double contact_spectral_radius(Scene const& scene, std::string_view scheme, doub
 }
 
 double contact_spectral_radius(Scene const& scene, double time_step) {
-  return contact_spectral_radius(scene, scene.integration.scheme, time_step);
+  return contact_spectral_radius(scene, scheme_of(scene), time_step);
 }
 
 double largest_stable_time_step(Scene const& scene, std::string_view scheme) {
   constexpr double contacts = 6;
-  Rates const r(scene);
+  ContactRates const r(scene);
   double const rate = contacts * std::max(r.normal, r.tangential);
-  if (scheme == two_stage_scheme) return std::min(7 / rate, 2 / std::sqrt(contacts * r.stiffness));
-  double low = 0, high = 2 / rate;
+  double const damped = largest_rate_borne(scheme) / rate;
+  if (scheme == two_stage_scheme) return std::min(damped, 2 / std::sqrt(contacts * r.stiffness));
+  double low = 0, high = damped;
   if (contact_spectral_radius(scene, scheme, high) <= 1) return high;
   for (int k = 0; k < 60; ++k) {
     double const middle = (low + high) / 2;
     (contact_spectral_radius(scene, scheme, middle) <= 1 ? low : high) = middle;
   }
   return low;
+}
+
+double dense_flow_time_step(Scene const& scene, std::string_view scheme) {
+  constexpr double rolling = 18.8, sliding = 8.0, normal = 5.3;  // rates, [k_d / m]
+  auto const& disks = scene.disks;
+  bool const general = disks.model == "general";
+  double const n = general ? disks.damping_normal : 1, t = general ? disks.damping_tangential : 1;
+  double const largest = disks.model == "CD_n" ? normal
+                         : disks.model == "CD" ? sliding
+                                               : rolling * t + normal * std::max(0.0, n - t);
+  double const mass = scene.mass_by_area() ? std::numbers::pi / 2 : 1.0;
+  return largest_rate_borne(scheme) * mass * disks.elasticity / largest;
 }
 
 }  // namespace bagnold

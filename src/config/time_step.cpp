@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/config/schemes.hpp"
-
 namespace bagnold {
+
+std::string_view scheme_of(Scene const& scene) {
+  auto const& given = scene.integration.scheme;
+  return given == automatic ? two_stage_scheme : std::string_view(given);
+}
 
 double paper_time_step(Scene::Disks const& disks) {
   double const q = disks.elasticity;
@@ -23,13 +26,19 @@ double two_stage_time_step(Scene const& scene) {
 }
 
 double time_step(Scene const& scene) {
-  if (scene.integration.time_step) return *scene.integration.time_step;
-  double const rule = scene.integration.scheme == two_stage_scheme
-                          ? two_stage_time_step(scene)
-                          : paper_time_step(scene.disks);
+  auto const& given = scene.integration.time_step;
+  if (given.number) return *given.number;
+  bool const papers = given.word == of_papers || scheme_of(scene) == papers_scheme;
+  double const rule = papers ? paper_time_step(scene.disks) : two_stage_time_step(scene);
   double const piece = scene.shear.ramp_every;
   if (scene.shear.protocol != "ramp") return rule;
   return piece / std::ceil(piece / rule * (1 - 1e-12));
+}
+
+Scene resolved(Scene scene) {
+  scene.integration.time_step = time_step(scene);
+  scene.integration.scheme = scheme_of(scene);
+  return scene;
 }
 
 }  // namespace bagnold

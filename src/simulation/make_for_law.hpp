@@ -6,7 +6,6 @@
 #include <memory>
 
 #include "kernels/dynamics/two_stage_block_step.hpp"
-#include "src/config/schemes.hpp"
 #include "src/config/time_step.hpp"
 #include "src/simulation/backends.hpp"
 #include "src/simulation/block_engine.hpp"
@@ -61,7 +60,7 @@ std::unique_ptr<Simulation> make_for_law(Scene const& scene, Snapshot const& sna
                                      scene.integration.engine, backend, make);
   };
   auto const make_with = [&]<class Repulsion>(Repulsion) {
-    if (scene.integration.scheme == two_stage_scheme)
+    if (scheme_of(scene) == two_stage_scheme)
       return make_step(std::type_identity<TwoStageBlockStep<Law, Repulsion>>{});
     return make_step(std::type_identity<BlockStep<Law, Repulsion>>{});
   };

@@ -5,7 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "src/config/errors.hpp"
-#include "src/config/schemes.hpp"
+#include "src/config/time_step.hpp"
 #include "src/simulation/backends.hpp"
 #include "src/simulation/ensemble.hpp"
 #include "src/simulation/laws.hpp"
@@ -58,7 +58,7 @@ constexpr std::int64_t most_disks_of_a_team = 1024;
 /// Whether nothing is asked for that members of an ensemble do not do.
 bool suits_ensembles(Scene const& scene) {
   return scene.integration.engine != "reference" && !scene.measure.contacts &&
-         scene.integration.scheme == papers_scheme;
+         scheme_of(scene) == papers_scheme;
 }
 
 }  // namespace

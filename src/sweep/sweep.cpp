@@ -9,6 +9,7 @@
 #include "src/config/cascade.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/scene_file.hpp"
+#include "src/config/time_step.hpp"
 #include "src/config/toml_text.hpp"
 #include "src/sweep/rows.hpp"
 
@@ -120,7 +121,7 @@ class Expansion {
       check_step(before, point);
     }
     check_(point.scene, point.plan);
-    point.scene.integration.time_step = point.plan.time_step;
+    point.scene = resolved(std::move(point.scene));
     refuse_double(point);
     sweep_.chains[chain].push_back(index);
     sweep_.points.push_back(std::move(point));

@@ -30,6 +30,7 @@ NAMES = (
     + " eta_p eta_p_el eta_sigma eta_sigma_el mu I T_g Z R_v energy_gap"
 ).split()
 SPIN_NAMES = ["spin_mean", "spin_var"]
+PAPERS, TWO_STAGE = "modified-velocity-verlet", "two-stage-leapfrog"
 LAWS = ("CD", "CD_n", "CD_rot", "general")
 
 # Rate, step, window and strain are powers of two, so that no quotient of them has to be rounded.

@@ -6,7 +6,7 @@ Whatever a run over an edge does, it must not end with exit code 0 and nothing s
 
 import unittest
 
-from bagnold import CliTest, changed, read_summary, scene_text
+from bagnold import PAPERS, CliTest, changed, read_summary, scene_text
 
 # A state that is not over an edge: dense, slow, long enough for errors.
 SOUND = {
@@ -35,21 +35,44 @@ class Edges(CliTest):
     def test_a_step_too_coarse_for_the_damping_of_a_packing(self):
         """Stable for one contact, not for a disk with several: refused, or it ends in words."""
         code, _, said = self.over(disks__model="CD_rot", disks__mass="equal", integration__time_step=0.2,
-                                  disks__packing_fraction=0.84, shear__strain_rate=1e-2)
+                                  disks__packing_fraction=0.84, shear__strain_rate=1e-2,
+                                  integration__scheme=PAPERS)
         self.assertIn(code, (2, 3), said)
         self.assertIn("integration.time_step", said)
 
+    def test_a_step_near_the_edge_of_a_packing(self):
+        """Two stages: contacts that grow at 0.4 are few, and averages hardly show them."""
+        for step, seen in ((0.2, False), (0.4, True)):
+            code, names, said = self.over(disks__model="CD_rot", disks__mass="equal",
+                                          disks__packing_fraction=0.82, integration__time_step=step,
+                                          shear__strain=2.0)
+            self.assertTrue(code == 3 or "contact_network" in names if seen
+                            else (code, "contact_network" in names) == (0, False), (code, names, said))
+
+    def test_a_ramp_is_warned_of_its_step(self):
+        path = self.scene({**SOUND, "output": {"plot": False},
+                           "shear": {"protocol": "ramp", "strain_rate": 1e-3, "strain_rate_high": 1e-2,
+                                     "ramp_rate": 0.01, "ramp_window": 10.0, "strain": 0.1}},
+                          disks__model="CD_rot", disks__mass="equal", disks__elasticity=0.5,
+                          integration__time_step=0.2)
+        result = self.bagnold("run", path, "--out", self.folder / "ramp")
+        self.assertTrue(result.returncode == 3 or "contact_network" in result.stderr, result.stderr)
+
     def test_collisions_missed_at_large_q(self):
         """Q = 500: a collision loses 1% of its energy, one of a few coarse steps loses more."""
-        for step, seen in ((0.05, False), (0.5, True), (0.8, True)):
+        for scheme, step, seen in ((PAPERS, 0.05, set()), (PAPERS, 0.2, {"collision_loss"}),
+                                   (PAPERS, 0.5, {"collision_loss", "energy_balance"}),
+                                   ("auto", 0.2, set()), ("auto", 0.5, {"collision_loss"}),
+                                   ("auto", 0.8, {"collision_loss", "energy_balance"})):
             code, names, said = self.over(disks__elasticity=500.0, integration__time_step=step,
-                                          shear__strain_rate=1e-4, shear__strain=20.0)
+                                          integration__scheme=scheme, shear__strain_rate=1e-4,
+                                          shear__strain=20.0)
             self.assertEqual(code, 0, said)
-            self.assertEqual("energy_balance" in names, seen, said)
+            self.assertEqual({"collision_loss", "energy_balance"} & set(names), seen, said)
 
     def test_disks_that_reverse_at_small_q(self):
         code, names, said = self.over("--allow-unstable", disks__elasticity=0.1,
-                                      integration__time_step=0.2)
+                                      integration__time_step=0.2, integration__scheme=PAPERS)
         self.assertTrue(code == 3 or "energy_balance" in names, (code, names, said))
 
     def test_overlaps_of_soft_bodies(self):
@@ -91,7 +114,7 @@ class Edges(CliTest):
     def test_a_transient_that_is_measured(self):
         """From a random start at rest, all of it measured: the granular temperature grows for long."""
         code, names, said = self.over(disks__packing_fraction=0.6, disks__elasticity=50.0,
-                                      shear__strain_rate=1e-4, shear__strain=12.0, shear__discard=0,
+                                      shear__strain_rate=1e-4, shear__strain=8.0, shear__discard=0,
                                       integration__time_step=0.05)
         self.assertEqual(code, 0, said)
         self.assertIn("steady_state", names)

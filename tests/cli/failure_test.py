@@ -8,7 +8,8 @@ import unittest
 import h5py
 import numpy as np
 
-from bagnold import LAWS, CliTest, environment, lattice_state, read_state, write_state
+from bagnold import (LAWS, PAPERS, TWO_STAGE, CliTest, environment, lattice_state, read_state,
+                     write_state)
 
 
 class Failure(CliTest):
@@ -103,16 +104,23 @@ class Information(CliTest):
         self.assertRegex(text.lower(), r"\btime\b|\bseconds?\b|\bminutes?\b")
 
     def test_validate_resolves_the_automatic_step(self):
-        for model, elasticity, step in (("CD", 1.0, 0.05), ("CD", 0.4, 0.04), ("CD", 0.05, 0.01),
-                                        ("CD_rot", 1.0, 0.05), ("CD_n", 1.0, 0.1),
-                                        ("CD_n", 0.1, 0.02), ("CD_n", 50.0, 0.01)):
-            with self.subTest(model=model, elasticity=elasticity):
-                path = self.scene(disks__model=model, disks__elasticity=elasticity,
-                                  integration__time_step="auto", shear__strain_rate=1e-3,
-                                  shear__strain=1.0, output__sample_strain=0.01)
-                text = self.bagnold("validate", path).stdout
-                steps = round(1.0 / (1e-3 * step))
-                self.assertRegex(re.sub(r"[,_']", "", text), rf"\b{steps}\b")
+        """The papers' rule, with their scheme or by its name, and that of two stages."""
+        for model, elasticity, papers, two_stage in (
+            ("CD", 1.0, 0.05, 0.2), ("CD", 0.4, 0.04, 0.2), ("CD", 0.05, 0.01, 0.025),
+            ("CD_rot", 1.0, 0.05, 0.2), ("CD_n", 1.0, 0.1, 0.2), ("CD_n", 0.1, 0.02, 0.05),
+            ("CD_n", 50.0, 0.01, 0.2),
+        ):
+            for scheme, word, step in ((PAPERS, "auto", papers), (TWO_STAGE, "auto", two_stage),
+                                       ("auto", "auto", two_stage), ("auto", "paper", papers)):
+                with self.subTest(model=model, elasticity=elasticity, scheme=scheme, word=word):
+                    path = self.scene(disks__model=model, disks__elasticity=elasticity,
+                                      integration__time_step=word, shear__strain_rate=1e-3,
+                                      shear__strain=1.0, output__sample_strain=0.01,
+                                      integration__scheme=scheme)
+                    text = self.bagnold("validate", path).stdout
+                    steps = round(1.0 / (1e-3 * step))
+                    self.assertRegex(re.sub(r"[,_']", "", text), rf"\b{steps}\b")
+                    self.assertIn(f'scheme = "{PAPERS if scheme == PAPERS else TWO_STAGE}"', text)
 
     def test_info(self):
         result = self.bagnold("info")

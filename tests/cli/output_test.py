@@ -11,8 +11,8 @@ import h5py
 import numpy as np
 
 from bagnold import (
-    LAWS, NAMES, SCENE, SOURCE, SPIN_NAMES, CliTest, box_length, discarded_windows, files_of,
-    lattice_state, read_series, read_state, read_summary, scene_text, write_state,
+    LAWS, NAMES, PAPERS, SCENE, SOURCE, SPIN_NAMES, TWO_STAGE, CliTest, box_length,
+    discarded_windows, files_of, lattice_state, read_series, read_state, read_summary, scene_text, write_state,
 )
 
 
@@ -179,6 +179,10 @@ class Rerun(CliTest):
             with self.subTest(model=model):
                 first = self.run_new(f"{model}1", disks__model=model, disks__seed=7,
                                      integration__time_step="auto", shear__strain=0.05)
+                taken = read_summary(first)["scene"]["integration"]
+                self.assertEqual((taken["scheme"], taken["time_step"]), (TWO_STAGE, 0.2))
+                with h5py.File(first / "result.h5") as file:
+                    self.assertEqual((file.attrs["scheme"], file.attrs["time_step"]), (TWO_STAGE, 0.2))
                 second = self.folder / f"{model}2"
                 self.run_scene(first / "scene.toml", second)
                 self.assert_same_results(first, second)
@@ -280,13 +284,14 @@ class Relations(CliTest):
     def test_last_window_follows_from_the_last_state(self):
         """A window of one step: its values, once more from a state.h5 with all pairs.
 
-        A window holds the states before its steps or after them; either is right, a mixture not.
+        A window holds the states before its steps or after them; either is right, a mixture not. With
+        the papers' scheme: two stages sample what the damping does within the step as well.
         """
         for model in ("CD", "CD_n", "CD_rot"):
             for mass in ("equal", "area"):
                 with self.subTest(model=model, mass=mass):
                     changes = {"disks__model": model, "disks__mass": mass, "measure__every": 1,
-                               "disks__packing_fraction": 0.86,
+                               "disks__packing_fraction": 0.86, "integration__scheme": PAPERS,
                                "output__sample_strain": 2.0**-11}
                     out = self.run_new(f"{model}-{mass}", **changes)
                     before = self.run_new(f"{model}-{mass}-before", shear__strain=255 * 2.0**-11,

@@ -91,8 +91,10 @@ TEST(Plan, AWindowMayBeLongerThanTheRunOrShorterThanAStep) {
   EXPECT_EQ(make_plan(scene_of(1e-9, 1e-4, 0.05, 1.0, 0.0)).steps, 1);
 }
 
-TEST(Plan, TakesThePapersTimeStep) {
+TEST(Plan, TakesTheTimeStepOfTheRule) {
   Scene scene = minimal_scene();
+  EXPECT_EQ(make_plan(scene).time_step, 0.2);
+  scene.integration.time_step = of_papers;
   EXPECT_EQ(make_plan(scene).time_step, 0.05);
   scene.disks.elasticity = 0.2;
   EXPECT_DOUBLE_EQ(make_plan(scene).time_step, 0.02);
@@ -215,11 +217,11 @@ TEST(Feasible, AnUnstableTimeStepNeedsConsent) {
   scene.integration.time_step = 5.0;
   std::string const message = feasibility(scene);
   EXPECT_TRUE(has(message, "integration.time_step = 5 (unstable")) << message;
-  EXPECT_TRUE(has(message, "the papers' rule gives 0.05") && has(message, "--allow-unstable"));
+  EXPECT_TRUE(has(message, "\"auto\" takes 0.2") && has(message, "--allow-unstable"));
   EXPECT_EQ(feasibility(scene, true), "accepted");
 }
 
-TEST(Feasible, ThePapersStepsAreStable) {
+TEST(Feasible, TheStepsOfTheRulesAreStable) {
   Scene scene = minimal_scene();
   for (auto const* model : {"CD", "CD_n", "CD_rot", "general"})
     for (auto const* mass : {"equal", "area"})
@@ -228,7 +230,10 @@ TEST(Feasible, ThePapersStepsAreStable) {
         scene.disks.mass = mass;
         scene.disks.elasticity = q;
         scene.shear.strain = 1e-3;
-        EXPECT_EQ(feasibility(scene), "accepted") << model << " " << mass << " Q = " << q;
+        for (auto const scheme : {papers_scheme, two_stage_scheme}) {
+          scene.integration.scheme = scheme;
+          EXPECT_EQ(feasibility(scene), "accepted") << model << " " << mass << " Q = " << q;
+        }
       }
 }
 

@@ -11,7 +11,9 @@
 namespace bagnold {
 namespace {
 
-Scene ramp_scene(std::vector<std::string> const& overrides = {}) {
+/// With the papers' time step.
+Scene ramp_scene(std::vector<std::string> overrides = {}) {
+  overrides.insert(overrides.begin(), "integration.time_step=paper");
   return parse(ramp_text, overrides);
 }
 
@@ -110,6 +112,8 @@ TEST(Ramp, IsReachedByWayOf1e_3OnlyFromBelowAndFromRandom) {
 TEST(Ramp, TheTimeStepDividesThePiece) {
   EXPECT_EQ(make_plan(ramp_scene()).time_step, 0.05);
   EXPECT_NEAR(make_plan(ramp_scene({"disks.elasticity=0.3"})).time_step, 1.0 / 34, 1e-16);  // 0.03
+  EXPECT_EQ(make_plan(parse(ramp_text)).time_step, 0.2);  // that of two stages
+  EXPECT_EQ(make_plan(parse(ramp_text, {"disks.elasticity=0.7"})).time_step, 0.125);  // 0.14
   EXPECT_NE(plan_refusal({"integration.time_step=0.03"}).find("use 0.0294"), std::string::npos)
       << plan_refusal({"integration.time_step=0.03"});
   EXPECT_EQ(plan_refusal({"integration.time_step=0.03", "shear.ramp_every=3"}).find("integration"),

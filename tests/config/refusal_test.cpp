@@ -115,7 +115,8 @@ std::string scene_with(Key const& wanted, double value) {
     if constexpr (std::is_same_v<Member, std::int64_t>)
       member = static_cast<std::int64_t>(value);
     else if constexpr (std::is_same_v<Member, double> || std::is_same_v<Member, Strain> ||
-                       std::is_same_v<Member, std::optional<double>>)
+                       std::is_same_v<Member, std::optional<double>> ||
+                       std::is_same_v<Member, NumberOrWord>)
       member = value;
   });
   return write_scene(scene);
@@ -128,7 +129,8 @@ TEST(Ranges, EndWhereTheKeysSay) {
     using Member = std::decay_t<decltype(member)>;
     constexpr bool whole = std::is_same_v<Member, std::int64_t>;
     if constexpr (whole || std::is_same_v<Member, double> || std::is_same_v<Member, Strain> ||
-                  std::is_same_v<Member, std::optional<double>>) {
+                  std::is_same_v<Member, std::optional<double>> ||
+                  std::is_same_v<Member, NumberOrWord>) {
       constexpr double infinity = std::numeric_limits<double>::infinity();
       auto const expect_refused = [&](double value) {
         std::string const message = refusal(scene_with(key, value));
@@ -197,11 +199,15 @@ TEST(Types, OtherwiseTheyAreWhatTheyAre) {
   });
 }
 
-TEST(Types, AutoIsTheOnlyWordForATimeStep) {
-  EXPECT_EQ(parse(minimal_text, {"integration.time_step=auto"}).integration.time_step,
-            std::nullopt);
-  EXPECT_TRUE(has(refusal(minimal_text, {"integration.time_step=Auto"}),
-                  "integration.time_step = \"Auto\" (must be a number or \"auto\")"));
+TEST(Types, ATimeStepHasTwoWords) {
+  for (auto const* word : {"auto", "paper"}) {
+    std::string const set = std::string("integration.time_step=") + word;
+    EXPECT_EQ(parse(minimal_text, {set}).integration.time_step, NumberOrWord(word));
+  }
+  for (auto const* word : {"Auto", "papers", "modified-velocity-verlet", "\"\""})
+    EXPECT_TRUE(has(refusal(minimal_text, {std::string("integration.time_step=") + word}),
+                    "(must be a number or one of \"auto\", \"paper\")"))
+        << word;
 }
 
 TEST(Text, StrangeBytesAreRefusedAtTheirPlace) {

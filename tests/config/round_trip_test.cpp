@@ -30,6 +30,19 @@ TEST(RoundTrip, KeepsEveryBitOfAwkwardNumbers) {
   }
 }
 
+TEST(RoundTrip, KeepsTheWordsOfTheIntegration) {
+  Scene scene = minimal_scene();
+  for (auto const scheme : {std::string_view(automatic), papers_scheme, two_stage_scheme})
+    for (NumberOrWord const& step : {NumberOrWord(automatic), NumberOrWord(of_papers), NumberOrWord(0.25)}) {
+      scene.integration.scheme = scheme;
+      scene.integration.time_step = step;
+      Scene const back = round_trip(scene);
+      EXPECT_TRUE(same(back, scene)) << write_scene(scene);
+      EXPECT_EQ(back.integration.scheme, scheme);
+      EXPECT_EQ(back.integration.time_step, step);
+    }
+}
+
 TEST(RoundTrip, KeepsEveryBitOfRandomNumbers) {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> exponent(-300, 0);

@@ -8,8 +8,11 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <fstream>
 #include <numbers>
+#include <sstream>
 
+#include "src/config/time_step.hpp"
 #include "tests/config/scenes.hpp"
 
 namespace bagnold {
@@ -212,6 +215,64 @@ TEST(LargestStableTimeStep, HoldsForASevenDiskFlower) {
       };
       EXPECT_LE(factor(dt), 1.0) << scheme << " Q = " << q;
       EXPECT_GT(factor(2 * dt), 1.0) << scheme << " Q = " << q;
+    }
+}
+
+/// A packing stepped by the schemes themselves: docs/data/accuracy/stability_packing.csv.
+TEST(DenseFlowTimeStep, IsTheMeasuredOne) {
+  std::ifstream file(source_folder / "docs/data/accuracy/stability_packing.csv");
+  int rows = 0;
+  for (std::string line; std::getline(file, line);) {
+    std::replace(line.begin(), line.end(), ',', ' ');
+    std::istringstream row(line);
+    std::string model, mass, fraction, scheme, arrangement;
+    double measured = 0;
+    row >> model >> mass >> fraction >> scheme >> arrangement >> measured;
+    if (arrangement != "index") continue;
+    if (scheme != papers_scheme && scheme != "two-stage") continue;
+    Scene scene;
+    scene.disks = disks(model, 0.25, mass);
+    auto const name = scheme == papers_scheme ? papers_scheme : two_stage_scheme;
+    EXPECT_NEAR(dense_flow_time_step(scene, name) / 0.25, measured, 0.01 * measured) << line;
+    ++rows;
+  }
+  EXPECT_EQ(rows, 6);
+}
+
+TEST(DenseFlowTimeStep, LiesBetweenSixContactsAndOne) {
+  for (auto const* model : {"CD", "CD_n", "CD_rot", "general"})
+    for (auto const* mass : {"equal", "area"})
+      for (auto const scheme : {papers_scheme, two_stage_scheme}) {
+        Scene scene;
+        scene.disks = disks(model, 0.1, mass);
+        double const dt = dense_flow_time_step(scene, scheme);
+        EXPECT_GT(dt, largest_stable_time_step(scene, scheme)) << model;
+        EXPECT_LE(contact_spectral_radius(scene, scheme, dt), 1) << model;
+      }
+}
+
+TEST(DenseFlowTimeStep, OfGeneralEndsInTheOthers) {
+  Scene general, law;
+  general.disks = disks("general", 0.5);
+  law.disks = disks("CD_rot", 0.5);
+  auto const of = [](Scene const& scene) { return dense_flow_time_step(scene, two_stage_scheme); };
+  EXPECT_DOUBLE_EQ(of(general), of(law));
+  general.disks.damping_tangential = 0;
+  law.disks.model = "CD_n";
+  EXPECT_DOUBLE_EQ(of(general), of(law));
+  general.disks.damping_tangential = 0.5;
+  EXPECT_LT(of(general), of(law));
+}
+
+/// No rule warns of itself where dampings are those of the papers' figures.
+TEST(DenseFlowTimeStep, BearsTheRules) {
+  for (auto const* model : {"CD", "CD_n", "CD_rot", "general"})
+    for (double const q : {0.1, 0.3, 0.5, 1.0, 50.0, 500.0}) {
+      Scene scene;
+      scene.disks = disks(model, q, "equal");
+      EXPECT_GT(dense_flow_time_step(scene, two_stage_scheme), two_stage_time_step(scene));
+      if (scene.disks.model != "general")
+        EXPECT_GT(dense_flow_time_step(scene, papers_scheme), paper_time_step(scene.disks)) << q;
     }
 }
 

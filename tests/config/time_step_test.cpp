@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "src/config/stability.hpp"
 #include "tests/config/scenes.hpp"
 
 namespace bagnold {
@@ -30,11 +31,71 @@ TEST(PaperTimeStep, OfP2) {
   }
 }
 
-TEST(TimeStep, AsGivenOrThePapers) {
+/// docs/accuracy.md, "Which step": min{0.2, 0.2 Q} where disks rotate, otherwise min{0.2, 0.5 Q}.
+TEST(TwoStageTimeStep, OfEachLaw) {
   Scene scene = minimal_scene();
+  auto const rule = [&](char const* model, double q) {
+    scene.disks = disks(model, q);
+    return two_stage_time_step(scene);
+  };
+  for (double const q : {1.0, 50.0, 500.0})
+    for (auto const* model : {"CD", "CD_n", "CD_rot", "general"}) EXPECT_EQ(rule(model, q), 0.2);
+  for (auto const* model : {"CD", "CD_n"}) {
+    EXPECT_EQ(rule(model, 0.4), 0.2);
+    EXPECT_DOUBLE_EQ(rule(model, 0.1), 0.05);
+  }
+  for (auto const* model : {"CD_rot", "general"}) EXPECT_DOUBLE_EQ(rule(model, 0.1), 0.02);
+  scene.disks.damping_tangential = 4;
+  EXPECT_DOUBLE_EQ(two_stage_time_step(scene), 0.005);
+}
+
+TEST(TimeStep, AsGivenOrByTheRuleNamed) {
+  Scene scene = minimal_scene();
+  EXPECT_EQ(time_step(scene), 0.2);
+  scene.integration.time_step = of_papers;
   EXPECT_EQ(time_step(scene), 0.05);
   scene.integration.time_step = 0.0123;
   EXPECT_EQ(time_step(scene), 0.0123);
+  scene.integration.scheme = papers_scheme;
+  EXPECT_EQ(time_step(scene), 0.0123);
+  for (auto const* word : {automatic, of_papers}) {
+    scene.integration.time_step = word;
+    EXPECT_EQ(time_step(scene), 0.05);
+  }
+}
+
+TEST(Scheme, TwoStagesUnlessNamed) {
+  Scene scene = minimal_scene();
+  EXPECT_EQ(scheme_of(scene), two_stage_scheme);
+  for (auto const name : {papers_scheme, two_stage_scheme}) {
+    scene.integration.scheme = name;
+    EXPECT_EQ(scheme_of(scene), name);
+  }
+}
+
+/// So a number given for dt is no reason to fall back: whatever a contact bears with the papers'
+/// scheme it bears with two stages.
+TEST(Scheme, TwoStagesBearWhatThePapersBear) {
+  int borne = 0;
+  for (auto const* model : {"CD", "CD_n", "CD_rot", "general"})
+    for (auto const* mass : {"equal", "area"})
+      for (double q = 1e-3; q < 2e3; q *= 1.3)
+        for (double dt = 1e-4; dt < 10; dt *= 1.05) {
+          Scene scene;
+          scene.disks = disks(model, q, mass);
+          if (contact_spectral_radius(scene, papers_scheme, dt) > 1) continue;
+          ++borne;
+          EXPECT_LE(contact_spectral_radius(scene, two_stage_scheme, dt), 1 + 1e-12)
+              << model << " " << mass << " Q = " << q << " dt = " << dt;
+        }
+  EXPECT_GT(borne, 10'000);
+}
+
+TEST(Resolved, HasNoWords) {
+  Scene const scene = minimal_scene();
+  EXPECT_EQ(resolved(scene).integration.scheme, two_stage_scheme);
+  EXPECT_EQ(resolved(scene).integration.time_step, 0.2);
+  EXPECT_EQ(write_scene(resolved(resolved(scene))), write_scene(resolved(scene)));
 }
 
 }  // namespace

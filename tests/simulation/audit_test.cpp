@@ -55,10 +55,11 @@ TEST_P(Audit, NoContactIsMissedAndNoneIsExtra) {
                  std::string(c.law) == "CD_n" ? "area" : "equal"};
   scene.shear.strain_rate = c.strain_rate;
   scene.shear.strain = 1;
+  scene.integration.scheme = papers_scheme;
   scene.integration.time_step = 0.05;
   auto const backend = backend_names().front();
   auto const fast = simulate(scene, random_start(scene).state, backend);
-  double const step_strain = c.strain_rate * scene.integration.time_step.value();
+  double const step_strain = c.strain_rate * scene.integration.time_step.number.value();
   advance(*fast, static_cast<std::int64_t>(c.warm_up / step_strain));
 
   Scene plain = scene;

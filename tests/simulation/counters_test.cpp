@@ -18,7 +18,7 @@ struct Cost {
 Cost cost(Scene const& scene, double warm_up, double strain) {
   auto const simulation = simulate(scene, random_start(scene).state, backend_names().front());
   auto const steps = [&](double of) {
-    return std::llround(of / (scene.shear.strain_rate * scene.integration.time_step.value()));
+    return std::llround(of / (scene.shear.strain_rate * scene.integration.time_step.number.value()));
   };
   advance(*simulation, steps(warm_up));
   auto const before = simulation->snapshot();
@@ -41,6 +41,7 @@ Scene scene_of(char const* law, double packing_fraction, double elasticity, doub
   Scene scene;
   scene.disks = {law, 1024, packing_fraction, elasticity, "area"};
   scene.shear.strain_rate = rate;
+  scene.integration.scheme = papers_scheme;
   scene.integration.time_step = 0.05;
   return scene;
 }

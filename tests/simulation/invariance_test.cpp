@@ -25,7 +25,7 @@ class Invariance : public EverySimulation {
     return largest_difference(one->state(), moved, scene().shear.strain_rate);
   }
 
-  double time(int n) const { return n * *scene().integration.time_step; }
+  double time(int n) const { return n * scene().integration.time_step.number.value(); }
 };
 
 TEST_P(Invariance, UnderAWholeStrain) {

@@ -25,6 +25,7 @@ class Statistics : public testing::TestWithParam<Point> {
     scene.disks = {p.law, 1024, p.packing_fraction, p.elasticity, "equal"};
     scene.shear.strain_rate = rate;
     scene.shear.strain = strain;
+    scene.integration.scheme = papers_scheme;
     scene.integration.time_step = 0.05;
     return scene;
   }

@@ -21,6 +21,12 @@ Check large_overlap;
 /// Work is done on the disks that is neither dissipated nor kept: the time step is too coarse.
 Check energy_balance;
 
+/// A time step with which a collision loses another energy than it should.
+Check collision_loss;
+
+/// A time step that a single contact bears, but not the damping of a dense flow.
+Check contact_network;
+
 /// B_p or B_sigma drifts while it is measured.
 Check steady_state;
 

@@ -29,8 +29,9 @@ double Finished::measured_strain() const {
 
 std::vector<Warning> warnings(Finished const& finished) {
   static constexpr Check* all[] = {above_jamming, hard_core_limit, large_overlap,
-                                   energy_balance, steady_state, error_bar,
-                                   few_collisions, box_size, contact_durations};
+                                   energy_balance, collision_loss, contact_network,
+                                   steady_state, error_bar, few_collisions,
+                                   box_size, contact_durations};
   std::vector<Warning> list;
   for (auto* check : all)
     if (auto warning = check(finished)) list.push_back(std::move(*warning));
