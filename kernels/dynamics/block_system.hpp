@@ -62,6 +62,14 @@ struct BlockReport {
   }
 };
 
+/// What steps of a scheme cost, by which engines choose, [cycles a disk-step].
+struct StepCosts {
+  Real in_batch;     ///< of a disk in a larger island of a window
+  Real by_itself;    ///< all disks step by step: above this, and `contact` for each, windows are dear
+  Real contact;      ///< for each contact a disk has
+  Real dense_below;  ///< contacts per disk below which dense steps cost less than contact-rich ones
+};
+
 /// Keeps the largest overlap and counts contacts.
 struct OverlapWatch {
   simd::Pack largest = 0.0;

@@ -19,6 +19,7 @@ struct TwoStageBlockStep : BlockSystem<Law, Repulsion, true> {
       System::time_step, System::rotates, System::forces;
   static constexpr Scheme scheme = Scheme::two_stage_leapfrog;
   static constexpr bool lists_contacts = true;
+  static constexpr StepCosts costs{80, 10.5, 30, 0.6};
 
   SecondLook shares;
 

@@ -235,18 +235,18 @@ class BlockEngine final : public Simulation {
   /// steps of the disks in larger islands, done again or not.
   template <class Window>
   void count_cost(Window const& window) {
-    constexpr Real pair_cost = 2.5, disk_cost = 12, binary_cost = 1500, disk_step_cost = 30;  // cycles
-    constexpr Real batch_step_cost = 700;                  // however few disks are in it
-    constexpr Real step_cost = 15, contact_cost = 11;      // of a disk, all disks step by step
+    constexpr Real pair_cost = 2.5, disk_cost = 12, binary_cost = 1500;  // cycles
+    constexpr Real batch_step_cost = 700;                                 // however few disks are in it
+    constexpr StepCosts costs = Step::costs;
     auto const disks = static_cast<Real>(count());
     auto const length = static_cast<Real>(window.end - window.begin);
     auto const pairs = static_cast<Real>(kernels_.blocks.outer.extent(0));
     Real const cost = (pair_cost * pairs + disk_cost * disks + binary_cost * window.binary) / length +
-                      disk_step_cost * window.others +
+                      costs.in_batch * window.others +
                       batch_step_cost * std::min<Real>(1, window.others);
     choice_.done(cost);
     Real const contacts = 2 * window.touching / disks;
-    if (cost > 1.25 * disks * (step_cost + contact_cost * contacts) && ++dear_windows_ >= 64)
+    if (cost > disks * (costs.by_itself + costs.contact * contacts) && ++dear_windows_ >= 64)
       leave_windows(contacts);
   }
 
@@ -413,9 +413,8 @@ class BlockEngine final : public Simulation {
   }
 
   void choose_dense() {
-    constexpr Real enter_below = 0.3, leave_above = 0.36;  // contacts per disk
     if (stepping_ == Stepping::automatic)
-      dense_ = contacts_per_disk() < (dense_ ? leave_above : enter_below);
+      dense_ = contacts_per_disk() < Step::costs.dense_below * (dense_ ? 1.2 : 1.0);
     else
       dense_ = stepping_ == Stepping::dense;
   }
