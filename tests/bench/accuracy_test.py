@@ -38,7 +38,7 @@ class Tiny(unittest.TestCase):
         self.assertEqual(self.done.returncode, 0, self.done.stderr)
 
     def test_pictures(self):
-        for name in ("collision.png", "stability.png", "bias-0.001.png"):
+        for name in ("collision.png", "stability.png", "bias-0.001.png", "engines.png"):
             self.assertEqual((self.folder / name).read_bytes()[:4], b"\x89PNG", name)
 
     def test_collisions_have_the_papers_restitution(self):
@@ -65,6 +65,15 @@ class Tiny(unittest.TestCase):
             ratio = edge[model, "two-stage"] / edge[model, "lagged-velocity-verlet"]
             self.assertGreater(ratio, 3.0, model)
             self.assertLess(ratio, 3.7, model)
+
+    def test_engines_have_both_schemes_each_with_its_own_step(self):
+        rows = self.table("engines.csv")
+        self.assertEqual({row["engine"] for row in rows},
+                         {"auto", "dense", "contact-rich", "windowed", "reference"})
+        steps = {(row["state"], row["scheme"]): float(row["time_step"]) for row in rows}
+        self.assertEqual(steps["cd_n-q50-1e-4-1024", "modified-velocity-verlet"], 0.01)  # 0.5/Q, P1
+        self.assertEqual(steps["cd_rot82-1e-4-1024", "modified-velocity-verlet"], 0.05)
+        self.assertEqual(steps["cd_n-q50-1e-4-1024", "two-stage-leapfrog"], 0.2)
 
     def test_precisions_agree_at_a_large_rate(self):
         rows = self.table("precision.csv")

@@ -11,6 +11,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(HERE)))
 sys.path.insert(0, os.path.join(ROOT, "bench/table"))
 
+import engines  # noqa: E402
 import pictures  # noqa: E402
 import states  # noqa: E402
 from cases import CASES, FORMS  # noqa: E402
@@ -18,7 +19,7 @@ from tables import Tables  # noqa: E402
 
 states.STATES.update((state.name, state) for state in states.chain(
     "cd82", {**states.NEWTONIAN, "model": "CD", "count": 1024}, "1024", ("1e-3", 5), ("1e-4", 5)))
-TABLES = ("collision", "stability", "stretches", "precision", "steady")
+TABLES = ("collision", "stability", "stretches", "precision", "steady", "engines")
 
 
 def read_arguments():
@@ -42,8 +43,11 @@ def main():
     say = lambda text: print("==", text, file=sys.stderr, flush=True)
     form = FORMS[arguments.form]
     if set(arguments.only) - {"collision", "pictures"}:
-        states.make(os.path.join(arguments.build, "bagnold"), arguments.states,
-                    dict.fromkeys(case.state for case in CASES), arguments.form == "tiny", say)
+        wanted = [case.state for case in CASES]
+        if "engines" in arguments.only:
+            wanted += [row.state for row in engines.ROWS]
+        states.make(os.path.join(arguments.build, "bagnold"), arguments.states, dict.fromkeys(wanted),
+                    arguments.form == "tiny", say)
     tables = Tables(os.path.join(arguments.build, "bagnold_accuracy"), arguments.states, arguments.data,
                     form, arguments.jobs, say)
     for name in TABLES:

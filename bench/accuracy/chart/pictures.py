@@ -13,6 +13,7 @@ try:
 except ImportError as error:
     sys.exit(f"pictures.py: {error}; no picture (Debian: apt install python3-matplotlib)")
 
+import engines as of_engines
 from cases import CASES, LEGEND, PAPERS
 
 # Okabe and Ito's palette: told apart by colour-blind eyes too.
@@ -154,6 +155,28 @@ def stability(data, out):
     save(figure, out, "stability.png")
 
 
+def engines(data, out):
+    """Seconds of CPU a unit of strain."""
+    rows = read(data, "engines.csv")
+    markers = dict(zip(of_engines.ENGINES, "oDsv^"))
+    titles = [row for row in of_engines.ROWS if any(r["state"] == row.state for r in rows)]
+    figure, axis = plt.subplots(figsize=(8, 0.42 * len(titles) + 1.3), layout="constrained")
+    for scheme, colour, shift in (("two-stage-leapfrog", COLOURS["two-stage"], 0.15),
+                                  ("modified-velocity-verlet", COLOURS[PAPERS], -0.15)):
+        for engine in of_engines.ENGINES:
+            points = [(float(r["seconds"]), -place + shift) for place, row in enumerate(titles) for r in rows
+                      if (r["state"], r["engine"], r["scheme"]) == (row.state, engine, scheme)]
+            if points:
+                axis.plot(*zip(*points), linestyle="", marker=markers[engine], color=colour,
+                          markerfacecolor=colour if engine == "auto" else "none", label=f"{engine}, {scheme}")
+    axis.set(xscale="log", xlabel="seconds of CPU a unit of strain, N = 1024",
+             yticks=[-place for place in range(len(titles))], yticklabels=[row.title for row in titles],
+             title="Engines and schemes; each scheme with its own step")
+    axis.grid(axis="x", color="#EEEEEE")
+    axis.legend(loc="center left", bbox_to_anchor=(1, 0.5))
+    save(figure, out, "engines.png")
+
+
 def draw(data, out):
     there = lambda name: os.path.exists(os.path.join(data, name))
     with plt.rc_context(STYLE):
@@ -163,3 +186,5 @@ def draw(data, out):
             bias(data, out)
         if there("stability_contact.csv") and there("stability_packing.csv"):
             stability(data, out)
+        if there("engines.csv"):
+            engines(data, out)

@@ -6,6 +6,7 @@ import os
 import subprocess
 from concurrent.futures import ThreadPoolExecutor
 
+import engines
 from cases import CASES, LEGEND, PAPERS, PRECISION, TWO_STAGE
 
 REFERENCE = 0.2 / 64  # time step that stretches are held against, [tau_e]
@@ -80,3 +81,10 @@ class Tables:
              "--strain", self.form.steady_strain, "--discard", self.form.discard)
             for case in CASES[:self.form.cases] for rate in self.form.steady_rates
             for scheme, step in ((TWO_STAGE, 0.2), ("increment-sweep", 0.4), (PAPERS, 0.05))])
+
+    def engines(self):
+        """Seconds, one run after the other."""
+        program = os.path.join(os.path.dirname(self.program), "bagnold")
+        table = engines.measure(program, self.states, self.form.rounds, self.form.shortening, self.say)
+        with open(os.path.join(self.folder, "engines.csv"), "w", newline="") as file:
+            csv.writer(file, lineterminator="\n").writerows([engines.COLUMNS, *table])
