@@ -16,7 +16,7 @@ namespace bagnold {
 /// N: the contacts of the one of the two disks that has more. For N = 1 the pair slows down by e^-z
 /// exactly; 1 - z + alpha z^2 stays within (-1, 1] up to z = 7 for any N.
 struct SecondLook {
-  static constexpr int most = 8;  ///< N: no disk has more small ones around it
+  static constexpr int most = 8;  ///< N beyond it counts as it
   static constexpr int classes = 3;  ///< small-small, small-big, big-big
   Real normal[classes][most];      ///< by N mod 8
   Real tangential[classes][most];  ///< by N mod 8

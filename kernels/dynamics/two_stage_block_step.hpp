@@ -19,7 +19,7 @@ struct TwoStageBlockStep : BlockSystem<Law, Repulsion, true> {
       System::time_step, System::rotates, System::forces;
   static constexpr Scheme scheme = Scheme::two_stage_leapfrog;
   static constexpr bool lists_contacts = true;
-  static constexpr StepCosts costs{80, 10.5, 30, 0.6};
+  static constexpr StepCosts costs{.in_batch = 80, .by_itself = 10.5, .contact = 30, .dense_below = 0.6};
 
   SecondLook shares;
 
@@ -103,8 +103,8 @@ struct TwoStageBlockStep : BlockSystem<Law, Repulsion, true> {
 
   /// What the first look changes, as in `trial`.
   static simd::Records change_of(Kick const& kick, simd::ForceComponents const& f, simd::Mask big) {
-    simd::Pack const k = kick.per_mass(big);
-    return {k * f.x, k * f.y, kick.per_inertia(big) * f.turn, f.count};
+    simd::Pack const k = kick.per_mass(big), most = SecondLook::most;
+    return {k * f.x, k * f.y, kick.per_inertia(big) * f.turn, select(most < f.count, most, f.count)};
   }
 
   static void accelerate(simd::Records& r, simd::Records const& change,

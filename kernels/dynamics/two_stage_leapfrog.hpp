@@ -40,7 +40,7 @@ struct FirstLook {
     bool too_deep = false;
     change(i) = kicked(Motion<Law::rotates>{}, forces(i, Counter{count, too_deep}), time_step,
                        forces.table, forces.species(i));
-    contacts(i) = count;
+    contacts(i) = count < SecondLook::most ? count : SecondLook::most;
     if (too_deep) failed = 1;
   }
 };

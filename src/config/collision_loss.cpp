@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/config/collision_loss.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -12,7 +13,7 @@ namespace bagnold {
 namespace {
 
 constexpr int phases = 32;
-constexpr double longest = 10;  ///< half periods after which what is left is lost
+constexpr double longest = 10;  ///< half periods after which what is left is lost, or 40/c
 
 /// Two disks on a line: x < 0 is overlap.
 struct Pair {
@@ -44,7 +45,8 @@ struct Pair {
 double loss(Pair pair, std::string_view scheme, double h, double phase, double half_period) {
   pair.x = phase * h;
   pair.v = -1;
-  for (double t = 0; t < longest * half_period + 2 * h; t += h) {
+  double const end = std::min(longest * half_period, 40 / pair.c) + 2 * h;
+  for (double t = 0; t < end && std::isfinite(pair.x); t += h) {
     scheme == two_stage_scheme ? pair.two_stage_step(h) : pair.papers_step(h);
     if (pair.x >= 0 && pair.v > 0) return 1 - pair.v * pair.v;
   }

@@ -164,11 +164,14 @@ void check_feasible(Scene const& scene, Plan const& plan, bool allow_unstable) {
         scene.disks.count, length, field_radius, least_box_for_fields()));
 
   double const radius = contact_spectral_radius(scene, plan.time_step);
-  if (radius > 1 + 1e-9 && !allow_unstable)
+  if (radius > 1 + 1e-9 && !allow_unstable) {
+    Scene by_rule = scene;
+    by_rule.integration.time_step = automatic;
     throw InputError(fmt::format(
         "integration.time_step = {} (unstable: one step of a single contact of the lightest pair has "
-        "spectral radius {:.3g}, above 1, with {}); \"auto\" takes {} with {}, or pass --allow-unstable",
-        plan.time_step, radius, scheme_of(scene), two_stage_time_step(scene), two_stage_scheme));
+        "spectral radius {:.3g}, above 1, with {}); \"auto\" takes {}, or pass --allow-unstable",
+        plan.time_step, radius, scheme_of(scene), time_step(by_rule)));
+  }
 
   double const needed = memory_needed(scene, plan);
   double const there = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *

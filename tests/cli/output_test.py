@@ -348,7 +348,7 @@ def observe(state, model, mass, rate, damping=1.0):
 
 class Inputs(CliTest):
     def test_every_input_validates(self):
-        paths = sorted((SOURCE / "inputs").glob("*.toml"))
+        paths = sorted((SOURCE / "inputs").glob("*.toml")) + sorted((SOURCE / "inputs/checks").glob("*.toml"))
         self.assertIn("reference.toml", [path.name for path in paths])
         self.assertIn("quickstart.toml", [path.name for path in paths])
         for path in paths:

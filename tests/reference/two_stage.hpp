@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 #include <vector>
@@ -37,9 +38,23 @@ inline Parameters second_law(Parameters p, State const& s, Contact const& c, int
   return p;
 }
 
+/// The velocity difference that the law damps: minus its force at unit damping.
+inline std::array<double, 2> damped_velocity(Parameters p, State const& s, Contact const& c) {
+  p.elasticity = 1.0;
+  if (rotates(p)) {
+    p.model = Parameters::Model::general;
+    p.damping_normal = p.damping_tangential = 1.0;
+  }
+  PairForce const f = pair_force(p, s, c);
+  return {-f.dissipative_x, -f.dissipative_y};
+}
+
 /// One step of the two-stage leapfrog: all forces with the velocities of half a step before, then the
 /// damping of the changes that they make, then positions. dissipative: out, sum f_a r_b of both.
-inline void two_stage_step(System& system, double (&dissipative)[2][2]) {
+///
+/// Returns what the damping of both takes out, -sum f . v, with v halfway through the step, as far as
+/// the first forces on all and the second one on the pair itself change it.
+inline double two_stage_step(System& system, double (&dissipative)[2][2]) {
   Parameters const& p = system.p;
   State& s = system.s;
   double const dt = p.time_step;
@@ -47,10 +62,11 @@ inline void two_stage_step(System& system, double (&dissipative)[2][2]) {
   State change = s;
   for (auto& v : change.velocity) v = {0.0, 0.0};
   for (auto& spin : change.spin) spin = 0.0;
+  State const rest = change;
   State more = change;
   std::vector<int> count(s.count(), 0);
   for (auto& row : dissipative) row[0] = row[1] = 0.0;
-  auto const exert = [&](Contact const& c, double x, double y, PairForce const& f, State& on) {
+  auto const kick = [&](Contact const& c, double x, double y, PairForce const& f, State& on) {
     for (auto const& [disk, sign, torque] :
          {std::tuple{c.i, 1.0, f.torque_i}, std::tuple{c.j, -1.0, f.torque_j}}) {
       double const m = mass(p, s.diameter[disk]);
@@ -58,6 +74,9 @@ inline void two_stage_step(System& system, double (&dissipative)[2][2]) {
       on.velocity[disk][1] += sign * y * dt / m;
       if (rotates(p)) on.spin[disk] += torque * dt / moment_of_inertia(p, s.diameter[disk]);
     }
+  };
+  auto const exert = [&](Contact const& c, double x, double y, PairForce const& f, State& on) {
+    kick(c, x, y, f, on);
     double const force[2] = {f.dissipative_x, f.dissipative_y}, r[2] = {c.x, c.y};
     for (int a = 0; a < 2; ++a)
       for (int b = 0; b < 2; ++b) dissipative[a][b] += force[a] * r[b];
@@ -68,12 +87,23 @@ inline void two_stage_step(System& system, double (&dissipative)[2][2]) {
     ++count[c.i];
     ++count[c.j];
   }
+  double power = 0.0;
   for (Contact c : found) {
+    PairForce const first = pair_force(p, s, c);
+    auto const before = damped_velocity(p, s, c);
     c.velocity_x = change.velocity[c.i][0] - change.velocity[c.j][0];
     c.velocity_y = change.velocity[c.i][1] - change.velocity[c.j][1];
     PairForce const f =
         pair_force(second_law(p, s, c, std::max(count[c.i], count[c.j])), change, c);
     exert(c, f.dissipative_x, f.dissipative_y, f, more);
+    auto const changed = damped_velocity(p, change, c);
+    State own = rest;
+    kick(c, f.dissipative_x, f.dissipative_y, f, own);
+    c.velocity_x = own.velocity[c.i][0] - own.velocity[c.j][0];
+    c.velocity_y = own.velocity[c.i][1] - own.velocity[c.j][1];
+    auto const by_itself = damped_velocity(p, own, c);
+    double const force[2] = {first.dissipative_x + f.dissipative_x, first.dissipative_y + f.dissipative_y};
+    for (int a = 0; a < 2; ++a) power -= force[a] * (before[a] + 0.5 * (changed[a] + by_itself[a]));
   }
   for (std::size_t i = 0; i < s.count(); ++i) {
     for (int a = 0; a < 2; ++a) {
@@ -86,6 +116,7 @@ inline void two_stage_step(System& system, double (&dissipative)[2][2]) {
   wrap(p, s, strain(system));
   s.offset = reduced_offset(strain(system), s.box_length);
   s.time = system.initial_time + dt * static_cast<double>(system.step);
+  return power;
 }
 
 }  // namespace bagnold::reference

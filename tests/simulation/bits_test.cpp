@@ -8,6 +8,16 @@ class Bits : public EverySimulation {
  public:
   Scene scene() const { return small_scene(0.82, 300); }
 
+  /// test(scene) with either scheme.
+  template <class Test>
+  void for_schemes(Scene scene, Test const& test) const {
+    for (auto const scheme : {papers_scheme, two_stage_scheme}) {
+      SCOPED_TRACE(scheme);
+      scene.integration.scheme = scheme;
+      test(scene);
+    }
+  }
+
   static void expect_equal(State const& a, State const& b) {
     EXPECT_EQ(a.position, b.position);
     EXPECT_EQ(a.velocity, b.velocity);
@@ -19,50 +29,54 @@ class Bits : public EverySimulation {
 
 TEST_P(Bits, DoNotDependOnTheBackend) {
   State const state = shaken_start(scene());
-  auto const one = simulate(scene(), state, backend());
-  auto const first = simulate(scene(), state, backend_names().front());
-  auto const a = advance(*one, 500, 7);
-  auto const b = advance(*first, 500, 7);
-  expect_equal(one->state(), first->state());
-  EXPECT_EQ(a.sums, b.sums);
+  for_schemes(scene(), [&](Scene const& scene) {
+    auto const one = simulate(scene, state, backend());
+    auto const first = simulate(scene, state, backend_names().front());
+    auto const a = advance(*one, 500, 7);
+    auto const b = advance(*first, 500, 7);
+    expect_equal(one->state(), first->state());
+    EXPECT_EQ(a.sums, b.sums);
+  });
 }
 
 /// With more patches than threads.
 TEST_P(Bits, OfManyDisksDoNotDependOnTheBackend) {
-  Scene const scene = small_scene(0.82, 5000);
-  State const state = shaken_start(scene);
-  auto const one = simulate(scene, state, backend());
-  auto const first = simulate(scene, state, backend_names().front());
-  auto const a = advance(*one, 60, 7);
-  auto const b = advance(*first, 60, 7);
-  expect_equal(one->state(), first->state());
-  EXPECT_EQ(a.sums, b.sums);
+  State const state = shaken_start(small_scene(0.82, 5000));
+  for_schemes(small_scene(0.82, 5000), [&](Scene const& scene) {
+    auto const one = simulate(scene, state, backend());
+    auto const first = simulate(scene, state, backend_names().front());
+    auto const a = advance(*one, 60, 7);
+    auto const b = advance(*first, 60, 7);
+    expect_equal(one->state(), first->state());
+    EXPECT_EQ(a.sums, b.sums);
+  });
 }
 
 TEST_P(Bits, DoNotDependOnSamplingOrOnHowAdvancesAreCut) {
   State const state = shaken_start(scene());
-  auto const straight = simulate(scene(), state, backend());
-  auto const pieces = simulate(scene(), state, backend());
-  auto const silent = simulate(scene(), state, backend());
-  Sampling sampling{200, 7, 500};
-  OpenWindows a, b;
-  straight->advance(500, sampling, a);
-  for (std::int64_t steps : {1, 2, 13, 84, 100, 300}) pieces->advance(steps, sampling, b);
-  advance(*silent, 500);
-  expect_equal(straight->state(), pieces->state());
-  expect_equal(straight->state(), silent->state());
-  ASSERT_EQ(a.sums.size(), 3u);
-  ASSERT_EQ(b.sums.size(), 3u);
-  for (int w = 0; w < 3; ++w) {
-    EXPECT_EQ(a.sums[w].sums, b.sums[w].sums);
-    EXPECT_EQ(a.sums[w].weight, w < 2 ? 29 : 15);
-    EXPECT_EQ(a.sums[w].weight, b.sums[w].weight);
-  }
+  for_schemes(scene(), [&](Scene const& scene) {
+    auto const straight = simulate(scene, state, backend());
+    auto const pieces = simulate(scene, state, backend());
+    auto const silent = simulate(scene, state, backend());
+    Sampling sampling{200, 7, 500};
+    OpenWindows a, b;
+    straight->advance(500, sampling, a);
+    for (std::int64_t steps : {1, 2, 13, 84, 100, 300}) pieces->advance(steps, sampling, b);
+    advance(*silent, 500);
+    expect_equal(straight->state(), pieces->state());
+    expect_equal(straight->state(), silent->state());
+    ASSERT_EQ(a.sums.size(), 3u);
+    ASSERT_EQ(b.sums.size(), 3u);
+    for (int w = 0; w < 3; ++w) {
+      EXPECT_EQ(a.sums[w].sums, b.sums[w].sums);
+      EXPECT_EQ(a.sums[w].weight, w < 2 ? 29 : 15);
+      EXPECT_EQ(a.sums[w].weight, b.sums[w].weight);
+    }
+  });
 }
 
 TEST_P(Bits, GoOnFromASnapshot) {
-  for (double packing_fraction : {0.82, 0.55}) {
-    Scene const scene = small_scene(packing_fraction, 300);
+  auto const test = [&](Scene const& scene) {
     auto straight = simulate(scene, shaken_start(scene), backend());
     auto chained = simulate(scene, shaken_start(scene), backend());
     Sampling const sampling{200, 7, 700};
@@ -81,7 +95,8 @@ TEST_P(Bits, GoOnFromASnapshot) {
     expect_equal(straight->snapshot().state, chained->snapshot().state);
     ASSERT_EQ(a.sums.size(), b.sums.size());
     for (std::size_t w = 0; w < a.sums.size(); ++w) EXPECT_EQ(a.sums[w].sums, b.sums[w].sums);
-  }
+  };
+  for (double packing_fraction : {0.82, 0.55}) for_schemes(small_scene(packing_fraction, 300), test);
 }
 
 /// How often lists are built must not be seen in the trajectory beyond the rounding of wraps.
@@ -99,5 +114,35 @@ TEST_P(Bits, ListsDoNotActOnTheTrajectory) {
 }
 
 BAGNOLD_FOR_EVERY_SIMULATION(Bits);
+
+/// Dense steps are contact-rich ones to the last bit while they have the same lists.
+class DenseBits : public testing::TestWithParam<std::string> {};
+
+TEST_P(DenseBits, AreThoseOfContactRichSteps) {
+  for (auto const scheme : {papers_scheme, two_stage_scheme})
+    for (double packing_fraction : {0.60, 0.82}) {
+      Scene scene = small_scene(GetParam(), packing_fraction, 3000);
+      scene.shear.strain_rate = 1e-3;
+      scene.integration.skin = 0.5;
+      scene.integration.scheme = scheme;
+      State state = shaken_start(scene);
+      for (auto& v : state.velocity) v[1] -= 0.1;  // no common drift: one list for all steps
+      scene.integration.engine = "contact-rich";
+      auto const rich = simulate(scene, state, "serial");
+      scene.integration.engine = "dense";
+      auto const dense = simulate(scene, state, "serial");
+      auto const a = advance(*rich, 80, 3), b = advance(*dense, 80, 3);
+      EXPECT_EQ(rich->snapshot().list_builds, 1);
+      EXPECT_EQ(dense->snapshot().list_builds, 1);
+      EXPECT_EQ(dense->snapshot().engine.at("steps_dense"), 80);
+      EXPECT_EQ(rich->snapshot().engine.at("steps_dense"), 0);
+      Bits::expect_equal(rich->state(), dense->state());
+      EXPECT_EQ(a.sums, b.sums);
+      EXPECT_GT(a.sums[SumColumns::contacts], 0);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, DenseBits, testing::ValuesIn(law_names()),
+                         [](auto const& info) { return info.param; });
 
 }  // namespace bagnold::test

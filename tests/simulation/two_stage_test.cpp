@@ -40,7 +40,7 @@ TEST_P(TwoStage, IsThatOfTheAllPairsReference) {
 
     auto const here = reference::measure(oracle);
     EXPECT_GE(here.contacts, packing_fraction > 0.8 ? 50 : 1);
-    reference::two_stage_step(oracle, dissipative);
+    double const power = reference::two_stage_step(oracle, dissipative);
     auto const sums = advance(*simulation, 1, 1).sums;
     auto const near = [&](int column, double value) {
       EXPECT_NEAR(sums[column], value, 1e-11 * (1 + std::abs(value))) << "column " << column;
@@ -54,6 +54,7 @@ TEST_P(TwoStage, IsThatOfTheAllPairsReference) {
     near(C::dissipative_xy, dissipative[0][1]);
     near(C::dissipative_yx, dissipative[1][0]);
     near(C::dissipative_yy, dissipative[1][1]);
+    near(C::dissipation, power);
   }
 }
 

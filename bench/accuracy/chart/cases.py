@@ -64,7 +64,7 @@ class Form:
     cases: int
     precision_rates: tuple
     rounds: int  # of seconds, by engine
-    shortening: float  # of the strain they are measured over
+    strain_factor: float  # of the strain that they are measured over
 
 
 FORMS = {

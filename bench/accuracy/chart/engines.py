@@ -34,17 +34,17 @@ ROWS = [
 ]
 
 
-def measure(program, states, rounds, shortening, say):
+def measure(program, states, rounds, strain_factor, say):
     """Rows of COLUMNS; what is compared is run in turn within a round."""
     table = []
     for row in ROWS:
         say(f"engines: {row.title}")
-        cells = [(engine, scheme) for engine in ENGINES for scheme in METHODS if sensible(engine, row)]
+        cells = [(engine, scheme) for engine in ENGINES for scheme in METHODS if affordable(engine, row)]
         seconds = {cell: [] for cell in cells}
         for _ in range(rounds):
             for cell in cells:
                 seconds[cell].append(a_strain(program, os.path.join(states, row.state), cell,
-                                              row.strain * shortening))
+                                              row.strain * strain_factor))
         for cell, times in seconds.items():
             values = [value for value, _ in times]
             table.append((row.state, *cell, times[0][1], f"{median(values):.4g}", f"{min(values):.4g}",
@@ -52,7 +52,7 @@ def measure(program, states, rounds, shortening, say):
     return table
 
 
-def sensible(engine, row):
+def affordable(engine, row):
     """Whether it would be done in a minute."""
     return engine in ("auto", "windowed") or (engine == "dense" and row.rate >= 1e-5) or row.rate >= 1e-4
 
@@ -75,11 +75,12 @@ def run(program, state, cell, strain):
                      "--quiet", "--threads", "1"]
         for key, value in settings.items():
             arguments += ["--set", f"{key}={value}"]
-        process = subprocess.Popen(arguments, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
-        said = process.stderr.read().decode()
-        _, status, used = os.wait4(process.pid, 0)
+        with subprocess.Popen(arguments, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) as process:
+            said = process.stderr.read().decode()
+            _, status, used = os.wait4(process.pid, 0)
+            process.returncode = os.waitstatus_to_exitcode(status)
         if status != 0:
             raise SystemExit(f"{' '.join(arguments)}\n{said.strip()}")
         with open(os.path.join(folder, "scene.toml")) as file:
             step = next(line.split("=")[1].strip() for line in file if line.startswith("time_step"))
-    return used.ru_utime, step
+    return used.ru_utime + used.ru_stime, step

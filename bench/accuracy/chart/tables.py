@@ -85,6 +85,6 @@ class Tables:
     def engines(self):
         """Seconds, one run after the other."""
         program = os.path.join(os.path.dirname(self.program), "bagnold")
-        table = engines.measure(program, self.states, self.form.rounds, self.form.shortening, self.say)
+        table = engines.measure(program, self.states, self.form.rounds, self.form.strain_factor, self.say)
         with open(os.path.join(self.folder, "engines.csv"), "w", newline="") as file:
             csv.writer(file, lineterminator="\n").writerows([engines.COLUMNS, *table])
