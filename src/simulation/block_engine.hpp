@@ -133,6 +133,7 @@ class BlockEngine final : public Simulation {
     visit("window_allowance_steps", allowance_steps_);
     choice_.for_each_memory(visit);
     visit("enter_windows_below", enter_below_);
+    visit("usual_contacts", usual_contacts_);
     visit("steps_one_by_one", steps_one_by_one_);
     visit("dear_windows", dear_windows_);
     visit("windows", windowed_.counters.windows);
@@ -163,8 +164,10 @@ class BlockEngine final : public Simulation {
 
   void advance_step(Sampling const& sampling, OpenWindows& windows) {
     step_once(sampling, windows);
-    if (stepping_ == Stepping::automatic && step_ % look_every == 0 &&
-        contacts_per_disk() < enter_below_) {
+    if (stepping_ != Stepping::automatic || step_ % look_every != 0) return;
+    Real const contacts = contacts_per_disk();
+    usual_contacts_ = usual_contacts_ == 0 ? contacts : 0.875 * usual_contacts_ + 0.125 * contacts;
+    if (usual_contacts_ < enter_below_) {
       in_windows_ = true;
       dear_windows_ = 0;
     }
@@ -229,6 +232,7 @@ class BlockEngine final : public Simulation {
     fastest_ = fastest();
     prune();
     enter_below_ = 0.7 * contacts;
+    usual_contacts_ = contacts;
   }
 
   /// A window costs a look at every outer pair and every disk, a fixed price for each binary island, and
@@ -598,6 +602,7 @@ class BlockEngine final : public Simulation {
   std::int64_t allowance_steps_ = 0;  ///< length of the windows that the allowance is for
   std::int64_t dear_windows_ = 0;     ///< that cost more than to step all disks
   Real enter_below_ = 0.3;   ///< contacts per disk
+  Real usual_contacts_ = 0;  ///< running mean of contacts per disk, step by step; 0: not known yet
   std::int64_t steps_one_by_one_ = 0;
   std::int64_t windows_refused_ = 0;
   std::int64_t pairs_evaluated_ = 0;
