@@ -35,8 +35,7 @@ ROWS = [
 
 
 def measure(program, states, rounds, strain_factor, say):
-    """Rows of COLUMNS; what is compared is run in turn within a round."""
-    table = []
+    """Rows of COLUMNS, state by state; what is compared is run in turn within a round."""
     for row in ROWS:
         say(f"engines: {row.title}")
         cells = [(engine, scheme) for engine in ENGINES for scheme in METHODS if affordable(engine, row)]
@@ -45,11 +44,13 @@ def measure(program, states, rounds, strain_factor, say):
             for cell in cells:
                 seconds[cell].append(a_strain(program, os.path.join(states, row.state), cell,
                                               row.strain * strain_factor))
-        for cell, times in seconds.items():
-            values = [value for value, _ in times]
-            table.append((row.state, *cell, times[0][1], f"{median(values):.4g}", f"{min(values):.4g}",
-                          f"{max(values):.4g}", rounds))
-    return table
+        yield [summary(row, cell, times) for cell, times in seconds.items()]
+
+
+def summary(row, cell, times):
+    values = [value for value, _ in times]
+    return (row.state, *cell, times[0][1], f"{median(values):.4g}", f"{min(values):.4g}",
+            f"{max(values):.4g}", len(values))
 
 
 def affordable(engine, row):

@@ -6,6 +6,7 @@ Systems start from the steady states of scripts/bench, made where they are missi
 import argparse
 import os
 import sys
+from dataclasses import replace
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(HERE)))
@@ -33,6 +34,7 @@ def read_arguments():
     parser.add_argument("--states", default="results/bench-states", help="as for scripts/bench")
     parser.add_argument("--data", default=os.path.join(ROOT, "docs/data/accuracy"), help="of the tables")
     parser.add_argument("--pictures", default=os.path.join(ROOT, "docs/accuracy"))
+    parser.add_argument("--rounds", type=int, help="of seconds by engine (quick: 1, else 5)")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--build", default=os.path.join(ROOT, "build/openmp"), help="where the programs are")
     return parser.parse_args()
@@ -42,6 +44,8 @@ def main():
     arguments = read_arguments()
     say = lambda text: print("==", text, file=sys.stderr, flush=True)
     form = FORMS[arguments.form]
+    if arguments.rounds:
+        form = replace(form, rounds=arguments.rounds)
     if set(arguments.only) - {"collision", "pictures"}:
         wanted = [case.state for case in CASES]
         if "engines" in arguments.only:

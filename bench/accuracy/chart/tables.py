@@ -85,6 +85,11 @@ class Tables:
     def engines(self):
         """Seconds, one run after the other."""
         program = os.path.join(os.path.dirname(self.program), "bagnold")
-        table = engines.measure(program, self.states, self.form.rounds, self.form.strain_factor, self.say)
+        os.makedirs(self.folder, exist_ok=True)
         with open(os.path.join(self.folder, "engines.csv"), "w", newline="") as file:
-            csv.writer(file, lineterminator="\n").writerows([engines.COLUMNS, *table])
+            out = csv.writer(file, lineterminator="\n")
+            out.writerow(engines.COLUMNS)
+            for rows in engines.measure(program, self.states, self.form.rounds, self.form.strain_factor,
+                                        self.say):
+                out.writerows(rows)
+                file.flush()
