@@ -27,7 +27,7 @@ def read_arguments():
     parser = argparse.ArgumentParser(prog="scripts/accuracy", description=__doc__)
     form = parser.add_mutually_exclusive_group()
     form.add_argument("--quick", action="store_const", const="quick", dest="form", default="full",
-                      help="less of everything: under half an hour")
+                      help="less of everything: minutes")
     form.add_argument("--tiny", action="store_const", const="tiny", dest="form",
                       help="64 disks, seconds: does everything run?")
     parser.add_argument("--only", nargs="+", choices=(*TABLES, "pictures"), default=(*TABLES, "pictures"))
