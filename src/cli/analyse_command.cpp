@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 #include "src/analysis/kinds/kinds.hpp"
 #include "src/cli/commands.hpp"
@@ -17,10 +16,6 @@ namespace {
 using analysis::Rows;
 
 constexpr std::size_t most_columns = 24;  ///< wider tables are only written
-
-void write_text(std::filesystem::path const& path, std::string const& text) {
-  io::replace_file(path, std::as_bytes(std::span(text)));
-}
 
 std::filesystem::path prefix_of(AnalyseOptions const& options) {
   if (!options.prefix.empty()) return options.prefix;
@@ -76,8 +71,8 @@ int analyse_command(AnalyseOptions const& options) {
     return path += ending;
   };
   if (!prefix.parent_path().empty()) std::filesystem::create_directories(prefix.parent_path());
-  write_text(beside(".csv"), to_csv(report.results));
-  write_text(beside(".drawn.csv"), to_csv(report.drawn));
+  io::replace_text(beside(".csv"), to_csv(report.results));
+  io::replace_text(beside(".drawn.csv"), to_csv(report.drawn));
   if (!options.quiet) {
     fmt::print("{}: {}\n{}\n\n", kind.name, kind.equation, kind.source);
     if (report.results.columns.size() <= most_columns) print_rows(report.results);

@@ -32,7 +32,7 @@ int run_stage(fs::path const& path, Scene const& scene, Machine const& machine, 
   if (begun(path)) return go_on_in(RunFolder::open(path), machine, quiet);
   auto from_file = states_in_file(scene);
   RunFolder const folder = RunFolder::make(path, /*force=*/true);
-  RunFolder::write_text(folder.scene(), write_scene(scene));
+  io::replace_text(folder.scene(), write_scene(scene));
   return run_from_start(folder, scene, machine, quiet, std::move(from_file));
 }
 
@@ -53,7 +53,7 @@ void write_summary(RunFolder const& folder, Scene const& cascade) {
                                  {"warnings", stage.value("warnings", Json::array())},
                                  {"observables", stage.at("observables")}});
   }
-  RunFolder::write_text(folder.summary(), summary.dump(2) + "\n");
+  io::replace_text(folder.summary(), summary.dump(2) + "\n");
 }
 
 }  // namespace

@@ -119,7 +119,7 @@ int check_limit_command(CheckLimitOptions const& options) {
   for (auto const* name : {"B_p", "B_sigma", "eta_p", "eta_sigma", "p", "sigma"})
     found[name] = {measured(whole, name), measured(half, name)};
   auto const limit = analysis::rate_limit(found, options.tolerance);
-  RunFolder::write_text(points.folder / "check_limit.json",
+  io::replace_text(points.folder / "check_limit.json",
                         json_of(limit, scene.shear.strain_rate, options.tolerance).dump(2) + "\n");
   if (!options.run.quiet) print(limit, found, scene.shear.strain_rate, options.tolerance);
   return 0;

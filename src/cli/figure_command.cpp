@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <span>
 
 #include "src/analysis/kinds/kinds.hpp"
 #include "src/cli/analyse_options.hpp"
@@ -20,10 +19,6 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 namespace {
-
-void write_text(fs::path const& path, std::string const& text) {
-  io::replace_file(path, std::as_bytes(std::span(text)));
-}
 
 /// "KIND --option value": the words of `bagnold analyse KIND SWEEP --option value`.
 AnalyseOptions parse_words(std::string const& words, std::string const& figure) {
@@ -62,7 +57,7 @@ class FigureMaker {
     }
     recipe["panel"] = figure_.panels;
     auto const path = folder_ / "recipe.json";
-    write_text(path, recipe.dump(1) + "\n");
+    io::replace_text(path, recipe.dump(1) + "\n");
     return path;
   }
 
@@ -72,7 +67,7 @@ class FigureMaker {
       auto const found = compare(entry, analyse(entry.at("analyse"), entry.at("data")).results);
       all.insert(all.end(), found.begin(), found.end());
     }
-    if (!all.empty()) write_text(folder_ / "stated.csv", to_csv(to_rows(all)));
+    if (!all.empty()) io::replace_text(folder_ / "stated.csv", to_csv(to_rows(all)));
     return all;
   }
 
@@ -92,8 +87,8 @@ class FigureMaker {
   std::string write_drawn(std::string const& stem, std::string const& words,
                           std::string const& data) const {
     auto const report = analyse(words, data);
-    write_text(folder_ / (stem + ".csv"), to_csv(report.results));
-    write_text(folder_ / (stem + ".drawn.csv"), to_csv(report.drawn));
+    io::replace_text(folder_ / (stem + ".csv"), to_csv(report.results));
+    io::replace_text(folder_ / (stem + ".drawn.csv"), to_csv(report.drawn));
     return stem + ".drawn.csv";
   }
 

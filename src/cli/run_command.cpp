@@ -9,6 +9,7 @@
 #include "src/config/cascade.hpp"
 #include "src/config/scene_file.hpp"
 #include "src/config/time_step.hpp"
+#include "src/io/atomic_file.hpp"
 
 namespace bagnold {
 
@@ -28,7 +29,7 @@ int run_command(RunOptions const& options) {
                         : options.folder;
   catch_signals();
   RunFolder const folder = RunFolder::make(name, options.force);
-  RunFolder::write_text(folder.scene(), write_scene(scene));
+  io::replace_text(folder.scene(), write_scene(scene));
   if (scene.shear.protocol == "cascade") return run_cascade(folder, scene, machine, options.quiet);
   return run_from_start(folder, scene, machine, options.quiet, std::move(from_file));
 }

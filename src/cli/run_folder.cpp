@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <initializer_list>
 #include <regex>
-#include <span>
 #include <string_view>
 #include <vector>
 
@@ -118,10 +117,6 @@ void RunFolder::remove_trajectory_parts() const {
 
 fs::path RunFolder::trajectory(std::optional<std::int64_t> seed) const {
   return path_ / (seed ? fmt::format("trajectory_{}.h5md", *seed) : "trajectory.h5md");
-}
-
-void RunFolder::write_text(fs::path const& file, std::string const& text) {
-  io::replace_file(file, std::as_bytes(std::span(text)));
 }
 
 }  // namespace bagnold

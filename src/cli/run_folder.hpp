@@ -33,9 +33,6 @@ class RunFolder {
   /// Of a finished run: those that a kill right at its end left. Throws FileError.
   void remove_trajectory_parts() const;
 
-  /// Replace a text file in one piece. Throws FileError.
-  static void write_text(std::filesystem::path const& file, std::string const& text);
-
  private:
   explicit RunFolder(std::filesystem::path folder);
 

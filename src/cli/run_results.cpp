@@ -12,6 +12,7 @@
 #include "src/cli/warnings/warning.hpp"
 #include "src/config/keys.hpp"
 #include "src/config/scene_file.hpp"
+#include "src/io/atomic_file.hpp"
 #include "src/io/result_file.hpp"
 
 namespace bagnold {
@@ -324,7 +325,7 @@ void write_summary(RunFolder const& folder, Run const& run, std::vector<NamedEst
   summary["observables"] = Json::object();
   for (auto const& one : all) summary["observables"][one.name] = one.json(one.estimate.all);
   if (several) summary["replicas"] = replicas_json(run, all);
-  RunFolder::write_text(folder.summary(), summary.dump(2) + "\n");
+  io::replace_text(folder.summary(), summary.dump(2) + "\n");
 }
 
 }  // namespace bagnold

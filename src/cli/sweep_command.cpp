@@ -13,6 +13,7 @@
 #include "src/cli/run_folder.hpp"
 #include "src/cli/signals.hpp"
 #include "src/config/errors.hpp"
+#include "src/io/atomic_file.hpp"
 #include "src/sweep/results.hpp"
 #include "src/sweep/scheduler.hpp"
 #include "src/sweep/slurm.hpp"
@@ -105,8 +106,8 @@ int emit_slurm(sweep::Sweep const& sweep, sweep::SweepFolder const& folder,
                             threads_of(options)};
   fs::create_directories(folder.path() / "slurm");
   auto const points = folder.path() / "points.slurm", collect = folder.path() / "collect.slurm";
-  RunFolder::write_text(points, sweep::slurm_array(sweep, job));
-  RunFolder::write_text(collect, sweep::slurm_collect(job));
+  io::replace_text(points, sweep::slurm_array(sweep, job));
+  io::replace_text(collect, sweep::slurm_collect(job));
   fmt::print(
       "{} points in {} chains; submit them with\n\n"
       "  job=$(sbatch --parsable {})\n"

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
 #include "src/config/contact_rates.hpp"
 #include "src/config/time_step.hpp"
@@ -83,14 +81,12 @@ double largest_stable_time_step(Scene const& scene, std::string_view scheme) {
 
 double dense_flow_time_step(Scene const& scene, std::string_view scheme) {
   constexpr double rolling = 18.8, sliding = 8.0, normal = 5.3;  // rates, [k_d / m]
-  auto const& disks = scene.disks;
-  bool const general = disks.model == "general";
-  double const n = general ? disks.damping_normal : 1, t = general ? disks.damping_tangential : 1;
-  double const largest = disks.model == "CD_n" ? normal
-                         : disks.model == "CD" ? sliding
-                                               : rolling * t + normal * std::max(0.0, n - t);
-  double const mass = scene.mass_by_area() ? std::numbers::pi / 2 : 1.0;
-  return largest_rate_borne(scheme) * mass * disks.elasticity / largest;
+  ContactRates const r(scene);
+  double const n = r.normal / 2, t = r.tangential / (scene.rotates() ? 6 : 2);  // k_n/m, k_t/m
+  double const rate = scene.disks.model == "CD_n" ? normal * n
+                      : scene.disks.model == "CD" ? sliding * n
+                                                  : rolling * t + normal * std::max(0.0, n - t);
+  return largest_rate_borne(scheme) / rate;
 }
 
 }  // namespace bagnold

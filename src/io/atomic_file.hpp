@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace bagnold::io {
@@ -26,6 +27,9 @@ void sync_folder(std::filesystem::path const& folder);
 /// the new one. The content goes to `path.tmp`, is verified, and is renamed. On failure the
 /// temporary is removed, the old file is untouched, and FileError says what to do.
 void replace_file(std::filesystem::path const& path, std::span<std::byte const> content);
+inline void replace_text(std::filesystem::path const& path, std::string_view text) {
+  replace_file(path, std::as_bytes(std::span(text)));
+}
 
 /// Shows a regular file block by block until `see` says false. Throws FileError as read_file does.
 void for_each_block(std::filesystem::path const& path,

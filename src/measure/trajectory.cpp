@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <mutex>
-#include <span>
 
 #include "src/config/errors.hpp"
 #include "src/io/atomic_file.hpp"
@@ -85,7 +84,7 @@ void Trajectory::finish() {
   whole.close();
   auto const text =
       io::xdmf_of(file_.filename().string(), header_.diameter.size(), time, header_.spins);
-  io::replace_file(fs::path(file_).replace_extension(".xdmf"), std::as_bytes(std::span(text)));
+  io::replace_text(fs::path(file_).replace_extension(".xdmf"), text);
 }
 
 void Trajectory::tidy() {

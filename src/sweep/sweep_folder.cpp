@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <span>
 #include <sstream>
 
 #include "src/config/errors.hpp"
@@ -26,7 +25,7 @@ std::string text_in(fs::path const& file) {
 /// Only where it differs: the time of an old file tells when it was made.
 void put_text(fs::path const& file, std::string const& text) {
   if (fs::exists(file) && text_in(file) == text) return;
-  io::replace_file(file, std::as_bytes(std::span(text)));
+  io::replace_text(file, text);
 }
 
 void make_folder(fs::path const& folder) {

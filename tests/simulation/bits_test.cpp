@@ -18,6 +18,19 @@ class Bits : public EverySimulation {
     }
   }
 
+  /// Steps on, with either scheme, on this backend and on the first one.
+  void expect_those_of_the_first_backend(Scene const& start, std::int64_t steps) const {
+    State const state = shaken_start(start);
+    for_schemes(start, [&](Scene const& scene) {
+      auto const one = simulate(scene, state, backend());
+      auto const first = simulate(scene, state, backend_names().front());
+      auto const a = advance(*one, steps, 7);
+      auto const b = advance(*first, steps, 7);
+      expect_equal(one->state(), first->state());
+      EXPECT_EQ(a.sums, b.sums);
+    });
+  }
+
   static void expect_equal(State const& a, State const& b) {
     EXPECT_EQ(a.position, b.position);
     EXPECT_EQ(a.velocity, b.velocity);
@@ -27,29 +40,11 @@ class Bits : public EverySimulation {
   }
 };
 
-TEST_P(Bits, DoNotDependOnTheBackend) {
-  State const state = shaken_start(scene());
-  for_schemes(scene(), [&](Scene const& scene) {
-    auto const one = simulate(scene, state, backend());
-    auto const first = simulate(scene, state, backend_names().front());
-    auto const a = advance(*one, 500, 7);
-    auto const b = advance(*first, 500, 7);
-    expect_equal(one->state(), first->state());
-    EXPECT_EQ(a.sums, b.sums);
-  });
-}
+TEST_P(Bits, DoNotDependOnTheBackend) { expect_those_of_the_first_backend(scene(), 500); }
 
 /// With more patches than threads.
 TEST_P(Bits, OfManyDisksDoNotDependOnTheBackend) {
-  State const state = shaken_start(small_scene(0.82, 5000));
-  for_schemes(small_scene(0.82, 5000), [&](Scene const& scene) {
-    auto const one = simulate(scene, state, backend());
-    auto const first = simulate(scene, state, backend_names().front());
-    auto const a = advance(*one, 60, 7);
-    auto const b = advance(*first, 60, 7);
-    expect_equal(one->state(), first->state());
-    EXPECT_EQ(a.sums, b.sums);
-  });
+  expect_those_of_the_first_backend(small_scene(0.82, 5000), 60);
 }
 
 TEST_P(Bits, DoNotDependOnSamplingOrOnHowAdvancesAreCut) {
