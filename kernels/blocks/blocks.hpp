@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "kernels/core/large_pages.hpp"
 #include "kernels/core/species.hpp"
 #include "kernels/geometry/sheared_box.hpp"
 #include "kernels/simd/records.hpp"
@@ -54,12 +55,22 @@ struct Blocks {
   Array<simd::LocalPair> near[near_lists];  ///< the same places, filled from the front; or empty
   Array<std::uint32_t> slot_of;  ///< [N]: where a disk is, by its index at the start
 
+  /// Whether a step goes through more than stays in cache from one half to the next.
+  bool beyond_cache() const { return slots > 100'000; }
+
+  /// Room that nothing has touched yet.
+  template <class T>
+  static Array<T> room(std::string const& label, std::size_t size) {
+    Array<T> array(Kokkos::view_alloc(Kokkos::WithoutInitializing, label), size);
+    ask_for_large_pages(array.data(), size * sizeof(T));
+    return array;
+  }
+
   /// Room for a near list beside the outer one.
   void make_room(NearList list, char const* label) {
     if (near[list].extent(0) >= outer.extent(0)) return;
     near[list] = {};
-    near[list] = Array<simd::LocalPair>(
-        Kokkos::view_alloc(Kokkos::WithoutInitializing, std::string(label)), outer.extent(0));
+    near[list] = room<simd::LocalPair>(label, outer.extent(0));
   }
 };
 

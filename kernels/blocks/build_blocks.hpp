@@ -109,13 +109,10 @@ Blocks build_blocks(Space const& space, Kokkos::View<Vec2<Real>*, Space> const& 
     throw std::length_error("too many disks for one process");
   blocks.slots = static_cast<std::uint32_t>(slots);
 
-  auto const uninitialized = [](std::string const& name) {
-    return Kokkos::view_alloc(Kokkos::WithoutInitializing, name);
-  };
-  blocks.halo = Blocks::Array<Neighbor>(uninitialized("blocks::halo"), halos);
-  blocks.outer = Blocks::Array<simd::LocalPair>(uninitialized("blocks::outer"), pairs);
-  blocks.near[inner_list] = Blocks::Array<simd::LocalPair>(uninitialized("blocks::inner"), pairs);
-  blocks.slot_of = Blocks::Array<std::uint32_t>(uninitialized("blocks::slot_of"), count);
+  blocks.halo = Blocks::room<Neighbor>("blocks::halo", halos);
+  blocks.outer = Blocks::room<simd::LocalPair>("blocks::outer", pairs);
+  blocks.near[inner_list] = Blocks::room<simd::LocalPair>("blocks::inner", pairs);
+  blocks.slot_of = Blocks::room<std::uint32_t>("blocks::slot_of", count);
   auto const slot = [=](std::uint32_t rank) { return block(rank / size).first + rank % size; };
   for (std::uint32_t rank = 0; rank < count; ++rank) blocks.slot_of(order[rank]) = slot(rank);
 

@@ -83,10 +83,9 @@ struct BlockStep : BlockSystem<Law, Repulsion, false> {
     return {simd::largest(fastest2), simd::largest(watch.largest), watch.touching, simd::sum(poison)};
   }
 
-  /// Sees all pairs of the inner list as they are now. force: scratch.
+  /// Sees all pairs of the inner list as they are between the two halves of a step. force: scratch.
   template <class Observer>
-  void observe(Block const& block, ShearedBox const& box, Force* force, Observer&& observer) const {
-    refresh_halo(blocks, block, now, box);
+  void observe(Block const& block, Force* force, Observer&& observer) const {
     this->evaluate(block, now, force, observer);
   }
 };

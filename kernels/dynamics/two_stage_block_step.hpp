@@ -90,7 +90,7 @@ struct TwoStageBlockStep : BlockSystem<Law, Repulsion, true> {
 
   /// Sees the pairs that touch, both looks together; between the two halves of a step. force: not used.
   template <class Observer>
-  void observe(Block const& block, ShearedBox const&, Force* force, Observer&& observer) const {
+  void observe(Block const& block, Force* force, Observer&& observer) const {
     copy_halo(block);
     look<true>(block, force, observer);
   }

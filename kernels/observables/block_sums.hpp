@@ -35,16 +35,16 @@ struct PackSums {
   }
 };
 
-/// The sums of one block: its pairs, and its own disks (inert ones add zero). Between the two halves of
-/// a step.
+/// The sums of one block: its pairs, and its own disks (inert ones add zero). When the block and its
+/// neighbours have been through the first half of a step, and it has not been through the second.
 template <class Step>
-Sums<Step::rotates> measure_block(Step const& step, std::uint32_t b, ShearedBox const& box,
+Sums<Step::rotates> measure_block(Step const& step, std::uint32_t b, Real strain_rate,
                                   typename Step::Force* force) {
   using simd::Pack;
   using C = SumColumns;
   Block const& block = step.blocks.block(b);
   PackSums pairs{block.padded};
-  step.observe(block, box, force, pairs);
+  step.observe(block, force, pairs);
   Pack v[C::count], spin = 0.0, spin2 = 0.0;
   for (auto& sum : v) sum = 0.0;
   for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
@@ -52,7 +52,7 @@ Sums<Step::rotates> measure_block(Step const& step, std::uint32_t b, ShearedBox 
     auto const r = simd::load_records(step.now.record.data() + slot);
     auto const big = simd::nonzero(step.species.data() + slot);
     Pack const mass = select(big, 1 / step.table.inverse_mass[1], 1 / step.table.inverse_mass[0]);
-    Pack const ux = fnma(box.strain_rate, r.y, r.vx), uy = r.vy;
+    Pack const ux = fnma(strain_rate, r.y, r.vx), uy = r.vy;
     v[C::kinetic_xx] += mass * ux * ux;
     v[C::kinetic_xy] += mass * ux * uy;
     v[C::kinetic_yy] += mass * uy * uy;

@@ -3,6 +3,9 @@
 
 #include <CLI/CLI.hpp>
 #include <new>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include "src/cli/analyse_options.hpp"
 #include "src/cli/commands.hpp"
@@ -21,6 +24,13 @@ enum ExitCode { done = 0, bad_input = 2, numerical_failure = 3, file_failure = 4
 int say(char const* message, ExitCode code) {
   fmt::print(stderr, "bagnold: {}\n", message);
   return code;
+}
+
+/// Large arrays go back to the system as soon as they are freed: what comes after them needs the room.
+void give_back_large_arrays() {
+#ifdef __GLIBC__
+  mallopt(M_MMAP_THRESHOLD, 4 << 20);
+#endif
 }
 
 void add_machine(CLI::App& command, bagnold::Machine& machine, bool& quiet) {
@@ -72,6 +82,7 @@ void add_figure(CLI::App& command, bagnold::FigureOptions& options) {
 }  // namespace
 
 int main(int argc, char** argv) try {
+  give_back_large_arrays();
   CLI::App app("Bagnold: dense granular flow of soft disks at vanishing shear rate");
   app.footer(units);
   app.require_subcommand(1);

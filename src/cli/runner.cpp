@@ -81,37 +81,45 @@ Snapshot Runner::start_of(std::size_t r, std::optional<Snapshot> snapshot) {
   return *std::move(snapshot);
 }
 
-void Runner::make(std::size_t r, Snapshot const& snapshot) {
+void Runner::make(std::size_t r, Snapshot snapshot) {
+  make_frames_of(r, snapshot.state);
   try {
-    simulations_[r] = simulation_of(snapshot);
+    simulations_[r] = simulation_of(std::move(snapshot));
   } catch (NumericalError const& error) {
     throw ReplicaFailure{r, error.what(), snapshot.state};
   }
-  watch(r, snapshot.state);
+  watch(r);
 }
 
 void Runner::make_all_together(std::vector<Snapshot> const& snapshots) {
   simulations_ = make_together(run_.scene, snapshots, machine_.backend);
-  for (std::size_t r = 0; r < snapshots.size(); ++r) watch(r, snapshots[r].state);
+  for (std::size_t r = 0; r < snapshots.size(); ++r) {
+    make_frames_of(r, snapshots[r].state);
+    watch(r);
+  }
 }
 
-std::unique_ptr<Simulation> Runner::simulation_of(Snapshot snapshot) const {
+std::unique_ptr<Simulation> Runner::simulation_of(Snapshot&& snapshot) const {
   auto make = [scene = run_.scene, backend = machine_.backend](double strain_rate,
-                                                               Snapshot const& from) mutable {
+                                                               Snapshot&& from) mutable {
     scene.shear.strain_rate = strain_rate;
-    return make_simulation(scene, from, backend);
+    return make_simulation(scene, std::move(from), backend);
   };
   if (whole_.ramp)
     return std::make_unique<RampedSimulation>(*whole_.ramp, std::move(make), std::move(snapshot));
-  return make_simulation(run_.scene, snapshot, machine_.backend);
+  return make_simulation(run_.scene, std::move(snapshot), machine_.backend);
 }
 
-void Runner::watch(std::size_t r, State const& start) {
-  Replica& replica = run_.replicas[r];
-  Frames& frames = replica.measurement.frames;
+void Runner::make_frames_of(std::size_t r, State const& start) {
   auto const file =
       folder_.trajectory(run_.replicas.size() > 1 ? std::optional(seed(r)) : std::nullopt);
-  frames = make_frames(run_.scene, run_.plan, start, file, provenance().version);
+  run_.replicas[r].measurement.frames =
+      make_frames(run_.scene, run_.plan, start, file, provenance().version);
+}
+
+void Runner::watch(std::size_t r) {
+  Replica& replica = run_.replicas[r];
+  Frames& frames = replica.measurement.frames;
   steps_[r] = simulations_[r]->step();
   auto const columns = simulations_[r]->columns();
   replica.measurement.windows.columns = static_cast<std::size_t>(columns);
@@ -193,7 +201,7 @@ bool Runner::work(SideBySide& all) {
       message = fmt::format("replica {} (seed {}): {}", failure.replica + 1, seed(failure.replica),
                             message);
     if (failure.state) {
-      io::write_states(folder_.failed_state(), {&*failure.state, 1});
+      io::write_states(folder_.failed_state(), {*failure.state});
       message += fmt::format("; the state is in {}", folder_.failed_state().string());
     }
     throw NumericalError(message);
@@ -218,6 +226,7 @@ SideBySide::Wish Runner::wish() const {
 io::SystemCheckpoint Runner::checkpoint_of(std::size_t r) {
   Replica& replica = run_.replicas[r];
   io::SystemCheckpoint c;
+  simulations_[r]->make_room();
   static_cast<Snapshot&>(c) = simulations_[r]->snapshot();
   replica.engine = c.engine;
   auto& [windows, open, frames] = replica.measurement;
@@ -256,8 +265,11 @@ int Runner::interrupted() const {
 void Runner::finish() {
   for (auto& replica : run_.replicas) replica.measurement.frames.finish();
   std::vector<State> states;
-  for (auto const& simulation : simulations_) states.push_back(simulation->state());
-  io::write_states(folder_.state(), states);
+  for (auto const& simulation : simulations_) {
+    simulation->make_room();
+    states.push_back(simulation->state());
+  }
+  io::write_states(folder_.state(), std::move(states));
   auto const list = estimates(run_);
   auto const suspect = warnings({run_, list});
   write_summary(folder_, run_, list, suspect);

@@ -34,12 +34,13 @@ class Runner {
 
  private:
   Snapshot start_of(std::size_t replica, std::optional<Snapshot> snapshot);
-  void make(std::size_t replica, Snapshot const& snapshot);
+  void make(std::size_t replica, Snapshot snapshot);
   void make_all_together(std::vector<Snapshot> const& snapshots);
-  std::unique_ptr<Simulation> simulation_of(Snapshot snapshot) const;
+  std::unique_ptr<Simulation> simulation_of(Snapshot&& snapshot) const;
   Plan next_leg() const;  ///< to where the target error is looked at next
   bool enough();          ///< whether the run may end there
-  void watch(std::size_t replica, State const& start);  ///< makes its frames
+  void make_frames_of(std::size_t replica, State const& start);
+  void watch(std::size_t replica);  ///< once it has its simulation and its frames
   std::int64_t seed(std::size_t replica) const;
   bool work(SideBySide& all);
   bool step_on(std::size_t replica, std::function<bool()> const& go_on);

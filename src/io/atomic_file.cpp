@@ -75,28 +75,36 @@ std::size_t read_some(Descriptor const& file, std::filesystem::path const& path,
   }
 }
 
-bool holds(std::filesystem::path const& path, std::span<std::byte const> content) {
+/// Whether a file holds content and then tail, and nothing else.
+bool holds(std::filesystem::path const& path, std::span<std::byte const> content,
+           std::span<std::byte const> tail) {
   bool same = true;
   for_each_block(path, [&](std::span<std::byte const> block) {
-    same = block.size() <= content.size() &&
-           std::memcmp(block.data(), content.data(), block.size()) == 0;
-    if (same) content = content.subspan(block.size());
+    while (same && !block.empty()) {
+      if (content.empty()) std::swap(content, tail);
+      auto const piece = std::min(block.size(), content.size());
+      same = piece != 0 && std::memcmp(block.data(), content.data(), piece) == 0;
+      block = block.subspan(piece);
+      content = content.subspan(piece);
+    }
     return same;
   });
-  return same && content.empty();
+  return same && content.empty() && tail.empty();
 }
 
-void write_and_compare(std::filesystem::path const& path, std::span<std::byte const> content) {
+void write_and_compare(std::filesystem::path const& path, std::span<std::byte const> content,
+                       std::span<std::byte const> tail) {
   // O_EXCL: nobody's link at this name is followed
   auto file = open_descriptor(path, O_WRONLY | O_CREAT | O_EXCL);
   if (!file.open()) fail_on("create", path, errno);
   write_all(file, path, content);
+  write_all(file, path, tail);
   if (sync_failed(file.get())) fail_on("bring to the disk", path, errno);
   // a hint to read from the disk below, not from memory; its failure means nothing
   (void)::posix_fadvise(file.get(), 0, 0, POSIX_FADV_DONTNEED);
   close_checked(std::move(file), path);
 
-  if (!holds(path, content))
+  if (!holds(path, content, tail))
     throw FileError(fmt::format(
         "{} reads back different from what was written: check the disk, or use another folder",
         path.string()));
@@ -109,10 +117,11 @@ std::filesystem::path temporary_of(std::filesystem::path const& path) {
   return temporary += ".tmp";
 }
 
-void write_verified(std::filesystem::path const& path, std::span<std::byte const> content) {
+void write_verified(std::filesystem::path const& path, std::span<std::byte const> content,
+                    std::span<std::byte const> tail) {
   if (::unlink(path.c_str()) != 0 && errno != ENOENT) fail_on("remove the old", path, errno);
   try {
-    write_and_compare(path, content);
+    write_and_compare(path, content, tail);
   } catch (...) {
     ::unlink(path.c_str());
     throw;

@@ -13,9 +13,11 @@ namespace bagnold::io {
 /// Where a file is written before it is given its name: `path` with `.tmp` behind it.
 std::filesystem::path temporary_of(std::filesystem::path const& path);
 
-/// Writes a new file, brings it to the disk, reads it again and compares. An older file at `path`
-/// is removed first. On failure nothing is left there, and FileError says what to do.
-void write_verified(std::filesystem::path const& path, std::span<std::byte const> content);
+/// Writes a new file, content and then tail, brings it to the disk, reads it again and compares. An
+/// older file at `path` is removed first. On failure nothing is left there, and FileError says what to
+/// do.
+void write_verified(std::filesystem::path const& path, std::span<std::byte const> content,
+                    std::span<std::byte const> tail = {});
 
 /// rename(2) inside one folder; throws FileError.
 void rename_file(std::filesystem::path const& from, std::filesystem::path const& to);

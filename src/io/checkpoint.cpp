@@ -51,12 +51,15 @@ std::string place_of(std::size_t system, std::size_t systems) {
   return systems == 1 ? "" : fmt::format("/replicas/{}", system);
 }
 
-void put_system(Hdf5Writer& file, SystemCheckpoint const& system, std::string const& at,
+void put_system(Hdf5Writer& file, SystemCheckpoint system, std::string const& at,
                 double wall_seconds) {
-  put_states(file, {&system.state, 1}, at);
+  std::vector<State> state;
+  state.push_back(std::move(system.state));
+  auto const count = state.front().count();
+  put_states(file, std::move(state), at);
 
   file.group(at + "/list");
-  file.dataset(at + "/list/position", flat(system.list_position), {system.state.count(), 2},
+  file.dataset(at + "/list/position", flat(std::exchange(system.list_position, {})), {count, 2},
                {{"unit", "d_s"}});
   file.attribute(at + "/list", "step", system.list_step);
   file.attribute(at + "/list", "builds", system.list_builds);
@@ -125,15 +128,8 @@ SystemCheckpoint get_system(Hdf5Reader const& file, std::string const& at) {
   return system;
 }
 
-}  // namespace
-
-std::int64_t Checkpoint::steps() const {
-  std::int64_t sum = 0;
-  for (auto const& system : systems) sum += system.step;
-  return sum;
-}
-
-std::vector<std::byte> checkpoint_image(Checkpoint checkpoint) {
+/// The file without its seal.
+Hdf5Writer checkpoint_file(Checkpoint checkpoint) {
   Hdf5Writer file(Hashed::yes);
   auto const count = checkpoint.systems.size();
   file.attribute("/", "format", "bagnold-checkpoint");
@@ -144,10 +140,22 @@ std::vector<std::byte> checkpoint_image(Checkpoint checkpoint) {
   for (std::size_t r = 0; r < count; ++r) {
     auto const at = place_of(r, count);
     if (!at.empty()) file.group(at);
-    put_system(file, checkpoint.systems[r], at, checkpoint.wall_seconds);
-    checkpoint.systems[r] = {};
+    put_system(file, std::move(checkpoint.systems[r]), at, checkpoint.wall_seconds);
   }
-  auto image = file.image();
+  return file;
+}
+
+}  // namespace
+
+std::int64_t Checkpoint::steps() const {
+  std::int64_t sum = 0;
+  for (auto const& system : systems) sum += system.step;
+  return sum;
+}
+
+std::vector<std::byte> checkpoint_image(Checkpoint checkpoint) {
+  auto const file = checkpoint_file(std::move(checkpoint));
+  std::vector<std::byte> image(file.content().begin(), file.content().end());
   add_seal(image);
   return image;
 }
@@ -175,9 +183,10 @@ Checkpoint parse_checkpoint(std::string const& name, std::vector<std::byte> imag
 }
 
 void write_checkpoint(std::filesystem::path const& folder, Checkpoint checkpoint) {
-  auto const image = checkpoint_image(std::move(checkpoint));
+  auto const file = checkpoint_file(std::move(checkpoint));
+  auto const seal = seal_of(file.content());
   adopt_whole_temporary(folder);
-  write_verified(temporary_of(newest_of(folder)), image);
+  write_verified(temporary_of(newest_of(folder)), file.content(), std::as_bytes(std::span(seal)));
   take_names(folder);
 }
 

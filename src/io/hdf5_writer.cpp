@@ -147,15 +147,13 @@ void Hdf5Writer::attribute(std::string const& path, std::string const& name, Val
   }
 }
 
-std::vector<std::byte> Hdf5Writer::image() const {
+std::span<std::byte const> Hdf5Writer::content() const {
   require(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL) >= 0, "the image");
   auto const size = H5Fget_file_image(file_.get(), nullptr, 0);
-  require(size > 0, "the image");
-  std::vector<std::byte> bytes;
-  bytes.reserve(static_cast<std::size_t>(size) + seal_bytes);  // or a seal would double the room
-  bytes.resize(static_cast<std::size_t>(size));
-  require(H5Fget_file_image(file_.get(), bytes.data(), bytes.size()) == size, "the image");
-  return bytes;
+  void** memory = nullptr;
+  require(size > 0 && H5Fget_vfd_handle(file_.get(), H5P_DEFAULT, reinterpret_cast<void**>(&memory)) >= 0,
+          "the image");
+  return {static_cast<std::byte const*>(*memory), static_cast<std::size_t>(size)};
 }
 
 }  // namespace bagnold::io

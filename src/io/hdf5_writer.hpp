@@ -48,8 +48,8 @@ class Hdf5Writer {
   void texts(std::string const& path, std::span<std::string const> values);
   void attribute(std::string const& path, std::string const& name, Value const& value);
 
-  /// The file as it would be on the disk.
-  std::vector<std::byte> image() const;
+  /// The file as it would be on the disk: HDF5's own memory, while this lives and nothing is added.
+  std::span<std::byte const> content() const;
 
  private:
   void write(std::string const& path, hid_t type, Handle space, std::span<std::byte const> raw,

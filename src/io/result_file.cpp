@@ -56,7 +56,7 @@ void write_result(std::filesystem::path const& path, Result const& result) {
   put_all(file, "/histograms", result.histograms);
   put_all(file, "/profiles", result.profiles);
   put_all(file, "/samples", result.samples);
-  replace_file(path, file.image());
+  replace_file(path, file.content());
 }
 
 }  // namespace bagnold::io

@@ -16,11 +16,11 @@ std::string seal_of(std::size_t size, std::string const& hash) {
   return fmt::format("\nbagnold-seal {:>20} xxh3 {:>23}\n", size, hash);
 }
 
+}  // namespace
+
 std::string seal_of(std::span<std::byte const> content) {
   return seal_of(content.size(), xxh3_hex(content));
 }
-
-}  // namespace
 
 void add_seal(std::vector<std::byte>& content) {
   auto const seal = seal_of(content);

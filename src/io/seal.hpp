@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,10 @@ namespace bagnold::io {
 
 inline constexpr std::size_t seal_bytes = 64;
 
-/// Appends the seal.
+/// What belongs behind a content.
+std::string seal_of(std::span<std::byte const> content);
+
+/// Appends it.
 void add_seal(std::vector<std::byte>& content);
 
 /// Takes the seal off a sealed content. Returns an empty text, or why the seal is not true (the

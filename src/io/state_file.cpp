@@ -58,13 +58,16 @@ class StateCheck {
 
 namespace {
 
-/// One field of all states, end to end.
+/// One field of all states, end to end, taken out of them.
 template <class Row>
-std::vector<Row> joined(std::span<State const> states, std::vector<Row> State::*field) {
+std::vector<Row> taken(std::span<State> states, std::vector<Row> State::*field) {
+  if (states.size() == 1) return std::exchange(states.front().*field, {});
   std::vector<Row> all;
   all.reserve(states.size() * (states.front().*field).size());
-  for (State const& state : states)
-    all.insert(all.end(), (state.*field).begin(), (state.*field).end());
+  for (State& state : states) {
+    auto const of_state = std::exchange(state.*field, {});
+    all.insert(all.end(), of_state.begin(), of_state.end());
+  }
   return all;
 }
 
@@ -91,8 +94,8 @@ bool same_clock(State const& a, State const& b) {
 
 }  // namespace
 
-void put_states(Hdf5Writer& file, std::span<State const> states, std::string const& at) {
-  for (State const& state : states.subspan(1))
+void put_states(Hdf5Writer& file, std::vector<State> states, std::string const& at) {
+  for (State const& state : std::span(states).subspan(1))
     if (!same_clock(state, states.front()))
       throw std::logic_error("states of one file must have box, offset, time and rate in common");
   Shape shape{states.front().count()};  // [N], or [R][N]
@@ -101,13 +104,14 @@ void put_states(Hdf5Writer& file, std::span<State const> states, std::string con
   rows.push_back(2);
   auto const group = at + "/state";
   file.group(group);
-  file.dataset(group + "/position", flat(joined(states, &State::position)), rows,
+  bool const spins = !states.front().spin.empty();
+  file.dataset(group + "/position", flat(taken(states, &State::position)), rows,
                {{"unit", "d_s"}});
-  file.dataset(group + "/velocity", flat(joined(states, &State::velocity)), rows,
+  file.dataset(group + "/velocity", flat(taken(states, &State::velocity)), rows,
                {{"unit", "d_s/tau_e"}, {"frame", "laboratory"}});
-  if (!states.front().spin.empty())
-    file.dataset(group + "/spin", joined(states, &State::spin), shape, {{"unit", "1/tau_e"}});
-  file.dataset(group + "/diameter", joined(states, &State::diameter), shape, {{"unit", "d_s"}});
+  if (spins)
+    file.dataset(group + "/spin", taken(states, &State::spin), shape, {{"unit", "1/tau_e"}});
+  file.dataset(group + "/diameter", taken(states, &State::diameter), shape, {{"unit", "d_s"}});
   State const& state = states.front();
   file.attribute(group, "box_length", state.box_length);
   file.attribute(group, "offset", state.offset);
@@ -163,10 +167,10 @@ std::vector<State> read_states(std::filesystem::path const& path,
   return states;
 }
 
-void write_states(std::filesystem::path const& path, std::span<State const> states) {
+void write_states(std::filesystem::path const& path, std::vector<State> states) {
   Hdf5Writer file;
-  put_states(file, states);
-  replace_file(path, file.image());
+  put_states(file, std::move(states));
+  replace_file(path, file.content());
 }
 
 }  // namespace bagnold::io

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -25,12 +24,12 @@ std::vector<State> read_states(std::filesystem::path const& path,
 
 /// Replaces the file as a whole: R states of equal N, box, offset, time and rate, with a leading
 /// axis R where there are several. FileError where it cannot be written. The states are not
-/// checked: one that went wrong is written to be looked at.
-void write_states(std::filesystem::path const& path, std::span<State const> states);
+/// checked: one that went wrong is written to be looked at. Each array is freed when it is in the file.
+void write_states(std::filesystem::path const& path, std::vector<State> states);
 
 /// The group `state` in the group `at` ("": the root), as state files and checkpoints hold it.
 /// Throws std::logic_error for states that cannot share a file.
-void put_states(Hdf5Writer& file, std::span<State const> states, std::string const& at = "");
+void put_states(Hdf5Writer& file, std::vector<State> states, std::string const& at = "");
 
 /// Its inverse, bit for bit; checks types and shapes but no value.
 std::vector<State> get_states(Hdf5Reader const& file, std::string const& at = "",

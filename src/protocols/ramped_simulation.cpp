@@ -7,12 +7,12 @@
 
 namespace bagnold {
 
-RampedSimulation::RampedSimulation(Ramp const& ramp, Make make, Snapshot snapshot)
+RampedSimulation::RampedSimulation(Ramp const& ramp, Make make, Snapshot&& snapshot)
     : ramp_(ramp), make_(std::move(make)), initial_offset_(snapshot.initial_offset) {
   // past the end there is no piece: a finished run is still that of its last one
   auto const piece = ramp_.piece(std::min(snapshot.step, ramp_.steps() - 1));
   snapshot.initial_offset = offset_of(piece, snapshot.state.box_length);
-  piece_ = make_(piece.rate, snapshot);
+  piece_ = make_(piece.rate, std::move(snapshot));
 }
 
 /// What the offset at step 0 would have been, had all steps been at this piece's rate: a simulation
@@ -50,7 +50,7 @@ void RampedSimulation::next_piece() {
   snapshot.initial_offset = offset_of(next, snapshot.state.box_length);
   snapshot.initial_time = before.initial_time;
   snapshot.list_builds = before.list_builds;
-  piece_ = make_(next.rate, snapshot);
+  piece_ = make_(next.rate, std::move(snapshot));
 }
 
 Snapshot RampedSimulation::snapshot() const {

@@ -15,11 +15,11 @@ namespace bagnold {
 class RampedSimulation final : public Simulation {
  public:
   /// A simulation at one rate, [1/tau_e]. Its steps are those of the whole ramp.
-  using Make = std::function<std::unique_ptr<Simulation>(double strain_rate, Snapshot const&)>;
+  using Make = std::function<std::unique_ptr<Simulation>(double strain_rate, Snapshot&&)>;
 
   /// `snapshot`: as snapshot() gives it, or the first one of a state whose velocities belong to the
   /// rate of the first piece.
-  RampedSimulation(Ramp const& ramp, Make make, Snapshot snapshot);
+  RampedSimulation(Ramp const& ramp, Make make, Snapshot&& snapshot);
 
   int columns() const override { return piece_->columns(); }
   std::int64_t step() const override { return piece_->step(); }
@@ -27,6 +27,7 @@ class RampedSimulation final : public Simulation {
 
   /// Of the piece, but initial_offset is that at step 0 of the ramp.
   Snapshot snapshot() const override;
+  void make_room() override { piece_->make_room(); }
   State state() const override { return piece_->state(); }
 
  private:

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "kernels/blocks/prune.hpp"
+#include "kernels/blocks/wavefront.hpp"
 #include "kernels/dynamics/dense_step.hpp"
 #include "kernels/dynamics/two_stage_dense_step.hpp"
 #include "kernels/neighbors/verlet_list.hpp"
@@ -37,26 +38,28 @@ class BlockEngine final : public Simulation {
   using Law = typename Step::Law;
   using Repulsion = typename Step::Repulsion;
   static constexpr bool rotates = Law::rotates;
-  static constexpr std::uint32_t block_size = 1024;
 
   BlockEngine(std::unique_ptr<BlockLoop> loop, Stepping stepping, Law law, SpeciesTable table,
-              double strain_rate, double time_step, double skin, Snapshot const& snapshot)
+              double strain_rate, double time_step, double skin, Snapshot& snapshot)
       : loop_(std::move(loop)), stepping_(stepping), clock_{strain_rate, time_step, snapshot.state.box_length, snapshot.initial_offset,
                snapshot.initial_time},
         skin_(skin),
         step_(snapshot.step),
         builds_(snapshot.list_builds),
-        diameter_(snapshot.state.diameter) {
+        diameter_(std::move(snapshot.state.diameter)) {
     kernels_.set_laws(law, table, time_step);
-    auto const position = vectors(snapshot.state.position);
-    auto const motion = motions<rotates>(snapshot.state);
+    auto motion = motions<rotates>(snapshot.state);
+    std::vector<std::array<double, 2>>().swap(snapshot.state.velocity);
+    std::vector<double>().swap(snapshot.state.spin);
+    auto position = vectors(std::exchange(snapshot.state.position, {}));
     if (snapshot.list_position.empty()) {
       touching_ = count();  // not known yet: many
-      build(position, motion);
+      build(std::move(position), std::move(motion));
       in_windows_ = stepping == Stepping::windowed;
     } else {
       list_step_ = snapshot.list_step;
-      arrange(vectors(snapshot.list_position), position, motion);
+      auto const listed = vectors(std::exchange(snapshot.list_position, {}));
+      arrange(std::move(position), std::move(motion), &listed);
       fastest_ = fastest();
       auto engine = snapshot.engine;
       for_each_memory([&](char const* name, auto& value) {
@@ -70,6 +73,7 @@ class BlockEngine final : public Simulation {
   std::int64_t step() const override { return step_; }
 
   void advance(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) override {
+    if (kernels_.trial.record.extent(0) == 0) take_room();
     for (auto const end = std::min(step_ + steps, sampling.last_step); step_ < end;) {
       if (in_windows_)
         advance_window(sampling, windows);
@@ -97,10 +101,16 @@ class BlockEngine final : public Simulation {
     return s;
   }
 
+  void make_room() override {
+    kernels_.trial = {};
+    for (auto& near : kernels_.blocks.near) near = {};
+  }
+
   State state() const override { return in_box(raw_state()); }
 
  private:
   static constexpr bool two_stage = Step::scheme == Scheme::two_stage_leapfrog;
+  static constexpr bool trial_spins = rotates && !two_stage;  ///< with two stages they are in the records
   static constexpr int looks = two_stage ? 1 : 2;  ///< at all near pairs, in a step
   using Dense = std::conditional_t<two_stage, TwoStageDenseStep<Law, Repulsion>, DenseStep<Law, Repulsion>>;
   using Force = typename Step::Force;
@@ -146,20 +156,23 @@ class BlockEngine final : public Simulation {
     visit("touching_in_windows", windowed_.counters.touching);
   }
 
-  /// body(b, force) for every block.
-  template <class Body>
-  void for_blocks(Body const& body) {
-    loop_->with_scratch<Force>(kernels_.blocks.count, kernels_.blocks.most_local, body);
-  }
-
   void step_once(Sampling const& sampling, OpenWindows& windows) {
     keep_lists();
-    begin_step();
-    if (sampling.sampled(step_)) windows.add(sampling.window(step_), measure().value, 1);
-    if (windows.contacts)
+    bool const sampled = sampling.sampled(step_);
+    if (windows.contacts) {  // they are looked for in all blocks, between the halves of the step
+      first_half(0, kernels_.blocks.count);
       watch_.look(*loop_, kernels_, box_at(step_), step_, sampling, windows);
-    end_step();
-    ++steps_one_by_one_;
+      second_half(0, kernels_.blocks.count, sampled);
+    } else {
+      Wavefront::Stage from{0, 0};
+      for (auto const& to : wavefront_.stages) {
+        first_half(from.first_half, to.first_half);
+        second_half(from.second_half, to.second_half, sampled);
+        from = to;
+      }
+    }
+    if (sampled) windows.add(sampling.window(step_), sums().value, 1);
+    count_step();
   }
 
   void advance_step(Sampling const& sampling, OpenWindows& windows) {
@@ -254,32 +267,47 @@ class BlockEngine final : public Simulation {
       leave_windows(contacts);
   }
 
-  /// First half: changes what is not seen from outside.
-  void begin_step() {
+  /// The first half of the step for some blocks, in the order of the wavefront: changes what is not seen
+  /// from outside.
+  void first_half(std::uint32_t begin, std::uint32_t end) {
     auto const box = box_at(step_);
-    for_blocks([&](std::uint32_t b, Force* force) {
+    loop_->with_scratch<Force>(end - begin, kernels_.blocks.most_local, [&](std::uint32_t k, Force* force) {
+      auto const b = wavefront_.first_half[begin + k];
       reports_(b) = dense_ ? dense_step_.predict(kernels_, b, box, force)
                            : kernels_.predict(b, box, force);
     });
   }
 
-  void end_step() {
+  /// The second half, and before it the sums of the configuration where the step began.
+  void second_half(std::uint32_t begin, std::uint32_t end, bool sampled) {
+    if (begin == end) return;
     auto const next_box = box_at(step_ + 1);
-    auto const& blocks = kernels_.blocks;
-    if (!dense_) {
-      for_blocks([&](std::uint32_t b, Force* force) {
-        reports_(b) += kernels_.correct(b, next_box, force, [](auto&&...) {});
+    auto const most_local = kernels_.blocks.most_local;
+    auto const of_block = [&](std::uint32_t k, Force* force, auto const& correct) {
+      auto const b = wavefront_.second_half[begin + k];
+      if (sampled) sums_(b) = measure_block(kernels_, b, clock_.strain_rate, force);
+      reports_(b) += correct(b);
+    };
+    if (!dense_)
+      loop_->with_scratch<Force>(end - begin, most_local, [&](std::uint32_t k, Force* force) {
+        of_block(k, force, [&](std::uint32_t b) {
+          return kernels_.correct(b, next_box, force, [](auto&&...) {});
+        });
       });
-    } else {
-      loop_->with_scratch<DenseScratch>(
-          blocks.count, blocks.most_local, [&](std::uint32_t b, DenseScratch* scratch) {
-            auto* const moved = reinterpret_cast<simd::Record*>(scratch);
-            auto* const force = reinterpret_cast<Force*>(moved + blocks.most_local);
-            reports_(b) += dense_step_.correct(kernels_, b, next_box, force, moved);
-          });
-      ++steps_dense_;
-    }
+    else
+      loop_->with_scratch<DenseScratch>(end - begin, most_local, [&](std::uint32_t k, DenseScratch* scratch) {
+        auto* const moved = reinterpret_cast<simd::Record*>(scratch);
+        auto* const force = reinterpret_cast<Force*>(moved + most_local);
+        of_block(k, force, [&](std::uint32_t b) {
+          return dense_step_.correct(kernels_, b, next_box, force, moved);
+        });
+      });
+  }
+
+  void count_step() {
     ++step_;
+    ++steps_one_by_one_;
+    steps_dense_ += dense_;
     Real fastest2 = 0, overlap = 0, poison = 0;
     std::uint64_t touching = 0;
     for (std::uint32_t b = 0; b < kernels_.blocks.count; ++b) {
@@ -319,12 +347,17 @@ class BlockEngine final : public Simulation {
   void keep_lists() {
     if (!holds_next(list_step_, outer_drift_, skin_)) {
       outer_drift_ = farthest();
-      if (!holds_next(list_step_, 1.25 * outer_drift_, skin_)) rebuild();
+      if (!holds_next(list_step_, 1.25 * outer_drift_, skin_)) {
+        rebuild();
+        if (!holds_next(list_step_, outer_drift_, skin_))
+          failure::too_fast(clock_, step_, fastest_disk(), fastest_ * clock_.time_step, skin_);
+      }
     }
     if (!holds_next(inner_.step, inner_.drift, inner_.margin)) prune();
   }
 
   void rebuild() {
+    make_room();
     std::vector<Vec2<Real>> position(count());
     std::vector<Motion<rotates>> motion(count());
     for (std::size_t i = 0; i < count(); ++i) {
@@ -342,43 +375,31 @@ class BlockEngine final : public Simulation {
     list_step_ = step_;
     auto const box = box_at(step_);
     for (std::size_t i = 0; i < count(); ++i) wrap(box, position[i], motion[i].velocity.x);
-    arrange(position, position, motion);
+    arrange(std::move(position), std::move(motion));
     ++builds_;
     outer_drift_ = 0;
     fastest_ = fastest();
-    if (!holds_next(list_step_, outer_drift_, skin_))
-      failure::too_fast(clock_, step_, fastest_disk(), fastest_ * clock_.time_step, skin_);
     prune();
   }
 
-  /// Blocks and lists from `at_build`, filled with the disks as they are now; all in the order of the
-  /// start.
-  void arrange(std::vector<Vec2<Real>> const& at_build, std::vector<Vec2<Real>> const& position,
-               std::vector<Motion<rotates>> const& motion) {
+  /// Blocks and lists of disks at `listed`, by default where they are now, filled with the disks as they
+  /// are now; all in the order of the start.
+  void arrange(std::vector<Vec2<Real>> position, std::vector<Motion<rotates>> motion,
+               std::vector<Vec2<Real>> const* listed = nullptr) {
+    auto const& at_build = listed != nullptr ? *listed : position;
     kernels_.blocks = {};  // all is in the arguments: room for the search
     kernels_.now = kernels_.trial = {};
     kernels_.species = {};
     at_build_ = {};
     auto const species = species_of(diameter_);
     kernels_.blocks =
-        loop_->build(at_build, species, kernels_.table, box_at(list_step_), skin_, block_size);
-    if constexpr (Step::lists_contacts) kernels_.blocks.make_room(contact_list, "dynamics::contacts");
+        loop_->build(at_build, species, kernels_.table, box_at(list_step_), skin_, block_size(count()));
     auto const& blocks = kernels_.blocks;
     auto const slots = blocks.slots;
     kernels_.species = loop_->zeros<Species>("state::species", slots);
     kernels_.now.record = loop_->zeros<simd::Record>("state::record", slots);
-    kernels_.trial.record = loop_->zeros<simd::Record>("dynamics::trial_record", slots);
-    if constexpr (rotates) {
-      kernels_.now.spin = loop_->zeros<double>("state::spin", slots);
-      kernels_.trial.spin = loop_->zeros<double>("dynamics::trial_spin", slots);
-    }
+    if constexpr (rotates) kernels_.now.spin = loop_->zeros<double>("state::spin", slots);
     at_build_ = loop_->zeros<Vec2<Real>>("neighbors::at_build", slots);
-    reports_ = loop_->zeros<BlockReport>("dynamics::reports", blocks.count);
-    sums_ = loop_->zeros<Sums<rotates>>("observables::block_sums", blocks.count);
-    windowed_.rearranged();
-    watch_.rearranged();
-
-    for (std::uint32_t b = 0; b < blocks.count; ++b) make_inert(blocks.block(b));
     for (std::size_t i = 0; i < count(); ++i) {
       auto const slot = blocks.slot_of(i);
       kernels_.species(slot) = species[i];
@@ -387,16 +408,55 @@ class BlockEngine final : public Simulation {
       at_build_(slot) = at_build[i];
       if constexpr (rotates) kernels_.now.spin(slot) = motion[i].spin;
     }
+    std::vector<Vec2<Real>>().swap(position);
+    std::vector<Motion<rotates>>().swap(motion);
+
+    make_trial();
+    reports_ = loop_->zeros<BlockReport>("dynamics::reports", blocks.count);
+    sums_ = loop_->zeros<Sums<rotates>>("observables::block_sums", blocks.count);
+    wavefront_ = Wavefront(blocks, at_build_, blocks_at_once());
+    windowed_.rearranged();
+    watch_.rearranged();
   }
 
-  /// The slots behind the own disks: at rest, far from everything and from each other.
+  /// The trial state, and the slots in both states behind the own disks: at rest, far from everything and
+  /// from each other.
+  void make_trial() {
+    auto const& blocks = kernels_.blocks;
+    if constexpr (Step::lists_contacts) kernels_.blocks.make_room(contact_list, "dynamics::contacts");
+    kernels_.trial.record = loop_->zeros<simd::Record>("dynamics::trial_record", blocks.slots);
+    if constexpr (trial_spins) kernels_.trial.spin = loop_->zeros<double>("dynamics::trial_spin", blocks.slots);
+    for (std::uint32_t b = 0; b < blocks.count; ++b) make_inert(blocks.block(b));
+  }
+
+  /// What make_room gave back.
+  void take_room() {
+    kernels_.blocks.make_room(inner_list, "blocks::inner");
+    make_trial();
+    fill_inner();
+  }
+
+  /// Of large blocks less is halo; of at least 32 no thread is long without one.
+  static std::uint32_t block_size(std::size_t disks) {
+    return static_cast<std::uint32_t>(std::clamp<std::size_t>(disks / 32, 1024, 3072));
+  }
+
+  /// A row of blocks, or what keeps the threads busy; all where they fit into cache.
+  std::uint32_t blocks_at_once() const {
+    auto const count = kernels_.blocks.count;
+    if (!kernels_.blocks.beyond_cache()) return count;
+    return std::max(static_cast<std::uint32_t>(std::sqrt(count)),
+                    4 * static_cast<std::uint32_t>(loop_->threads()));
+  }
+
   void make_inert(Block const& block) {
     for (auto i = block.own; i < block.padded; ++i) {
       auto const slot = block.first + i;
       Real const far = 1e3 * clock_.box_length * (i - block.own + 1);
       kernels_.now.record(slot) = kernels_.trial.record(slot) = {far, 0, 0, 0};
       kernels_.species(slot) = 0;
-      if constexpr (rotates) kernels_.now.spin(slot) = kernels_.trial.spin(slot) = 0;
+      if constexpr (rotates) kernels_.now.spin(slot) = 0;
+      if constexpr (trial_spins) kernels_.trial.spin(slot) = 0;
       at_build_(slot) = {far, 0};
     }
   }
@@ -505,11 +565,7 @@ class BlockEngine final : public Simulation {
     return largest;
   }
 
-  Sums<rotates> measure() {
-    auto const box = box_at(step_);
-    for_blocks([&](std::uint32_t b, Force* force) {
-      sums_(b) = measure_block(kernels_, b, box, force);
-    });
+  Sums<rotates> sums() const {
     Sums<rotates> total;
     for (std::uint32_t b = 0; b < kernels_.blocks.count; ++b)
       for (int c = 0; c < columns(); ++c) total.value[c] += sums_(b).value[c];
@@ -588,6 +644,7 @@ class BlockEngine final : public Simulation {
 
   Step kernels_;
   Dense dense_step_;
+  Wavefront wavefront_;
   Blocks::Array<Vec2<Real>> at_build_;
   Blocks::Array<BlockReport> reports_;
   Blocks::Array<Sums<rotates>> sums_;

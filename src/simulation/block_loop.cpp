@@ -12,6 +12,8 @@ namespace {
 template <class Space>
 class LoopOn final : public BlockLoop {
  public:
+  int threads() const override { return tokens_.size(); }
+
   Blocks build(std::vector<Vec2<Real>> const& position, std::vector<Species> const& species,
                SpeciesTable const& table, ShearedBox const& box, Real skin,
                std::uint32_t size) override {

@@ -38,7 +38,7 @@ class BlockLoop {
   /// replicas cannot.
   template <class T>
   Blocks::Array<T> zeros(char const* label, std::size_t size) {
-    Blocks::Array<T> array(Kokkos::view_alloc(Kokkos::WithoutInitializing, std::string(label)), size);
+    auto const array = Blocks::room<T>(label, size);
     std::size_t const bytes = size * sizeof(T), piece = std::size_t{1} << 20;
     auto* const begin = reinterpret_cast<std::byte*>(array.data());
     (*this)(static_cast<std::uint32_t>((bytes + piece - 1) / piece), [=](std::uint32_t k) {
@@ -46,6 +46,9 @@ class BlockLoop {
     });
     return array;
   }
+
+  /// That run at once.
+  virtual int threads() const = 0;
 
   /// As in kernels/blocks/build_blocks.hpp. position: [N], in the box, [d_s].
   virtual Blocks build(std::vector<Vec2<Real>> const& position, std::vector<Species> const& species,

@@ -4,7 +4,7 @@
 
 namespace bagnold {
 
-template std::unique_ptr<Simulation> make_for_law<General>(Scene const&, Snapshot const&,
+template std::unique_ptr<Simulation> make_for_law<General>(Scene const&, Snapshot&,
                                                          std::string const&);
 template std::shared_ptr<Ensemble> make_together_for_law<General>(Scene const&,
                                                             std::vector<Snapshot> const&,

@@ -14,10 +14,11 @@
 
 namespace bagnold {
 
-/// The simulation of a scene under one law; nullptr if the build has no such backend. Each law is
-/// instantiated in a source file of its own, src/simulation/law_*.cpp.
+/// The simulation of a scene under one law; nullptr if the build has no such backend. An engine
+/// that needs room takes the snapshot's arrays, if it does not throw. Each law is instantiated in a source
+/// file of its own, src/simulation/law_*.cpp.
 template <ContactLaw Law>
-std::unique_ptr<Simulation> make_for_law(Scene const& scene, Snapshot const& snapshot,
+std::unique_ptr<Simulation> make_for_law(Scene const& scene, Snapshot& snapshot,
                                          std::string const& backend);
 
 namespace detail {
@@ -48,7 +49,7 @@ std::unique_ptr<Simulation> make_engine(std::tuple<Spaces...> const*, std::strin
 }  // namespace detail
 
 template <ContactLaw Law>
-std::unique_ptr<Simulation> make_for_law(Scene const& scene, Snapshot const& snapshot,
+std::unique_ptr<Simulation> make_for_law(Scene const& scene, Snapshot& snapshot,
                                          std::string const& backend) {
   auto const make = [&]<class Engine>(std::type_identity<Engine>, auto&&... more) {
     return std::unique_ptr<Simulation>(std::make_unique<Engine>(

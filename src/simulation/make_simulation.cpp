@@ -13,7 +13,7 @@
 namespace bagnold {
 
 template <ContactLaw Law>
-std::unique_ptr<Simulation> make_for_law(Scene const&, Snapshot const&, std::string const&);
+std::unique_ptr<Simulation> make_for_law(Scene const&, Snapshot&, std::string const&);
 
 template <ContactLaw Law>
 std::shared_ptr<Ensemble> make_together_for_law(Scene const&, std::vector<Snapshot> const&,
@@ -23,7 +23,7 @@ namespace {
 
 template <class... L>
 std::unique_ptr<Simulation> make_any(std::tuple<L...> const*, Scene const& scene,
-                                     Snapshot const& snapshot, std::string const& backend) {
+                                     Snapshot& snapshot, std::string const& backend) {
   std::unique_ptr<Simulation> made;
   ((scene.disks.model == L::name ? void(made = make_for_law<L>(scene, snapshot, backend)) : void()),
    ...);
@@ -70,6 +70,11 @@ bool is_device_backend(std::string const& backend) {
 }
 
 std::unique_ptr<Simulation> make_simulation(Scene const& scene, Snapshot const& snapshot,
+                                            std::string const& backend) {
+  return make_simulation(scene, Snapshot(snapshot), backend);
+}
+
+std::unique_ptr<Simulation> make_simulation(Scene const& scene, Snapshot&& snapshot,
                                             std::string const& backend) {
   auto const chosen = backend.empty() ? backend_names().front() : backend;
   if (is_device_backend(chosen) && suits_ensembles(scene) &&

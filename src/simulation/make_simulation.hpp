@@ -11,7 +11,10 @@
 namespace bagnold {
 
 /// The simulation of a scene from a snapshot, on a backend by its name; "" takes the first of the
-/// build's. Throws InputError where the build does not have it.
+/// build's. Throws InputError where the build does not have it. A snapshot that may be moved from is
+/// left as it was where this throws.
+std::unique_ptr<Simulation> make_simulation(Scene const& scene, Snapshot&& snapshot,
+                                            std::string const& backend);
 std::unique_ptr<Simulation> make_simulation(Scene const& scene, Snapshot const& snapshot,
                                             std::string const& backend);
 

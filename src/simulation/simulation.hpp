@@ -25,6 +25,10 @@ class Simulation {
 
   virtual Snapshot snapshot() const = 0;
 
+  /// Gives back what the next step can make anew, so that a snapshot or a state has room beside it.
+  /// Changes no bit.
+  virtual void make_room() {}
+
   /// The state with all disks taken into the box.
   virtual State state() const = 0;
 };

@@ -337,7 +337,7 @@ class WindowedSteps {
             auto report = step.predict(b, box, force);
             if (sample < times_.size() && s == times_.step(sample)) {
               auto& sums = sums_[units_[first_unit + b].sums + times_.bin(sample)];
-              auto const here = measure_block(step, b, box, force);
+              auto const here = measure_block(step, b, clock.strain_rate, force);
               for (int c = 0; c < Sums<rotates>::columns; ++c) sums.value[c] += here.value[c];
               if (contacts_)
                 contacts_.sample(step.blocks, b, step.now.record.data(), first_unit + b,

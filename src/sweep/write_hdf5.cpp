@@ -50,7 +50,7 @@ void write_hdf5(std::filesystem::path const& path, Sweep const& sweep, Results c
     file.dataset("/observables/" + column.name, column.mean, {points});
     file.dataset("/observables/" + column.name + "_error", column.error, {points});
   }
-  io::replace_file(path, file.image());
+  io::replace_file(path, file.content());
 }
 
 }  // namespace bagnold::sweep

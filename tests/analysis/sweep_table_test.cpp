@@ -33,7 +33,7 @@ class SweepTableFile : public testing::Test {
   SweepTable table(std::function<void(io::Hdf5Writer&)> const& put) {
     io::Hdf5Writer file;
     put(file);
-    io::replace_file(folder_ / "sweep.h5", file.image());
+    io::replace_file(folder_ / "sweep.h5", file.content());
     return read_sweep_table(folder_.path());
   }
 
@@ -50,7 +50,7 @@ class SweepTableFile : public testing::Test {
   void refuses_changed(std::function<void(hid_t)> const& change, std::string const& reason) {
     io::Hdf5Writer file;
     put_good(file);
-    io::replace_file(folder_ / "sweep.h5", file.image());
+    io::replace_file(folder_ / "sweep.h5", file.content());
     hid_t const open = H5Fopen((folder_ / "sweep.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
     change(open);
     H5Fclose(open);

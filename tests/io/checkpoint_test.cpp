@@ -69,7 +69,7 @@ TEST(Checkpoint, ImpossibleNumbersOfReplicasAreRefused) {
     file.attribute("/", "schema", std::int64_t{5});
     file.attribute("/", "replicas", replicas);
     file.text("/scene", "");
-    auto image = file.image();
+    auto image = bytes_of(file.content());
     add_seal(image);
     EXPECT_THROW(parse_checkpoint("x", image), InputError) << replicas;
   }

@@ -35,6 +35,9 @@ class TestFolder {
   std::filesystem::path path_;
 };
 
+inline std::vector<std::byte> bytes_of(std::span<std::byte const> bytes) {
+  return {bytes.begin(), bytes.end()};
+}
 inline std::vector<std::byte> bytes_of(std::string_view text) {
   auto const raw = std::as_bytes(std::span(text));
   return {raw.begin(), raw.end()};

@@ -7,6 +7,7 @@
 #include "src/config/errors.hpp"
 #include "src/io/hdf5_reader.hpp"
 #include "tests/io/equal.hpp"
+#include "tests/io/folder.hpp"
 
 namespace bagnold::io {
 namespace {
@@ -30,7 +31,7 @@ std::vector<std::byte> sample(Hashed hashed) {
   file.text("/g/empty", "");
   file.attribute("/", "name", "shear");
   file.attribute("/", "zero", -0.0);
-  return file.image();
+  return bytes_of(file.content());
 }
 
 TEST(Hdf5, RoundTripKeepsEveryBit) {
@@ -84,12 +85,12 @@ TEST(Hdf5, FilesOpenAtOnceKeepApart) {
   auto const image_of = [](double value) {
     Hdf5Writer file;
     file.dataset("/d", std::vector{value}, {1});
-    return file.image();
+    return bytes_of(file.content());
   };
   Hdf5Writer writer;
   writer.dataset("/d", std::vector{3.0}, {1});
   Hdf5Reader const one("one.h5", image_of(1.0)), two("two.h5", image_of(2.0));
-  Hdf5Reader const three("three.h5", writer.image());
+  Hdf5Reader const three("three.h5", bytes_of(writer.content()));
   EXPECT_EQ(two.doubles("/d", {1}), std::vector{2.0});
   EXPECT_EQ(one.doubles("/d", {1}), std::vector{1.0});
   EXPECT_EQ(three.doubles("/d", {1}), std::vector{3.0});

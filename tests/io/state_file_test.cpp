@@ -20,20 +20,20 @@ TEST(StateFile, RoundTripKeepsEveryBit) {
   auto state = some_state(10);
   state.position[3][1] = -0.0;
   state.velocity[2][0] = 5e-324;
-  write_states(folder / "state.h5", {&state, 1});
+  write_states(folder / "state.h5", {state});
   EXPECT_TRUE(same(read_states(folder / "state.h5"), {state}));
   EXPECT_TRUE(same(read_states(folder / "state.h5", 10), {state}));
 
   state.spin.clear();
   state.strain_rate.reset();
-  write_states(folder / "state.h5", {&state, 1});
+  write_states(folder / "state.h5", {state});
   EXPECT_TRUE(same(read_states(folder / "state.h5"), {state}));
 }
 
 TEST(StateFile, AMillionDisks) {
   TestFolder folder;
   auto const state = some_state(1'000'000);
-  write_states(folder / "state.h5", {&state, 1});
+  write_states(folder / "state.h5", {state});
   EXPECT_TRUE(same(read_states(folder / "state.h5"), {state}));
 }
 
@@ -90,7 +90,7 @@ TEST(StateFile, ImpossibleValuesAreRefusedByName) {
   auto const refused = [&](std::function<void(State&)> spoil, std::string const& part) {
     auto state = some_state(4);
     spoil(state);
-    write_states(folder / "s.h5", {&state, 1});
+    write_states(folder / "s.h5", {state});
     try {
       read_states(folder / "s.h5");
     } catch (InputError const& error) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tests/support/simulations.hpp"
+#include "tests/support/contacts.hpp"
 
 namespace bagnold::test {
 
@@ -56,7 +56,10 @@ TEST_P(Bits, DoNotDependOnSamplingOrOnHowAdvancesAreCut) {
     Sampling sampling{200, 7, 500};
     OpenWindows a, b;
     straight->advance(500, sampling, a);
-    for (std::int64_t steps : {1, 2, 13, 84, 100, 300}) pieces->advance(steps, sampling, b);
+    for (std::int64_t steps : {1, 2, 13, 84, 100, 300}) {
+      pieces->advance(steps, sampling, b);
+      pieces->make_room();
+    }
     advance(*silent, 500);
     expect_equal(straight->state(), pieces->state());
     expect_equal(straight->state(), silent->state());
@@ -139,5 +142,50 @@ TEST_P(DenseBits, AreThoseOfContactRichSteps) {
 
 INSTANTIATE_TEST_SUITE_P(All, DenseBits, testing::ValuesIn(law_names()),
                          [](auto const& info) { return info.param; });
+
+/// Disks on a square lattice, shaken, small and big ones by turns: many touch.
+State shaken_lattice(Scene const& scene) {
+  State state;
+  auto const side = std::lround(std::sqrt(static_cast<double>(scene.disks.count)));
+  state.box_length = scene.box_length();
+  state.offset = state.box_length / 3;
+  state.strain_rate = scene.shear.strain_rate;
+  double const spacing = state.box_length / static_cast<double>(side);
+  for (long k = 0; k < side * side; ++k) {
+    double const t = static_cast<double>(k);
+    double const y = spacing * (static_cast<double>(k / side) + 0.5 + 0.02 * std::cos(78.233 * t));
+    state.position.push_back({spacing * (static_cast<double>(k % side) + 0.5 + 0.02 * std::sin(12.9898 * t)), y});
+    state.velocity.push_back({scene.shear.strain_rate * y + 0.02 * std::sin(4.1 * t), 0.1 + 0.02 * std::cos(5.3 * t)});
+    state.spin.push_back(0.02 * std::sin(2.7 * t));
+    state.diameter.push_back((k + k / side) % 3 == 0 ? small_diameter : big_diameter);
+  }
+  return state;
+}
+
+/// Systems that do not fit into cache go through both halves of a step block by block. Where contacts are
+/// recorded all blocks go through the first half before any goes through the second.
+TEST(LargeBits, DependNeitherOnTheOrderOfBlocksNorOnTheBackend) {
+  Scene scene = small_scene("CD_rot", 0.65, 320 * 320);
+  scene.integration.skin = 0.35;
+  State const state = shaken_lattice(scene);
+  for (auto const engine : {"contact-rich", "dense"})
+    for (auto const scheme : {papers_scheme, two_stage_scheme}) {
+      SCOPED_TRACE(std::string(engine) + ", " + std::string(scheme));
+      scene.integration.engine = engine;
+      scene.integration.scheme = scheme;
+      auto const whole = simulate(scene, state, backend_names().front());
+      Sampling sampling{1000, 4, whole->step() + 12};
+      Watched at_once(*whole, state.count());
+      whole->advance(12, sampling, at_once.windows);
+      auto sums = at_once.windows.take_first().sums;
+      EXPECT_GT(sums.at(SumColumns::contacts), 1e5);
+      sums.resize(static_cast<std::size_t>(whole->columns()));  // without those of contacts
+      for (auto const& backend : backend_names()) {
+        auto const in_rows = simulate(scene, state, backend);
+        EXPECT_EQ(advance(*in_rows, 12, 4).sums, sums);
+        Bits::expect_equal(in_rows->state(), whole->state());
+      }
+    }
+}
 
 }  // namespace bagnold::test
