@@ -31,12 +31,12 @@ Scene scene_of(double packing_fraction, double ramp_rate) {
 }
 
 RampedSimulation simulate(Scene const& scene, Snapshot const& from) {
-  auto const make = [scene](double rate, Snapshot const& snapshot) {
+  auto const make = [scene](double rate, Snapshot&& snapshot) {
     Scene at_rate = scene;
     at_rate.shear.strain_rate = rate;
-    return make_simulation(at_rate, snapshot, "");
+    return make_simulation(at_rate, std::move(snapshot), "");
   };
-  return {make_ramp(scene), make, from};
+  return {make_ramp(scene), make, Snapshot(from)};
 }
 
 /// Far apart on a square lattice, with the mean flow of the lowest rate.
