@@ -9,6 +9,7 @@
 
 #include "src/measure/contacts.hpp"
 #include "src/measure/make_frames.hpp"
+#include "src/simulation/ensemble_engine.hpp"
 #include "tests/support/heap.hpp"
 #include "tests/support/simulations.hpp"
 
@@ -55,8 +56,22 @@ State start_of(Scene scene) {
   return state;
 }
 
+std::unique_ptr<Simulation> alone(Scene const& scene, State const& state) {
+  return simulate(scene, state, backend_names().front());
+}
+
+/// The only system of an ensemble under CD.
+template <Scheme stepped>
+std::unique_ptr<Simulation> in_an_ensemble(Scene const& scene, State const& state) {
+  using Space = std::tuple_element_t<0, Backends>;
+  auto members = members_of(std::make_shared<EnsembleEngine<CD, HarmonicRepulsion, Space, stepped>>(
+      make_law<CD>(scene.disks), make_species_table(scene.mass_by_area()), scene.shear.strain_rate,
+      time_step(scene), scene.integration.skin, std::vector{first_snapshot(state)}));
+  return std::move(members.front());
+}
+
 /// What a simulation holds after some steps of which one is evaluated.
-Allocated held(Scene const& scene, bool contacts = false) {
+Allocated held(Scene const& scene, bool contacts = false, decltype(alone)* make = alone) {
   State const state = start_of(scene);
   using namespace Kokkos::Tools::Experimental;
   views.clear();
@@ -65,7 +80,7 @@ Allocated held(Scene const& scene, bool contacts = false) {
   auto const before = heap_bytes();
   Allocated result;
   {
-    auto const simulation = simulate(scene, state, backend_names().front());
+    auto const simulation = make(scene, state);
     OpenWindows windows;
     Frames frames;
     if (contacts)
@@ -168,6 +183,22 @@ TEST(Allocations, ArraysOfAWayOfSteppingAreOnlyThere) {
       EXPECT_EQ(found.contains("dynamics::trial_position"), engine == "reference");
       EXPECT_EQ(found.contains("dynamics::trial_record"), engine != "reference");
     }
+}
+
+/// Two stages keep how many contacts a disk has and a table of shares, the papers' scheme does not.
+TEST(Allocations, AStepKeepsWhatItsSchemeUses) {
+  Scene papers = scene_of("CD", "reference"), two_stages = papers;
+  two_stages.integration.scheme = two_stage_scheme;
+  std::set<std::string> const of_papers{"dynamics::trial_position", "dynamics::trial_motion"};
+  std::set<std::string> of_two_stages = of_papers;
+  of_two_stages.insert({"dynamics::contacts", "dynamics::second_look"});
+  auto const found = [](Scene const& scene, decltype(alone)* make) {
+    return labels(held(scene, false, make).views, "dynamics::");
+  };
+  EXPECT_EQ(found(papers, alone), of_papers);
+  EXPECT_EQ(found(two_stages, alone), of_two_stages);
+  EXPECT_EQ(found(papers, in_an_ensemble<Scheme::modified_velocity_verlet>), of_papers);
+  EXPECT_EQ(found(two_stages, in_an_ensemble<Scheme::two_stage_leapfrog>), of_two_stages);
 }
 
 /// Off the Views an engine keeps the diameters that files want, 8 bytes a disk; room by slot for
