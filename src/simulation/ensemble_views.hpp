@@ -15,13 +15,14 @@ using SystemTable = Kokkos::View<T**, Kokkos::LayoutRight, Space>;
 
 /// One system's part of a table; it does not keep the table alive.
 template <class T, class Space>
-KOKKOS_FUNCTION Kokkos::View<T*, Space> part(SystemTable<T, Space> const& table, std::size_t system) {
+KOKKOS_FUNCTION Kokkos::View<T*, Space> part(SystemTable<T, Space> const& table,
+                                             std::size_t system) {
   return Kokkos::View<T*, Space>(table.data() + system * table.extent(1), table.extent(1));
 }
 
 /// What a step keeps of one system's disks beside trial positions and motions: nothing, or with two
-/// stages how many contacts each has. There the trial Views hold the next positions and what the first
-/// look changes.
+/// stages how many contacts each has. There the trial Views hold the next positions and what the
+/// first look changes.
 template <Scheme, class Space>
 struct StepViews {};
 

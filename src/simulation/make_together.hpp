@@ -27,8 +27,8 @@ std::shared_ptr<Ensemble> make_together_on(Scene const& scene,
   };
   auto const make_with = [&]<class Repulsion>(Repulsion) {
     if (scheme_of(scene) == two_stage_scheme)
-      return make(std::type_identity<
-                  EnsembleEngine<Law, Repulsion, Space, Scheme::two_stage_leapfrog>>{});
+      return make(
+          std::type_identity<EnsembleEngine<Law, Repulsion, Space, Scheme::two_stage_leapfrog>>{});
     return make(std::type_identity<
                 EnsembleEngine<Law, Repulsion, Space, Scheme::modified_velocity_verlet>>{});
   };

@@ -80,9 +80,7 @@ class SystemRun {
             rules_.table, box,    rules_.law,     Repulsion{}};
   }
 
-  KOKKOS_FUNCTION Forces forces_now() const {
-    return forces(box_, views_.position, views_.motion);
-  }
+  KOKKOS_FUNCTION Forces forces_now() const { return forces(box_, views_.position, views_.motion); }
 
   KOKKOS_FUNCTION ChangeForces<Law, Repulsion, Space> change_forces() const {
     return {forces_now(), views_.trial_motion, views_.step.contacts, views_.step.shares};
