@@ -53,7 +53,7 @@ struct ChangeForces {
   ContactForces<Law, Repulsion, Space> forces;  ///< at t
   Kokkos::View<Motion<rotates> const*, Space> change;
   Kokkos::View<int const*, Space> contacts;
-  SecondLook shares;
+  Kokkos::View<SecondLook const*, Space> shares;  ///< [1]: looked up by index, so in memory
 
   KOKKOS_FUNCTION ContactForces<Law, Repulsion, Space> const& now() const { return forces; }
 
@@ -81,15 +81,16 @@ struct ChangeForces {
       contact.normal = inverse * separation;
       contact.relative_overlap = 1 - distance2 * inverse * inverse_distance;
       contact.inverse_distance = inverse_distance;
-      contact.velocity = looked_at<Law>(changed, contact.normal, shares.normal[c][n],
-                                        shares.tangential[c][n]);
+      SecondLook const& share = shares(0);
+      contact.velocity = looked_at<Law>(changed, contact.normal, share.normal[c][n],
+                                        share.tangential[c][n]);
       PairForce<Real> pair{separation, forces.repulsion.magnitude(contact) * contact.normal,
                            forces.law.dissipative_force(contact), contact.relative_overlap, {}};
       total.force += pair.dissipative;
       if constexpr (rotates) total.torque += diameter_i * pair.turn(inverse_distance);
       pair.velocity = at_contact + Real(0.5) * (changed + own_change<Law>(pair, inverse_distance,
-                                                                          shares.per_force[c],
-                                                                          shares.per_turn[c]));
+                                                                          share.per_force[c],
+                                                                          share.per_turn[c]));
       contact.velocity = contact.velocity + at_contact;
       pair.dissipative = forces.law.dissipative_force(contact);
       observe(pair);

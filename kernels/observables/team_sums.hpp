@@ -8,21 +8,21 @@ namespace bagnold {
 
 /// The sums of one system by a team: a disk a thread, then added column by column in the order of
 /// MeasureBlock, so the bits are the same.
-template <ContactLaw Law, class Repulsion, class Space>
+template <class Forces, class Space>
 struct TeamSums {
-  using Row = Kokkos::View<Sums<Law::rotates>*, Space>;
+  using Row = Kokkos::View<Sums<Forces::rotates>*, Space>;
 
-  ContactForces<Law, Repulsion, Space> forces;
+  Forces forces;
   Row of_disk;   ///< [N], for the team's use
   Row of_block;  ///< [ceil(N / measured_block)], likewise
 
   template <class Team>
-  KOKKOS_FUNCTION void operator()(Team const& members, Sums<Law::rotates>& total) const {
-    constexpr std::int32_t columns = Sums<Law::rotates>::columns;
+  KOKKOS_FUNCTION void operator()(Team const& members, Sums<Forces::rotates>& total) const {
+    constexpr std::int32_t columns = Sums<Forces::rotates>::columns;
     auto const count = static_cast<std::int32_t>(of_disk.extent(0));
     auto const blocks = static_cast<std::int32_t>(of_block.extent(0));
     team::for_all(members, count, [this](std::int32_t i) {
-      of_disk(i) = MeasureDisk<ContactForces<Law, Repulsion, Space>>{forces}(static_cast<std::uint32_t>(i));
+      of_disk(i) = MeasureDisk<Forces>{forces}(static_cast<std::uint32_t>(i));
     });
     team::for_all(members, blocks * columns, [&](std::int32_t k) {
       std::int32_t const block = k / columns, column = k % columns;

@@ -11,19 +11,19 @@ namespace {
 constexpr double standard_errors = 2;
 constexpr double never = 1e300;
 
-Measured ratio(AtTwoRates const& x) {
+WithError ratio(AtTwoRates const& x) {
   double const value = x.half.value / x.whole.value;
   return {value,
           std::abs(value) * std::hypot(x.half.error / x.half.value, x.whole.error / x.whole.value)};
 }
 
 /// x = log2(whole / half), for the rate falls by two.
-Measured exponent(AtTwoRates const& x) {
-  Measured const r = ratio(x);
+WithError exponent(AtTwoRates const& x) {
+  WithError const r = ratio(x);
   return {-std::log2(r.value), r.error / std::abs(r.value) / std::log(2.0)};
 }
 
-Verdict verdict_of(Measured const& ratio, double tolerance) {
+Verdict verdict_of(WithError const& ratio, double tolerance) {
   double const off = std::abs(ratio.value - 1), spread = standard_errors * ratio.error;
   if (off + spread <= tolerance) return Verdict::holds;
   if (off - spread > tolerance) return Verdict::fails;
@@ -31,7 +31,7 @@ Verdict verdict_of(Measured const& ratio, double tolerance) {
 }
 
 /// Errors fall as the root of the strain.
-double longer_for(Measured const& ratio, double tolerance) {
+double longer_for(WithError const& ratio, double tolerance) {
   double const room = std::abs(tolerance - std::abs(ratio.value - 1));
   double const longer = std::pow(standard_errors * ratio.error / room, 2);
   return std::isfinite(longer) ? std::max(1.0, longer) : never;
@@ -41,7 +41,7 @@ Limit limit_of(std::string const& name, std::vector<std::string> const& quantiti
                std::map<std::string, AtTwoRates> const& found, double tolerance) {
   Limit limit{name, {}, Verdict::holds, 1};
   for (auto const& quantity : quantities) {
-    Measured const r = ratio(found.at(quantity));
+    WithError const r = ratio(found.at(quantity));
     limit.ratios[quantity] = r;
     Verdict const one = verdict_of(r, tolerance);
     if (one == Verdict::undecided) limit.longer = std::max(limit.longer, longer_for(r, tolerance));

@@ -9,14 +9,14 @@
 namespace bagnold::analysis {
 
 /// A number with one standard deviation; infinite where it is not known.
-struct Measured {
+struct WithError {
   double value = 0;
   double error = 0;
 };
 
 /// A quantity at a strain rate and at half of it.
 struct AtTwoRates {
-  Measured whole, half;
+  WithError whole, half;
 };
 
 enum class Verdict { holds, fails, undecided };
@@ -27,7 +27,7 @@ std::string_view word(Verdict verdict);
 /// (P1 Fig. 1), those of P2 Eq. (20), eta_p and eta_sigma, in Newton's (P2 Sec. III A).
 struct Limit {
   std::string name;                        ///< "Bagnold" or "Newton"
-  std::map<std::string, Measured> ratios;  ///< by quantity: at half the rate over at the rate
+  std::map<std::string, WithError> ratios;  ///< by quantity: at half the rate over at the rate
   Verdict verdict = Verdict::undecided;
   double longer =
       1;  ///< where undecided: how many times the strain would decide; 1e300: none known
@@ -35,7 +35,7 @@ struct Limit {
 
 struct RateLimit {
   std::vector<Limit> limits;  ///< Bagnold, Newton
-  std::map<std::string, Measured>
+  std::map<std::string, WithError>
       exponents;  ///< x of p ~ gammadot^x and sigma ~ gammadot^x; 2: Bagnold
 
   /// "Bagnold" or "Newton", the limit that holds; "neither" where both fail; "undecided".

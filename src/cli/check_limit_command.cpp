@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using analysis::AtTwoRates;
-using analysis::Measured;
+using analysis::WithError;
 using Json = nlohmann::ordered_json;
 
 sweep::Sweep both_rates(Scene const& scene, RunOptions const& options) {
@@ -42,7 +42,7 @@ Json summary_of(fs::path const& point) {
   return Json::parse(text, text + bytes.size());
 }
 
-Measured measured(Json const& summary, std::string const& name) {
+WithError measured(Json const& summary, std::string const& name) {
   Json const& one = summary.at("observables").at(name);
   auto const number = [](Json const& json, double none) {
     return json.is_number() ? json.get<double>() : none;
@@ -50,7 +50,7 @@ Measured measured(Json const& summary, std::string const& name) {
   return {number(one.at("mean"), std::nan("")), number(one.at("error"), INFINITY)};
 }
 
-Json json_of(Measured const& one) {
+Json json_of(WithError const& one) {
   auto const number = [](double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); };
   return {{"value", number(one.value)}, {"error", number(one.error)}};
 }
@@ -69,7 +69,7 @@ Json json_of(analysis::RateLimit const& found, double rate, double tolerance) {
   return json;
 }
 
-std::string text_of(Measured const& one) {
+std::string text_of(WithError const& one) {
   if (!std::isfinite(one.value)) return "undefined";
   if (!std::isfinite(one.error)) return fmt::format("{:.4g} (no error)", one.value);
   return fmt::format("{:.4g} +- {:.1g}", one.value, one.error);

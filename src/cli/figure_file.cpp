@@ -4,11 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <sstream>
 
 #include "src/config/errors.hpp"
 #include "src/config/nearest_word.hpp"
-#include "src/config/toml_table.hpp"
 #include "src/config/toml_text.hpp"
 
 namespace bagnold {
@@ -60,9 +58,7 @@ std::pair<std::string, int> order(std::string const& name) {
 }  // namespace
 
 FigureFile::FigureFile(fs::path const& file) : file_(file) {
-  std::ostringstream text;
-  text << toml::json_formatter(parse_toml(read_text(file), file.string()));
-  figures_ = json::parse(text.str());
+  figures_ = json::parse(toml_as_json(read_text(file), file.string()));
 }
 
 std::vector<std::string> FigureFile::names() const {

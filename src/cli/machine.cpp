@@ -50,6 +50,11 @@ Machine choose(Machine machine, Scene const& scene) {
   if (!machine.backend.empty() && !has(machine.backend))
     throw InputError(fmt::format("--backend {}: not in this build (has: {})", machine.backend,
                                  fmt::join(backend_names(), ", ")));
+  if (auto const why = why_no_start(); !why.empty())
+    throw InputError(fmt::format(
+        "no CUDA device ({}): this build needs one, also for --backend serial; run it where "
+        "nvidia-smi lists one, or build without CUDA (cmake --preset openmp)",
+        why));
   if (scene.disks.replicas > 1) return choose_for_replicas(machine, scene);
   if (machine.threads == 0)
     machine.threads =

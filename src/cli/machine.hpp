@@ -18,7 +18,7 @@ struct Machine {
 /// far as there are cores (fewer wait for each other more than they work); one thread runs on
 /// Serial. Replicas: one a thread on Serial, as many threads as there are cores; on a device all at
 /// once, where threads only relax their starts. Throws InputError for a backend that the build does
-/// not have or that cannot run replicas.
+/// not have or that cannot run replicas, and where Kokkos cannot start.
 Machine choose(Machine machine, Scene const& scene);
 
 /// Kokkos, running. Replicas bring their own threads, each a system's only one.

@@ -6,8 +6,10 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <sstream>
 
 #include "src/config/errors.hpp"
+#include "src/config/toml_table.hpp"
 
 namespace bagnold {
 
@@ -27,6 +29,12 @@ std::string read_text(std::filesystem::path const& file) {
   if (text.size() > most)
     throw InputError(fmt::format("{}: over 1 MiB; a scene file is a few lines", file.string()));
   return text;
+}
+
+std::string toml_as_json(std::string_view text, std::string const& origin) {
+  std::ostringstream json;
+  json << toml::json_formatter(parse_toml(text, origin));
+  return json.str();
 }
 
 namespace {

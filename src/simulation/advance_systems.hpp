@@ -8,14 +8,14 @@ namespace bagnold {
 /// Many systems in one launch, a team a system. Positions, which a disk reads of all its
 /// neighbours, lie in team scratch where they fit; velocities are read in contacts only and stay in
 /// memory.
-template <ContactLaw Law, class Repulsion, class Space>
+template <ContactLaw Law, class Repulsion, class Space, Scheme Stepped>
 struct AdvanceSystems {
   /// A team of 512 leaves each of its threads 128 registers, of which it uses most.
   using Policy = Kokkos::TeamPolicy<Space, Kokkos::LaunchBounds<512, 1>>;
-  using Run = SystemRun<Law, Repulsion, Space>;
+  using Run = SystemRun<Law, Repulsion, Space, Stepped>;
   using Team = typename Run::Team;
 
-  EnsembleViews<Law::rotates, Space> views;
+  EnsembleViews<Law::rotates, Space, Stepped> views;
   Kokkos::View<SystemConstants*, Space> constants;  ///< [S]
   Kokkos::View<SystemProgress*, Space> progress;    ///< [S]
   EnsembleRules<Law> rules;
@@ -41,8 +41,9 @@ struct AdvanceSystems {
     }
     Run run(team, rules, constants(s), work, progress(s));
     run.advance(end, sampling);
-    team::for_all(team, in_scratch ? count : 0,
-                  [&](std::int32_t i) { home.position(i) = work.position(i); });
+    auto const reached = run.position();
+    team::for_all(team, reached.data() == home.position.data() ? 0 : count,
+                  [&](std::int32_t i) { home.position(i) = reached(i); });
     Kokkos::single(Kokkos::PerTeam(team), [&] { progress(s) = run.progress(); });
   }
 };

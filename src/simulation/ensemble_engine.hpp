@@ -16,7 +16,7 @@ namespace bagnold {
 /// Many small systems, stepped by launches that hold the time loop, lists and samples included: the
 /// host is needed where a launch ends, where its room for samples is used up, or a list has
 /// outgrown its own. The bits of each are those of ReferenceEngine on the same backend.
-template <ContactLaw Law, class Repulsion, class Space>
+template <ContactLaw Law, class Repulsion, class Space, Scheme Stepped>
 class EnsembleEngine final : public Ensemble {
  public:
   static constexpr bool rotates = Law::rotates;
@@ -28,6 +28,10 @@ class EnsembleEngine final : public Ensemble {
         threads_(threads),
         disks_(snapshots.front().state.count()),
         views_(snapshots.size(), disks_) {
+    if constexpr (Stepped == Scheme::two_stage_leapfrog)
+      views_.step = {SystemTable<int, Space>("dynamics::contacts", snapshots.size(), disks_),
+                     to_device<Space>("dynamics::second_look",
+                                      std::vector{SecondLook(law, table, time_step)})};
     int most_along = 0;
     for (auto const& snapshot : snapshots) {
       add(snapshot, strain_rate, time_step);
@@ -85,8 +89,8 @@ class EnsembleEngine final : public Ensemble {
   State state(std::size_t system) const override { return in_box(raw_state(system)); }
 
  private:
-  using Views = EnsembleViews<rotates, Space>;
-  using Kernel = AdvanceSystems<Law, Repulsion, Space>;
+  using Views = EnsembleViews<rotates, Space, Stepped>;
+  using Kernel = AdvanceSystems<Law, Repulsion, Space, Stepped>;
   using Wait = SystemProgress::Wait;
   using List = SystemProgress::List;
 
@@ -95,12 +99,6 @@ class EnsembleEngine final : public Ensemble {
     std::int64_t window;
     Sums<rotates> sums;
   };
-
-  template <class T>
-  static Kokkos::View<T*, Space> part(typename Views::template Table<T> const& table,
-                                      std::size_t system) {
-    return Views::part(table, static_cast<std::int32_t>(system));
-  }
 
   void add(Snapshot const& snapshot, double strain_rate, double time_step) {
     State const& state = snapshot.state;
@@ -182,7 +180,7 @@ class EnsembleEngine final : public Ensemble {
   }
 
   ContactForces<Law, Repulsion, Space> forces(std::size_t system) const {
-    auto const of = views_.of(static_cast<std::int32_t>(system));
+    auto const of = views_.of(system);
     auto const& p = progress_[system];
     Clock const& clock = constants_[system].clock;
     ShearedBox const box{clock.box_length, clock.offset(p.step, p.list_step), clock.strain_rate};

@@ -1,14 +1,55 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "kernels/dynamics/scheme.hpp"
+#include "kernels/dynamics/second_look.hpp"
 #include "kernels/neighbors/neighbor_search.hpp"
 #include "kernels/observables/sums.hpp"
 #include "src/simulation/clock.hpp"
 
 namespace bagnold {
 
+/// A value for each disk of each system: a system's part lies in one piece on every backend.
+template <class T, class Space>
+using SystemTable = Kokkos::View<T**, Kokkos::LayoutRight, Space>;
+
+/// One system's part of a table; it does not keep the table alive.
+template <class T, class Space>
+KOKKOS_FUNCTION Kokkos::View<T*, Space> part(SystemTable<T, Space> const& table,
+                                             std::size_t system) {
+  return Kokkos::View<T*, Space>(table.data() + system * table.extent(1), table.extent(1));
+}
+
+/// What a step keeps of one system's disks beside trial positions and motions: nothing, or with two
+/// stages how many contacts each has. There the trial Views hold the next positions and what the
+/// first look changes.
+template <Scheme, class Space>
+struct StepViews {};
+
+template <class Space>
+struct StepViews<Scheme::two_stage_leapfrog, Space> {
+  Kokkos::View<int*, Space> contacts;             ///< [N]
+  Kokkos::View<SecondLook const*, Space> shares;  ///< [1]
+};
+
+/// The same of many systems.
+template <Scheme Stepped, class Space>
+struct StepTables {
+  KOKKOS_FUNCTION StepViews<Stepped, Space> of(std::size_t) const { return {}; }
+};
+
+template <class Space>
+struct StepTables<Scheme::two_stage_leapfrog, Space> {
+  SystemTable<int, Space> contacts;
+  Kokkos::View<SecondLook*, Space> shares;
+
+  KOKKOS_FUNCTION StepViews<Scheme::two_stage_leapfrog, Space> of(std::size_t s) const {
+    return {part(contacts, s), Kokkos::View<SecondLook const*, Space>(shares.data(), 1)};
+  }
+};
+
 /// The Views of one system of an ensemble, as kernels for one system want them.
-template <bool Rotates, class Space>
+template <bool Rotates, class Space, Scheme Stepped>
 struct SystemViews {
   template <class T>
   using Row = Kokkos::View<T*, Space>;
@@ -20,14 +61,14 @@ struct SystemViews {
   Row<std::uint32_t> cell_first, cell_members, cell_filled;
   Row<Sums<Rotates>> disk_sums, block_sums;  ///< [N], [ceil(N / measured_block)]
   Row<Sums<Rotates>> samples;                ///< those measured since the host took them
+  StepViews<Stepped, Space> step;
 };
 
 /// What many systems of N disks consist of: Views with the system as the leading index.
-template <bool Rotates, class Space>
+template <bool Rotates, class Space, Scheme Stepped>
 struct EnsembleViews {
-  /// A system's part lies in one piece on every backend.
   template <class T>
-  using Table = Kokkos::View<T**, Kokkos::LayoutRight, Space>;
+  using Table = SystemTable<T, Space>;
 
   /// Samples that a launch can measure before the host has to take them.
   static constexpr int room_for_samples = 64;
@@ -39,6 +80,7 @@ struct EnsembleViews {
   Table<Neighbor> entries;
   Table<std::uint32_t> cell_first, cell_members, cell_filled;
   Table<Sums<Rotates>> disk_sums, block_sums, samples;
+  StepTables<Stepped, Space> step;
 
   EnsembleViews() = default;
   EnsembleViews(std::size_t systems, std::size_t disks)
@@ -69,13 +111,7 @@ struct EnsembleViews {
                               position.extent(0), most);
   }
 
-  /// One system's part of a table; it does not keep the table alive.
-  template <class T>
-  KOKKOS_FUNCTION static Kokkos::View<T*, Space> part(Table<T> const& table, std::int32_t system) {
-    return Kokkos::View<T*, Space>(table.data() + system * table.extent(1), table.extent(1));
-  }
-
-  KOKKOS_FUNCTION SystemViews<Rotates, Space> of(std::int32_t s) const {
+  KOKKOS_FUNCTION SystemViews<Rotates, Space, Stepped> of(std::size_t s) const {
     return {part(position, s),
             part(trial_position, s),
             part(at_build, s),
@@ -88,7 +124,8 @@ struct EnsembleViews {
             part(cell_filled, s),
             part(disk_sums, s),
             part(block_sums, s),
-            part(samples, s)};
+            part(samples, s),
+            step.of(s)};
   }
 };
 

@@ -5,7 +5,6 @@
 #include <fmt/ranges.h>
 
 #include "src/config/errors.hpp"
-#include "src/config/time_step.hpp"
 #include "src/simulation/backends.hpp"
 #include "src/simulation/ensemble.hpp"
 #include "src/simulation/laws.hpp"
@@ -57,8 +56,7 @@ constexpr std::int64_t most_disks_of_a_team = 1024;
 
 /// Whether nothing is asked for that members of an ensemble do not do.
 bool suits_ensembles(Scene const& scene) {
-  return scene.integration.engine != "reference" && !scene.measure.contacts &&
-         scheme_of(scene) == papers_scheme;
+  return scene.integration.engine != "reference" && !scene.measure.contacts;
 }
 
 }  // namespace
@@ -67,6 +65,15 @@ std::vector<std::string> backend_names() { return names(static_cast<Backends con
 
 bool is_device_backend(std::string const& backend) {
   return is_any_device(static_cast<Backends const*>(nullptr), backend);
+}
+
+std::string why_no_start() {
+#ifdef KOKKOS_ENABLE_CUDA
+  int devices = 0;
+  if (auto const error = cudaGetDeviceCount(&devices); error != cudaSuccess)
+    return cudaGetErrorString(error);
+#endif
+  return "";
 }
 
 std::unique_ptr<Simulation> make_simulation(Scene const& scene, Snapshot const& snapshot,

@@ -21,6 +21,10 @@ std::unique_ptr<Simulation> make_simulation(Scene const& scene, Snapshot const& 
 /// Whether a backend works in memory that the host does not reach.
 bool is_device_backend(std::string const& backend);
 
+/// Why Kokkos cannot start on this machine, "" if it can: it starts all of its backends, so one with
+/// CUDA wants a device, whichever backend is to be used.
+std::string why_no_start();
+
 /// Whether the replicas of a scene are stepped by launches that they share, as on a device they are,
 /// unless each is to be looked at on its own: its contacts, or a rate that changes.
 bool steps_together(Scene const& scene, std::string const& backend);

@@ -20,12 +20,19 @@ namespace detail {
 template <ContactLaw Law, class Space>
 std::shared_ptr<Ensemble> make_together_on(Scene const& scene,
                                            std::vector<Snapshot> const& snapshots) {
-  auto const make = [&]<class Repulsion>(Repulsion) -> std::shared_ptr<Ensemble> {
-    return std::make_shared<EnsembleEngine<Law, Repulsion, Space>>(
+  auto const make = [&]<class Engine>(std::type_identity<Engine>) -> std::shared_ptr<Ensemble> {
+    return std::make_shared<Engine>(
         make_law<Law>(scene.disks), make_species_table(scene.mass_by_area()),
         scene.shear.strain_rate, time_step(scene), scene.integration.skin, snapshots);
   };
-  return with_repulsion(scene.disks, make);
+  auto const make_with = [&]<class Repulsion>(Repulsion) {
+    if (scheme_of(scene) == two_stage_scheme)
+      return make(
+          std::type_identity<EnsembleEngine<Law, Repulsion, Space, Scheme::two_stage_leapfrog>>{});
+    return make(std::type_identity<
+                EnsembleEngine<Law, Repulsion, Space, Scheme::modified_velocity_verlet>>{});
+  };
+  return with_repulsion(scene.disks, make_with);
 }
 
 template <ContactLaw Law, class... Spaces>

@@ -42,7 +42,11 @@ class ReferenceEngine final : public Simulation {
     auto const count = state.count();
     trial_position_ = Positions("dynamics::trial_position", count);
     trial_motion_ = Motions("dynamics::trial_motion", count);
-    if constexpr (two_stage) contacts_ = Kokkos::View<int*, Space>("dynamics::contacts", count);
+    if constexpr (two_stage) {
+      contacts_ = Kokkos::View<int*, Space>("dynamics::contacts", count);
+      shares_ = to_device<Space>("dynamics::second_look",
+                                 std::vector{SecondLook(law, table, time_step)});
+    }
     block_sums_ = Kokkos::View<Sums<rotates>*, Space>("observables::block_sums", blocks());
     list_.skin = skin;
     if (snapshot.list_position.empty()) {
@@ -114,8 +118,7 @@ class ReferenceEngine final : public Simulation {
   }
 
   ChangeForces<Law, Repulsion, Space> change_forces() const {
-    return {forces_at(step_, position_, motion_), trial_motion_, contacts_,
-            SecondLook(law_, table_, clock_.time_step)};
+    return {forces_at(step_, position_, motion_), trial_motion_, contacts_, shares_};
   }
 
   void do_step() {
@@ -203,6 +206,7 @@ class ReferenceEngine final : public Simulation {
   Positions trial_position_;
   Motions trial_motion_;  ///< two-stage: what the first look changes
   Kokkos::View<int*, Space> contacts_;  ///< two-stage: of each disk
+  Kokkos::View<SecondLook*, Space> shares_;  ///< two-stage: [1]
   VerletList<Space> list_;
   Kokkos::View<Sums<rotates>*, Space> block_sums_;
 };

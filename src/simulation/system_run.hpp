@@ -4,6 +4,7 @@
 #include "kernels/core/team.hpp"
 #include "kernels/dynamics/list_renewal.hpp"
 #include "kernels/dynamics/modified_velocity_verlet.hpp"
+#include "kernels/dynamics/two_stage_leapfrog.hpp"
 #include "kernels/neighbors/team_list.hpp"
 #include "kernels/observables/team_sums.hpp"
 #include "src/simulation/ensemble_views.hpp"
@@ -14,12 +15,13 @@ namespace bagnold {
 
 /// The time loop of one system, run by the threads of a team, each with the same copy of this: the
 /// steps of ReferenceEngine with barriers where that has launches.
-template <ContactLaw Law, class Repulsion, class Space>
+template <ContactLaw Law, class Repulsion, class Space, Scheme Stepped>
 class SystemRun {
  public:
   static constexpr bool rotates = Law::rotates;
+  static constexpr bool two_stage = Stepped == Scheme::two_stage_leapfrog;
   using Team = typename Kokkos::TeamPolicy<Space>::member_type;
-  using Views = SystemViews<rotates, Space>;
+  using Views = SystemViews<rotates, Space, Stepped>;
 
   KOKKOS_FUNCTION SystemRun(Team const& team, EnsembleRules<Law> const& rules,
                             SystemConstants const& constants, Views const& views,
@@ -33,22 +35,26 @@ class SystemRun {
         box_(box_at(progress.step)) {}
 
   KOKKOS_FUNCTION SystemProgress const& progress() const { return progress_; }
+  /// Where the disks are: in the Views' positions or trial positions.
+  KOKKOS_FUNCTION Kokkos::View<Vec2<Real>*, Space> position() const { return views_.position; }
 
   /// Steps on to `end`, or to where the host is needed.
   KOKKOS_FUNCTION void advance(std::int64_t end, Sampling const& sampling) {
     keep_list();
     auto next_sample = sampling.next(progress_.step);
-    while (progress_.wait == SystemProgress::Wait::none && progress_.step < end) {
-      if (progress_.step == next_sample) {
-        if (progress_.samples == static_cast<std::int32_t>(views_.samples.extent(0))) {
-          progress_.wait = SystemProgress::Wait::for_samples;
-          return;
-        }
+    while (goes_on() && progress_.step < end) {
+      bool const sampled = progress_.step == next_sample;
+      if (sampled && progress_.samples == static_cast<std::int32_t>(views_.samples.extent(0)))
+        progress_.wait = SystemProgress::Wait::for_samples;
+      else if constexpr (two_stage)
+        look();
+      if (!goes_on()) return;
+      if (sampled) {
         measure();
         next_sample = sampling.next(next_sample + 1);
       }
       do_step();
-      if (progress_.wait == SystemProgress::Wait::none) keep_list();
+      if (goes_on()) keep_list();
     }
   }
 
@@ -57,6 +63,8 @@ class SystemRun {
   using MotionView = Kokkos::View<Motion<rotates>*, Space>;
   using Forces = ContactForces<Law, Repulsion, Space>;
   using Farthest = Kokkos::MaxLoc<Real, std::int64_t>;
+
+  KOKKOS_FUNCTION bool goes_on() const { return progress_.wait == SystemProgress::Wait::none; }
 
   KOKKOS_FUNCTION std::int32_t count() const {
     return static_cast<std::int32_t>(views_.position.extent(0));
@@ -72,21 +80,47 @@ class SystemRun {
             rules_.table, box,    rules_.law,     Repulsion{}};
   }
 
+  KOKKOS_FUNCTION Forces forces_now() const { return forces(box_, views_.position, views_.motion); }
+
+  KOKKOS_FUNCTION ChangeForces<Law, Repulsion, Space> change_forces() const {
+    return {forces_now(), views_.trial_motion, views_.step.contacts, views_.step.shares};
+  }
+
+  /// The first look of a two-stage step; the changes are in the trial motions.
+  KOKKOS_FUNCTION void look() {
+    Real failed = 0;
+    team::reduce(team_, count(),
+                 FirstLook<Law, Repulsion, Space>{forces_now(), constants_.clock.time_step,
+                                                  views_.trial_motion, views_.step.contacts},
+                 Kokkos::Max<Real>(failed));
+    if (failed > 0) progress_.wait = SystemProgress::Wait::unsound;
+  }
+
   KOKKOS_FUNCTION void do_step() {
     Real const time_step = constants_.clock.time_step;
     auto const steps = progress_.step - progress_.list_step;
     ShearedBox const next_box = box_at(progress_.step + 1);
-    team::for_all(
-        team_, count(),
-        Predict<Law, Repulsion, Space>{forces(box_, views_.position, views_.motion), time_step,
-                                       views_.trial_position, views_.trial_motion});
     Real const strain = since_.strain(steps + 1), next_strain = since_.strain(steps + 2);
     Real largest2 = 0;
-    team::reduce(team_, count(),
-                 Correct<Law, Repulsion, Space>{
-                     forces(next_box, views_.trial_position, views_.trial_motion), time_step,
-                     views_.position, views_.motion, views_.at_build, strain, next_strain},
-                 Kokkos::Max<Real>(largest2));
+    if constexpr (two_stage) {
+      team::reduce(
+          team_, count(),
+          LeapOn<Law, Repulsion, Space>{change_forces(), time_step, views_.trial_position,
+                                        views_.motion, views_.at_build, strain, next_strain},
+          Kokkos::Max<Real>(largest2));
+      Position const reached = views_.trial_position;
+      views_.trial_position = views_.position;
+      views_.position = reached;
+    } else {
+      team::for_all(team_, count(),
+                    Predict<Law, Repulsion, Space>{forces_now(), time_step, views_.trial_position,
+                                                   views_.trial_motion});
+      team::reduce(team_, count(),
+                   Correct<Law, Repulsion, Space>{
+                       forces(next_box, views_.trial_position, views_.trial_motion), time_step,
+                       views_.position, views_.motion, views_.at_build, strain, next_strain},
+                   Kokkos::Max<Real>(largest2));
+    }
     ++progress_.step;
     box_ = next_box;
     if (largest2 == Kokkos::reduction_identity<Real>::min()) {
@@ -144,9 +178,17 @@ class SystemRun {
   }
 
   KOKKOS_FUNCTION void measure() {
-    TeamSums<Law, Repulsion, Space>{forces(box_, views_.position, views_.motion), views_.disk_sums,
-                                    views_.block_sums}(team_, views_.samples(progress_.samples));
+    if constexpr (two_stage)
+      measure_with(change_forces());
+    else
+      measure_with(forces_now());
     ++progress_.samples;
+  }
+
+  template <class SomeForces>
+  KOKKOS_FUNCTION void measure_with(SomeForces const& forces) {
+    TeamSums<SomeForces, Space>{forces, views_.disk_sums, views_.block_sums}(
+        team_, views_.samples(progress_.samples));
   }
 
   Team const& team_;

@@ -15,7 +15,7 @@ std::map<std::string, AtTwoRates> power_law(double x, double relative_error) {
   for (auto const& [stress, factor] : {std::pair("p", 1.0), std::pair("sigma", mu)}) {
     auto const at = [&](double gammadot, double power, double times) {
       double const value = times * factor * std::pow(gammadot, x - power);
-      return Measured{value, relative_error * value};
+      return WithError{value, relative_error * value};
     };
     auto const both = [&](double power, double times) {
       return AtTwoRates{at(rate, power, times), at(rate / 2, power, times)};

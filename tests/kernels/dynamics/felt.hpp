@@ -61,7 +61,7 @@ struct Watch {
 };
 
 template <class Space, class Forces>
-auto feel(Forces const& forces) {
+std::vector<Felt<Forces::rotates>> feel(Forces const& forces) {
   constexpr bool rotates = Forces::rotates;
   Kokkos::View<Felt<rotates>*, Space> const felt("test::felt", forces.position.extent(0));
   Kokkos::parallel_for(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kernels/geometry/sheared_box.hpp"
 
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -136,7 +137,7 @@ TYPED_TEST(ShearedBoxOn, WrapIsIdempotentAndKeepsPairs) {
     auto const once = wrapped<TypeParam>(box, disks);
     auto const twice = wrapped<TypeParam>(box, once);
     for (std::size_t i = 0; i < disks.size(); ++i) {
-      for (double coordinate : {once[i].position.x, once[i].position.y}) {
+      for (double const coordinate : std::array{once[i].position.x, once[i].position.y}) {
         EXPECT_GE(coordinate, 0.0);
         EXPECT_LT(coordinate, length);
       }
