@@ -25,10 +25,6 @@ std::filesystem::path previous_of(std::filesystem::path const& folder) {
   return folder / "checkpoint.previous.h5";
 }
 
-Checkpoint load(std::filesystem::path const& path) {
-  return parse_checkpoint(path.string(), read_file(path));
-}
-
 /// The verified temporary becomes the newest; a newest that rotted does not take the place of the
 /// one before. After a kill between the renames there is no newest, but the temporary and the one
 /// before are whole.
@@ -128,6 +124,48 @@ SystemCheckpoint get_system(Hdf5Reader const& file, std::string const& at) {
   return system;
 }
 
+/// A file whose seal is true. Throws InputError.
+Hdf5Reader open_checkpoint(std::string const& name, std::vector<std::byte> image) {
+  if (auto const reason = remove_seal(image); !reason.empty())
+    throw InputError(fmt::format("{} {}", name, reason));
+  Hdf5Reader file(name, std::move(image), Hashed::yes);
+  if (auto const found = file.integer("/", "schema"); found != schema)
+    throw InputError(fmt::format("{}: schema = {} (must be {}): use the version that wrote it",
+                                 name, found, schema));
+  return file;
+}
+
+/// Where its systems lie.
+std::vector<std::string> places(Hdf5Reader const& file) {
+  std::int64_t const count =
+      file.has_attribute("/", "replicas") ? file.integer("/", "replicas") : 1;
+  if (count < 1)
+    throw InputError(fmt::format("{}: replicas = {} (must be at least 1): the file is damaged",
+                                 file.name(), count));
+  std::vector<std::string> all;
+  for (std::int64_t r = 0; r < count; ++r) {
+    all.push_back(place_of(static_cast<std::size_t>(r), static_cast<std::size_t>(count)));
+    if (count > 1 && !file.has(all.back())) break;  // reading it will say what is missing
+  }
+  return all;
+}
+
+Checkpoint get_checkpoint(Hdf5Reader const& file) {
+  Checkpoint checkpoint;
+  checkpoint.scene = file.text("/scene");
+  auto const all = places(file);
+  for (auto const& at : all) checkpoint.systems.push_back(get_system(file, at));
+  checkpoint.wall_seconds = file.number(all.front() + "/run", "wall_seconds");
+  return checkpoint;
+}
+
+/// As Checkpoint::steps, before its arrays are read.
+std::int64_t steps_in(Hdf5Reader const& file) {
+  std::int64_t sum = 0;
+  for (auto const& at : places(file)) sum += file.integer(at + "/run", "step");
+  return sum;
+}
+
 /// The file without its seal.
 Hdf5Writer checkpoint_file(Checkpoint checkpoint) {
   Hdf5Writer file(Hashed::yes);
@@ -161,25 +199,7 @@ std::vector<std::byte> checkpoint_image(Checkpoint checkpoint) {
 }
 
 Checkpoint parse_checkpoint(std::string const& name, std::vector<std::byte> image) {
-  if (auto const reason = remove_seal(image); !reason.empty())
-    throw InputError(fmt::format("{} {}", name, reason));
-  Hdf5Reader const file(name, std::move(image), Hashed::yes);
-  if (auto const found = file.integer("/", "schema"); found != schema)
-    throw InputError(fmt::format("{}: schema = {} (must be {}): use the version that wrote it",
-                                 name, found, schema));
-  std::int64_t const count =
-      file.has_attribute("/", "replicas") ? file.integer("/", "replicas") : 1;
-  if (count < 1)
-    throw InputError(
-        fmt::format("{}: replicas = {} (must be at least 1): the file is damaged", name, count));
-  Checkpoint checkpoint;
-  checkpoint.scene = file.text("/scene");
-  for (std::int64_t r = 0; r < count; ++r)
-    checkpoint.systems.push_back(
-        get_system(file, place_of(static_cast<std::size_t>(r), static_cast<std::size_t>(count))));
-  checkpoint.wall_seconds =
-      file.number(place_of(0, checkpoint.systems.size()) + "/run", "wall_seconds");
-  return checkpoint;
+  return get_checkpoint(open_checkpoint(name, std::move(image)));
 }
 
 void write_checkpoint(std::filesystem::path const& folder, Checkpoint checkpoint) {
@@ -198,8 +218,8 @@ std::optional<Checkpoint> newest_checkpoint(std::filesystem::path const& folder,
     std::error_code ignored;
     if (!std::filesystem::exists(path, ignored) && !ignored) continue;
     try {
-      auto found = load(path);
-      if (!best || found.steps() > best->steps()) best = std::move(found);
+      auto const file = open_checkpoint(path.string(), read_file(path));
+      if (!best || steps_in(file) > best->steps()) best = get_checkpoint(file);
     } catch (std::exception const& error) {
       if (remarks != nullptr) remarks->push_back(error.what());
     }
