@@ -30,6 +30,7 @@ int say(char const* message, ExitCode code) {
 void give_back_large_arrays() {
 #ifdef __GLIBC__
   mallopt(M_MMAP_THRESHOLD, 4 << 20);
+  mallopt(M_TRIM_THRESHOLD, 8 << 20);  // small ones need not: they are wanted again
 #endif
 }
 
