@@ -226,7 +226,7 @@ SideBySide::Wish Runner::wish() const {
 io::SystemCheckpoint Runner::checkpoint_of(std::size_t r) {
   Replica& replica = run_.replicas[r];
   io::SystemCheckpoint c;
-  simulations_[r]->make_room();
+  simulations_[r]->give_back_scratch();
   static_cast<Snapshot&>(c) = simulations_[r]->snapshot();
   replica.engine = c.engine;
   auto& [windows, open, frames] = replica.measurement;
@@ -266,7 +266,7 @@ void Runner::finish() {
   for (auto& replica : run_.replicas) replica.measurement.frames.finish();
   std::vector<State> states;
   for (auto const& simulation : simulations_) {
-    simulation->make_room();
+    simulation->give_back_scratch();
     states.push_back(simulation->state());
   }
   io::write_states(folder_.state(), std::move(states));

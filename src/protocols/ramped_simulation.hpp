@@ -27,7 +27,7 @@ class RampedSimulation final : public Simulation {
 
   /// Of the piece, but initial_offset is that at step 0 of the ramp.
   Snapshot snapshot() const override;
-  void make_room() override { piece_->make_room(); }
+  void give_back_scratch() override { piece_->give_back_scratch(); }
   State state() const override { return piece_->state(); }
 
  private:

@@ -73,7 +73,7 @@ class BlockEngine final : public Simulation {
   std::int64_t step() const override { return step_; }
 
   void advance(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) override {
-    if (kernels_.trial.record.extent(0) == 0) take_room();
+    if (kernels_.trial.record.extent(0) == 0) take_scratch();
     for (auto const end = std::min(step_ + steps, sampling.last_step); step_ < end;) {
       if (in_windows_)
         advance_window(sampling, windows);
@@ -101,7 +101,7 @@ class BlockEngine final : public Simulation {
     return s;
   }
 
-  void make_room() override {
+  void give_back_scratch() override {
     kernels_.trial = {};
     for (auto& near : kernels_.blocks.near) near = {};
   }
@@ -357,7 +357,7 @@ class BlockEngine final : public Simulation {
   }
 
   void rebuild() {
-    make_room();
+    give_back_scratch();
     std::vector<Vec2<Real>> position(count());
     std::vector<Motion<rotates>> motion(count());
     for (std::size_t i = 0; i < count(); ++i) {
@@ -429,8 +429,8 @@ class BlockEngine final : public Simulation {
     for (std::uint32_t b = 0; b < blocks.count; ++b) make_inert(blocks.block(b));
   }
 
-  /// What make_room gave back.
-  void take_room() {
+  /// What give_back_scratch gave back.
+  void take_scratch() {
     kernels_.blocks.make_room(inner_list, "blocks::inner");
     make_trial();
     fill_inner();

@@ -27,7 +27,7 @@ class Simulation {
 
   /// Gives back what the next step can make anew, so that a snapshot or a state has room beside it.
   /// Changes no bit.
-  virtual void make_room() {}
+  virtual void give_back_scratch() {}
 
   /// The state with all disks taken into the box.
   virtual State state() const = 0;

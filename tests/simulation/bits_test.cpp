@@ -58,7 +58,7 @@ TEST_P(Bits, DoNotDependOnSamplingOrOnHowAdvancesAreCut) {
     straight->advance(500, sampling, a);
     for (std::int64_t steps : {1, 2, 13, 84, 100, 300}) {
       pieces->advance(steps, sampling, b);
-      pieces->make_room();
+      pieces->give_back_scratch();
     }
     advance(*silent, 500);
     expect_equal(straight->state(), pieces->state());
