@@ -17,7 +17,7 @@ struct BlockStep : BlockSystem<Law, Repulsion, false> {
       System::time_step, System::rotates;
   static constexpr Scheme scheme = Scheme::modified_velocity_verlet;
   static constexpr bool lists_contacts = false;
-  static constexpr StepCosts costs{.in_batch = 30, .by_itself = 19, .contact = 14, .dense_below = 0.3};
+  static constexpr StepCosts costs{.by_itself = 7, .contact = 39, .dense_below = 0.3};
 
   SecondLook const* second_look() const { return nullptr; }
 

@@ -74,7 +74,6 @@ struct BlockReport {
 /// What steps of a scheme cost, by which engines choose, [cycles a disk-step]; from times of CD_n and
 /// CD_rot (0.76 to 0.78, Q = 1 and 50, rates 1e-4 and 1e-5).
 struct StepCosts {
-  Real in_batch;     ///< of a disk in a larger island of a window, its part of making and checking batches too
   Real by_itself;    ///< of a disk without contacts where all disks are stepped
   Real contact;      ///< and for each contact it has
   Real dense_below;  ///< contacts per disk below which dense steps cost less than contact-rich ones

@@ -19,7 +19,7 @@ struct TwoStageBlockStep : BlockSystem<Law, Repulsion, true> {
       System::time_step, System::rotates, System::forces;
   static constexpr Scheme scheme = Scheme::two_stage_leapfrog;
   static constexpr bool lists_contacts = true;
-  static constexpr StepCosts costs{.in_batch = 80, .by_itself = 8, .contact = 30, .dense_below = 0.6};
+  static constexpr StepCosts costs{.by_itself = 5, .contact = 33, .dense_below = 0.6};
 
   SecondLook shares;
 

@@ -114,6 +114,7 @@ class BlockEngine final : public Simulation {
   static constexpr int looks = two_stage ? 1 : 2;  ///< at all near pairs, in a step
   using Dense = std::conditional_t<two_stage, TwoStageDenseStep<Law, Repulsion>, DenseStep<Law, Repulsion>>;
   using Force = typename Step::Force;
+  using Window = typename WindowedSteps<Step>::Window;
   struct alignas(64) DenseScratch {
     std::byte bytes[sizeof(simd::Record) + sizeof(Force)];
   };
@@ -142,10 +143,8 @@ class BlockEngine final : public Simulation {
     visit("window_usual_stray", windowed_.usual);
     visit("window_allowance_steps", allowance_steps_);
     choice_.for_each_memory(visit);
-    visit("enter_windows_below", enter_below_);
-    visit("usual_contacts", usual_contacts_);
+    windows_pay_.for_each_memory(visit);
     visit("steps_one_by_one", steps_one_by_one_);
-    visit("dear_windows", dear_windows_);
     visit("windows", windowed_.counters.windows);
     visit("steps_in_windows", windowed_.counters.steps);
     visit("windows_refused", windows_refused_);
@@ -178,12 +177,8 @@ class BlockEngine final : public Simulation {
   void advance_step(Sampling const& sampling, OpenWindows& windows) {
     step_once(sampling, windows);
     if (stepping_ != Stepping::automatic || step_ % look_every != 0) return;
-    Real const contacts = contacts_per_disk();
-    usual_contacts_ = usual_contacts_ == 0 ? contacts : 0.875 * usual_contacts_ + 0.125 * contacts;
-    if (usual_contacts_ < enter_below_) {
-      in_windows_ = true;
-      dear_windows_ = 0;
-    }
+    windows_pay_.steps_done(look_every, contacts_per_disk());
+    in_windows_ = windows_pay_.enter();
   }
 
   /// Z, contacts across edges of blocks counted twice.
@@ -197,7 +192,7 @@ class BlockEngine final : public Simulation {
     auto const end = std::min((step_ / length + 1) * length, sampling.last_step);
     windowed_.cautious = choice_.cautious();
     set_allowance(length);
-    typename WindowedSteps<Step>::Window window{step_, end, list_step_, 0};
+    Window window{step_, end, list_step_, 0};
     Real farthest = farthest_at(end);
     window.most_stray = list_reach(clock_.strain_between(list_step_, end), skin_) - farthest;
     if (window.most_stray < 2 * windowed_.allowance && list_step_ != step_) {
@@ -208,11 +203,14 @@ class BlockEngine final : public Simulation {
     }
     if (!windowed_.run(*loop_, kernels_, clock_, window, sampling, windows, watch_,
                        stepping_ == Stepping::windowed ? 1 : most_active))
-      return step_through(end, sampling, windows);
+      return step_through(window, sampling, windows);
     bool const whole = end - step_ == length;
     step_ = end;
     outer_drift_ = farthest + window.strayed;
-    if (whole) count_cost(window);
+    if (whole) {
+      choice_.done(cost_of(window) / static_cast<Real>(length));
+      weigh(window, 2 * window.contacts / static_cast<Real>(count()), 0);
+    }
   }
 
   /// How far a disk may stray grows with the length of the window.
@@ -228,43 +226,42 @@ class BlockEngine final : public Simulation {
     allowance_steps_ = length;
   }
 
-  /// A window that cannot be done as one.
-  void step_through(std::int64_t end, Sampling const& sampling, OpenWindows& windows) {
+  /// Steps through a window that cannot be done as one.
+  void step_through(Window const& window, Sampling const& sampling, OpenWindows& windows) {
     ++windows_refused_;
     windowed_.allowance /= 2;
     fastest_ = fastest();
     outer_drift_ = farthest();
     prune();
-    while (step_ < end) step_once(sampling, windows);
-    if (!choice_.refused()) leave_windows(contacts_per_disk());
+    while (step_ < window.end) step_once(sampling, windows);
+    choice_.refused();
+    weigh(window, contacts_per_disk(), cost_one_by_one(contacts_per_disk()));
   }
 
-  void leave_windows(Real contacts) {
+  /// Whether windows go on, after one that was done (then `stepped_through` is 0), or was tried in vain
+  /// and stepped through for so many cycles a disk-step.
+  void weigh(Window const& window, Real contacts, Real stepped_through) {
     if (stepping_ != Stepping::automatic) return;
+    auto const steps = static_cast<Real>(window.end - window.begin);
+    windows_pay_.window_done(steps, contacts, cost_of(window) + steps * stepped_through,
+                             steps * cost_one_by_one(contacts));
+    if (!windows_pay_.leave()) return;
+    windows_pay_.left();
     in_windows_ = false;
     fastest_ = fastest();
     prune();
-    enter_below_ = 0.7 * contacts;
-    usual_contacts_ = contacts;
   }
 
-  /// A window costs a look at every outer pair and every disk, a fixed price for each binary island, and
-  /// steps of the disks in larger islands, done again or not.
-  template <class Window>
-  void count_cost(Window const& window) {
-    constexpr Real pair_cost = 2.5, disk_cost = 12, binary_cost = 1500;  // cycles
-    constexpr Real batch_step_cost = 700;                                 // however few disks are in it
-    constexpr StepCosts costs = Step::costs;
+  /// [cycles a disk].
+  Real cost_of(Window const& window) const {
     auto const disks = static_cast<Real>(count());
-    auto const length = static_cast<Real>(window.end - window.begin);
-    auto const pairs = static_cast<Real>(kernels_.blocks.outer.extent(0));
-    Real const cost = (pair_cost * pairs + disk_cost * disks + binary_cost * window.binary) / length +
-                      costs.in_batch * window.others +
-                      batch_step_cost * std::min<Real>(1, window.others);
-    choice_.done(cost);
-    Real const contacts = 2 * window.touching / disks;
-    if (cost > disks * (costs.by_itself + costs.contact * contacts) && ++dear_windows_ >= 64)
-      leave_windows(contacts);
+    return window.work.cost(static_cast<Real>(window.end - window.begin), disks,
+                            static_cast<Real>(kernels_.blocks.outer.extent(0))) / disks;
+  }
+
+  /// [cycles a disk-step].
+  static Real cost_one_by_one(Real contacts) {
+    return Step::costs.by_itself + Step::costs.contact * contacts;
   }
 
   /// The first half of the step for some blocks, in the order of the wavefront: changes what is not seen
@@ -657,9 +654,7 @@ class BlockEngine final : public Simulation {
   bool in_windows_ = false;
   WindowChoice choice_;
   std::int64_t allowance_steps_ = 0;  ///< length of the windows that the allowance is for
-  std::int64_t dear_windows_ = 0;     ///< that cost more than to step all disks
-  Real enter_below_ = 0.3;   ///< contacts per disk
-  Real usual_contacts_ = 0;  ///< running mean of contacts per disk, step by step; 0: not known yet
+  WindowsPay windows_pay_;
   std::int64_t steps_one_by_one_ = 0;
   std::int64_t windows_refused_ = 0;
   std::int64_t pairs_evaluated_ = 0;

@@ -33,16 +33,14 @@ class WindowChoice {
     next();
   }
 
-  /// A window could not be done. Whether there is a shorter one.
-  bool refused() {
+  /// A window could not be done: shorter ones, if there are.
+  void refused() {
     bool const tried = trying() != 0;
     phase_ += period - phase_ % period;  // no more of that
     trial_cost_ = 0;
-    if (tried) return true;
-    if (best_level_ == shortest) return false;
+    if (tried || best_level_ == shortest) return;
     --best_level_;
     cost_ = 0;
-    return true;
   }
 
   /// What must be kept to go on as before.

@@ -10,6 +10,7 @@
 #include "src/simulation/block_loop.hpp"
 #include "src/simulation/clock.hpp"
 #include "src/simulation/sampling.hpp"
+#include "src/simulation/window_costs.hpp"
 #include "src/simulation/window_contacts.hpp"
 
 namespace bagnold {
@@ -41,10 +42,8 @@ class WindowedSteps {
     std::int64_t list_step;   ///< of the outer list
     Real most_stray;          ///< that the outer list allows, [d_s]
     Real strayed = 0;         ///< out: the farthest stray, [d_s]
-    Real binary = 0;          ///< out: islands of two disks
-    Real others = 0;          ///< out: disks in larger islands, repetitions included
-    Real touching = 0;        ///< out: pairs, mean over steps
-    Real touching_others = 0; ///< out: of these, those in larger islands
+    Real contacts = 0;        ///< out: pairs touching, mean over steps
+    WindowWork work = {};     ///< out
   };
 
   Counters counters;
@@ -75,8 +74,8 @@ class WindowedSteps {
       finder_.find(todo_, islands_);
       if (!islands_.unfolds) return false;
       sort_islands();
-      window.others += static_cast<Real>(larger_.disks.size());
-      if (window.others > most) return false;
+      window.work.others += static_cast<Real>(larger_.disks.size());
+      if (window.work.others > most) return false;
       if (!do_binary(loop, all, clock, start, window)) return false;
       if (!do_larger(loop, all, clock, start, window)) return false;
       window.strayed = farthest_stray();
@@ -104,7 +103,7 @@ class WindowedSteps {
     std::size_t sums;                  ///< its first in sums_
     bool batch;
     bool alive = true;  ///< false: done again with more pairs
-    Real touching = 0;
+    Real touching = 0;   ///< pairs in a batch, mean over steps
   };
   struct Result {
     std::uint32_t slot, unit;
@@ -259,11 +258,11 @@ class WindowedSteps {
     });
     for (auto const& outcome : lane_outcome_) {
       if (outcome.bad) return false;
-      window.touching += static_cast<Real>(outcome.touching) /
+      window.contacts += static_cast<Real>(outcome.touching) /
                          static_cast<Real>(window.end - window.begin);
-      counters.binary_steps += outcome.steps;
+      window.work.binary_steps += static_cast<Real>(outcome.steps);
     }
-    window.binary += pairs;
+    window.work.binary += pairs;
     return true;
   }
 
@@ -352,13 +351,14 @@ class WindowedSteps {
                               report.largest_overlap > largest_relative_overlap;
           }
         });
-    for (auto const& outcome : outcome_) {
-      if (outcome.bad) return false;
-      Real const touching = static_cast<Real>(outcome.touching) /
-                            static_cast<Real>(window.end - window.begin);
-      window.touching += touching;
-      window.touching_others += touching;
+    for (std::uint32_t b = 0; b < count; ++b) {
+      if (outcome_[b].bad) return false;
+      Real& touching = units_[first_unit + b].touching;
+      touching = static_cast<Real>(outcome_[b].touching) /
+                 static_cast<Real>(window.end - window.begin);
+      window.work.touching += touching;
     }
+    window.work.batches += count;
     for (std::size_t d = 0; d < larger_.disks.size(); ++d) {
       auto const from = batches_.slot_of[d];
       auto& result = results_[result_of_[larger_.disks[d].slot]];
@@ -545,13 +545,16 @@ class WindowedSteps {
     usual = std::min(usual, allowance);
   }
 
-  void count(Window const& window) {
+  void count(Window& window) {
     auto const steps = window.end - window.begin;
+    for (auto const& unit : units_)
+      if (unit.alive) window.contacts += unit.touching;
     ++counters.windows;
     counters.steps += steps;
-    counters.binary += static_cast<std::int64_t>(window.binary);
-    counters.others += static_cast<std::int64_t>(window.others);
-    counters.touching += std::llround(window.touching * static_cast<Real>(steps));
+    counters.binary += static_cast<std::int64_t>(window.work.binary);
+    counters.binary_steps += static_cast<std::int64_t>(window.work.binary_steps);
+    counters.others += static_cast<std::int64_t>(window.work.others);
+    counters.touching += std::llround(window.contacts * static_cast<Real>(steps));
   }
 
   struct Outcome {
