@@ -15,7 +15,7 @@ struct WindowWork {
   Real batches = 0;       ///< that these were stepped in
   Real touching = 0;      ///< pairs in batches, mean over steps
 
-  /// [cycles], counted, not timed, so that what is chosen by it is the same on every machine. Fitted to
+  /// [cycles at 2.6 GHz], counted, not timed, so that what is chosen by it is the same on every machine. Fitted to
   /// times of windows of 16 to 256 steps (CD_n 0.78 and CD_rot 0.76, Q = 1 and 50, rates from 1e-4 to
   /// 1e-6, N = 1024 and 65536, both schemes): 0.66 to 1.3 of these, in four cases of five 0.8 to 1.1.
   Real cost(Real steps, Real disks, Real outer_pairs) const {

@@ -393,8 +393,10 @@ class WindowedSteps {
     return steps;
   }
 
+  bool stepped(std::uint32_t slot) const { return result_of_[slot] != none; }
+
   Real stray_of(std::uint32_t slot) const {
-    return result_of_[slot] == none ? 0 : results_[result_of_[slot]].stray;
+    return stepped(slot) ? results_[result_of_[slot]].stray : 0;
   }
 
   Real farthest_stray() const {
@@ -408,7 +410,9 @@ class WindowedSteps {
   void find_missed(Step const& all, ShearedBox const& start, Real duration) {
     todo_.clear();
     for (auto const& found : found_)
-      for (auto const& near : found.near) add_if_missed(all, start, duration, near.pair);
+      for (auto const& near : found.near)
+        if (stepped(near.pair.a) || stepped(near.pair.b.index()))  // most are not
+          add_if_missed(all, start, duration, near.pair);
     std::vector<std::uint32_t> far;  // blocks of disks that strayed beyond what `near` holds
     for (auto const& result : results_)
       if (result.stray > allowance) far.push_back(block_of(all.blocks, result.slot));
@@ -455,7 +459,7 @@ class WindowedSteps {
 
   /// Its disks will be done again.
   void take_unit_of(std::uint32_t slot) {
-    if (result_of_[slot] == none) return;
+    if (!stepped(slot)) return;
     Unit& unit = units_[results_[result_of_[slot]].unit];
     if (!unit.alive) return;
     unit.alive = false;

@@ -271,8 +271,9 @@ TEST(DenseFlowTimeStep, BearsTheRules) {
       Scene scene;
       scene.disks = disks(model, q, "equal");
       EXPECT_GT(dense_flow_time_step(scene, two_stage_scheme), two_stage_time_step(scene));
-      if (scene.disks.model != "general")
+      if (scene.disks.model != "general") {
         EXPECT_GT(dense_flow_time_step(scene, papers_scheme), paper_time_step(scene.disks)) << q;
+      }
     }
 }
 

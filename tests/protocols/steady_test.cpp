@@ -53,7 +53,7 @@ Plan plan_of(std::int64_t steps, std::int64_t window_steps, std::int64_t every) 
   return plan;
 }
 
-Measurement nothing() { return {{3, {}, {}}, {}}; }
+Measurement nothing() { return {.windows = {3, {}, {}}, .open = {}, .frames = Frames{}}; }
 
 auto const forever = [] { return true; };
 
