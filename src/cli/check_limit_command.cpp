@@ -25,8 +25,7 @@ sweep::Sweep both_rates(Scene const& scene, RunOptions const& options) {
   if (scene.shear.protocol != "steady")
     throw InputError(
         fmt::format("{}: shear.protocol = \"{}\" (must be \"steady\": a limit is checked at one "
-                    "rate); make a scene "
-                    "of the rate in question",
+                    "rate); make a scene of the rate in question",
                     options.scene_file.string(), scene.shear.protocol));
   double const rate = scene.shear.strain_rate;
   auto const text = fmt::format("{}\n[sweep]\ngrid = {{ \"shear.strain_rate\" = [{}, {}] }}\n",

@@ -41,7 +41,9 @@ class BlockEngine final : public Simulation {
 
   BlockEngine(std::unique_ptr<BlockLoop> loop, Stepping stepping, Law law, SpeciesTable table,
               double strain_rate, double time_step, double skin, Snapshot& snapshot)
-      : loop_(std::move(loop)), stepping_(stepping), clock_{strain_rate, time_step, snapshot.state.box_length, snapshot.initial_offset,
+      : loop_(std::move(loop)),
+        stepping_(stepping),
+        clock_{strain_rate, time_step, snapshot.state.box_length, snapshot.initial_offset,
                snapshot.initial_time},
         skin_(skin),
         step_(snapshot.step),
