@@ -236,8 +236,7 @@ class BlockEngine final : public Simulation {
     outer_drift_ = farthest();
     prune();
     while (step_ < window.end) step_once(sampling, windows);
-    choice_.refused();
-    weigh(window, contacts_per_disk(), cost_one_by_one(contacts_per_disk()));
+    if (!choice_.refused()) weigh(window, contacts_per_disk(), cost_one_by_one(contacts_per_disk()));
   }
 
   /// Whether windows go on, after one that was done (then `stepped_through` is 0), or was tried in vain
@@ -245,11 +244,9 @@ class BlockEngine final : public Simulation {
   void weigh(Window const& window, Real contacts, Real stepped_through) {
     if (stepping_ != Stepping::automatic) return;
     auto const steps = static_cast<Real>(window.end - window.begin);
-    windows_pay_.window_done(steps, contacts, cost_of(window) + steps * stepped_through,
-                             steps * cost_one_by_one(contacts));
-    if (!windows_pay_.leave()) return;
-    windows_pay_.left();
-    in_windows_ = false;
+    in_windows_ = windows_pay_.window_done(steps, contacts, cost_of(window) + steps * stepped_through,
+                                           steps * cost_one_by_one(contacts));
+    if (in_windows_) return;
     fastest_ = fastest();
     prune();
   }

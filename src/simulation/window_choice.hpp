@@ -33,14 +33,16 @@ class WindowChoice {
     next();
   }
 
-  /// A window could not be done: shorter ones, if there are.
-  void refused() {
+  /// A window could not be done. Whether there is a shorter one.
+  bool refused() {
     bool const tried = trying() != 0;
     phase_ += period - phase_ % period;  // no more of that
     trial_cost_ = 0;
-    if (tried || best_level_ == shortest) return;
+    if (tried) return true;
+    if (best_level_ == shortest) return false;
     --best_level_;
     cost_ = 0;
+    return true;
   }
 
   /// What must be kept to go on as before.

@@ -25,26 +25,26 @@ struct WindowWork {
 };
 
 /// Whether windows cost less than to step all disks, of which Z decides most. Windows are tried once Z,
-/// in the mean over some thousand steps, is low enough, and given up when they have lost too much.
+/// in the mean over some thousand steps as far as it is known, is low enough, and given up when they
+/// have lost too much.
 class WindowsPay {
  public:
   /// Steps were done one by one.
   void steps_done(Real steps, Real contacts) { remember(steps, contacts); }
 
-  /// A window of so many steps was done; costs are those of a disk, [cycles].
-  void window_done(Real steps, Real contacts, Real cost, Real one_by_one) {
+  bool enter() const { return contacts_ <= enter_below_; }
+
+  /// A window of so many steps was done; costs are those of a disk, [cycles]. Whether windows go on.
+  /// If not but had they paid in all, they will again once Z is lower; else at lower Z still, if at all.
+  bool window_done(Real steps, Real contacts, Real cost, Real one_by_one) {
     remember(steps, contacts);
     lost_ = std::max<Real>(0, lost_ + cost - one_by_one);
     lost_since_entry_ += cost - one_by_one;
-  }
-
-  bool enter() const { return contacts_ < enter_below_; }
-  bool leave() const { return lost_ > most_lost; }
-  /// If they had paid till then, they will again once Z is lower; else at lower Z, if at all.
-  void left() {
+    if (lost_ <= std::max(most_lost, 24 * one_by_one)) return true;  // long ones are tried in fours
     bool const paid = lost_since_entry_ < 0;
     enter_below_ = 0.8 * (paid ? contacts_ : std::min(contacts_, enter_below_));
     lost_ = lost_since_entry_ = 0;
+    return false;
   }
 
   /// What must be kept to go on as before.

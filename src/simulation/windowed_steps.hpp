@@ -42,7 +42,7 @@ class WindowedSteps {
     std::int64_t list_step;   ///< of the outer list
     Real most_stray;          ///< that the outer list allows, [d_s]
     Real strayed = 0;         ///< out: the farthest stray, [d_s]
-    Real contacts = 0;        ///< out: pairs touching, mean over steps
+    Real contacts = 0;        ///< out: pairs touching, mean over steps; of islands of two done again, both times
     WindowWork work = {};     ///< out
   };
 
@@ -58,11 +58,12 @@ class WindowedSteps {
   }
 
   /// Does the window, adding its sampled configurations to `windows`. False, and nothing is changed,
-  /// if too many disks take part, one strays too far for the list, or a number is none or an overlap
+  /// if too many disks take part, one comes too far for the list, or a number is none or an overlap
   /// too large: then step by step.
   bool run(BlockLoop& loop, Step& all, Clock const& clock, Window& window,
            Sampling const& sampling, OpenWindows& windows, ContactWatch& watch, Real most_active) {
     forget();
+    if (window.most_stray < 0) return false;
     if (!arranged_) arrange(all.blocks.slots);
     list_samples(window, clock, sampling);
     Real const duration = static_cast<Real>(window.end - window.begin) * clock.time_step;
@@ -74,8 +75,7 @@ class WindowedSteps {
       finder_.find(todo_, islands_);
       if (!islands_.unfolds) return false;
       sort_islands();
-      window.work.others += static_cast<Real>(larger_.disks.size());
-      if (window.work.others > most) return false;
+      if (window.work.others + static_cast<Real>(larger_.disks.size()) > most) return false;
       if (!do_binary(loop, all, clock, start, window)) return false;
       if (!do_larger(loop, all, clock, start, window)) return false;
       window.strayed = farthest_stray();
@@ -295,6 +295,8 @@ class WindowedSteps {
                  ShearedBox const& start, Window& window) {
     if (larger_.disks.empty()) return true;
     if (!batches_.fill(larger_, all, start)) return false;
+    window.work.others += static_cast<Real>(larger_.disks.size());
+    window.work.batches += static_cast<Real>(batches_.step.blocks.count);
     auto& step = batches_.step;
     auto const count = step.blocks.count;
     auto const first_unit = units_.size();
@@ -358,7 +360,6 @@ class WindowedSteps {
                  static_cast<Real>(window.end - window.begin);
       window.work.touching += touching;
     }
-    window.work.batches += count;
     for (std::size_t d = 0; d < larger_.disks.size(); ++d) {
       auto const from = batches_.slot_of[d];
       auto& result = results_[result_of_[larger_.disks[d].slot]];

@@ -91,6 +91,28 @@ TEST_P(Trajectory, OfADiluteGas) {
   }
 }
 
+/// So thin a gas that in a window of some length a disk would fly beyond what the list holds, while
+/// no two that are listed meet.
+TEST_P(Trajectory, OfAGasThatOutfliesTheList) {
+  Scene scene = small_scene(0.05, 16);
+  scene.disks.elasticity = 50;
+  scene.shear.strain_rate = 1e-4;
+  scene.integration.skin = 0.35;
+  State state = shaken_start(scene);
+  for (std::size_t i = 0; i < state.count(); ++i)  // to and fro, 0.05 d_s / tau_e
+    state.velocity[i] = {0.05 * std::cos(2.4 * static_cast<double>(i)), 0.05 * std::sin(2.4 * static_cast<double>(i))};
+  auto const simulation = simulate(scene, state, backend());
+  scene.integration.engine = "reference";
+  auto const oracle = simulate(scene, state, backend_names().front());
+  constexpr int steps = 4000;
+  auto const sums = advance(*simulation, steps, 1);
+  auto const expected = advance(*oracle, steps, 1);
+  using C = SumColumns;
+  EXPECT_GE(expected.sums[C::contacts], 50);
+  EXPECT_EQ(sums.sums[C::contacts], expected.sums[C::contacts]);
+  EXPECT_LT(largest_difference(simulation->state(), oracle->state(), scene.shear.strain_rate), 1e-9);
+}
+
 /// Thousands of disks, so that a fast engine cuts them into several patches, in contact across every
 /// edge: against the reference engine, which knows no patches.
 TEST_P(Trajectory, InManyPatches) {

@@ -34,7 +34,7 @@ TEST(WindowChoice, ARefusalMakesWindowsShorterUntilThereIsNone) {
   WindowChoice choice;
   for (std::int64_t const steps : {64, 32, 16, 16}) {
     EXPECT_EQ(choice.steps(), steps);
-    choice.refused();
+    EXPECT_EQ(choice.refused(), steps > 16);
   }
 }
 
