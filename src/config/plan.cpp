@@ -136,7 +136,8 @@ std::string plan_warning(Plan const& plan) {
 double memory_needed(Scene const& scene, Plan const& plan) {
   // Per disk: Views (positions, trials, list reference, motion), the list (about 7 neighbours in
   // both rows, as packed words), cells, and on the host a state and what windows keep of disks that
-  // meet. The most that was seen is 0.8 of that with the reference engine, 0.65 with the others.
+  // meet. The most that was seen is 0.8 of that with the reference engine, 0.65 with the others
+  // (N = 262144 and 1048576, one in windows).
   double const spin = scene.rotates() ? 8 : 0;
   double const views = 3 * 16 + 2 * (16 + spin) + 1;
   double const list = 4 + 1.125 * 4 * 7 * std::pow(1 + scene.integration.skin, 2) + 3 * 4;
