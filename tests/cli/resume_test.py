@@ -211,7 +211,7 @@ class Damage(ResumeTest):
                 shutil.rmtree(out)
 
     def test_no_checkpoint_verifies(self):
-        path, whole, _ = self.prepare(0.5, disks__model="CD_rot", **OFTEN)
+        path, whole, _ = self.prepare(1.0, disks__model="CD_rot", **OFTEN)
         stopped = self.stopped_run(path)
         for name in ("none", "garbage", "temporary"):
             with self.subTest(name=name):
@@ -231,7 +231,7 @@ class Damage(ResumeTest):
 
     def test_scene_edited_between(self):
         """resume goes on with the run that was started, or says no; never with a mixture."""
-        path, whole, _ = self.prepare(0.5, disks__model="CD", **OFTEN)
+        path, whole, _ = self.prepare(1.0, disks__model="CD", **OFTEN)
         out = self.stopped_run(path)
         scene = (out / "scene.toml").read_text()
         (out / "scene.toml").write_text(scene.replace("0.82", "0.83"))
@@ -262,7 +262,7 @@ class Damage(ResumeTest):
 
     def test_checkpoint_of_another_run(self):
         """Never a mixture: it is refused, or the run starts again."""
-        path, whole, _ = self.prepare(0.5, disks__model="CD_rot", **OFTEN)
+        path, whole, _ = self.prepare(1.0, disks__model="CD_rot", **OFTEN)
         out = self.stopped_run(path)
         text = path.read_text().replace("[shear]", "seed = 2\n[shear]")
         other_path = self.folder / "other.toml"
@@ -276,7 +276,7 @@ class Damage(ResumeTest):
 
 class Force(ResumeTest):
     def test_a_stopped_run_is_not_overwritten(self):
-        path, _, _ = self.prepare(0.3, disks__model="CD", **OFTEN)
+        path, _, _ = self.prepare(1.0, disks__model="CD", **OFTEN)
         out = self.stopped_run(path)
         before = files_of(out)
         self.assert_clean_error(self.bagnold("run", path, "--out", out), 2, "--force")
@@ -287,7 +287,7 @@ class Force(ResumeTest):
 
     def test_nothing_of_the_old_run_is_left(self):
         """Forced over a finished and a stopped run, killed before its first checkpoint."""
-        path, finished, _ = self.prepare(0.5, disks__model="CD", **OFTEN)
+        path, finished, _ = self.prepare(1.0, disks__model="CD", **OFTEN)
         stopped = self.stopped_run(path)
         text = path.read_text().replace("checkpoint_minutes = 0.0005", "checkpoint_minutes = 1e6")
         path = self.folder / "new.toml"
@@ -312,7 +312,7 @@ class Force(ResumeTest):
 
 class Lock(ResumeTest):
     def test_two_processes_on_one_directory(self):
-        path, whole, _ = self.prepare(0.7, disks__model="CD", **OFTEN)
+        path, whole, _ = self.prepare(1.0, disks__model="CD", **OFTEN)
         out = self.folder / "out"
         process = self.start("run", path, "--out", out)
         self.assertTrue(self.wait_for_checkpoint(process, out))
@@ -332,7 +332,7 @@ class Lock(ResumeTest):
         self.assert_same_results(whole, out)
 
     def test_the_lock_dies_with_its_process(self):
-        path, whole, _ = self.prepare(0.5, disks__model="CD", **OFTEN)
+        path, whole, _ = self.prepare(1.0, disks__model="CD", **OFTEN)
         out = self.folder / "out"
         process = self.start("run", path, "--out", out)
         self.assertTrue(self.wait_for_checkpoint(process, out))
@@ -344,7 +344,7 @@ class Lock(ResumeTest):
 
 class Options(ResumeTest):
     def test_resume_takes_threads_backend_and_quiet(self):
-        path, whole, _ = self.prepare(0.5, disks__model="CD_rot", **OFTEN)
+        path, whole, _ = self.prepare(1.0, disks__model="CD_rot", **OFTEN)
         out = self.stopped_run(path)
         result = self.bagnold("resume", out, "--threads", "2", "--backend", "openmp", "--quiet")
         self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
@@ -356,7 +356,7 @@ class Options(ResumeTest):
         """The checkpoint holds all that is needed."""
         first = self.run_new("first")
         (self.folder / "start.h5").write_bytes((first / "state.h5").read_bytes())
-        path, whole, _ = self.prepare(0.5, disks__packing_fraction=0.80, start__kind="state",
+        path, whole, _ = self.prepare(1.0, disks__packing_fraction=0.80, start__kind="state",
                                       start__file="start.h5", **OFTEN)
         out = self.stopped_run(path)
         (self.folder / "start.h5").unlink()
