@@ -31,6 +31,7 @@ double pressure(Averages a, Part p) { return (a[p.xx] + a[p.yy]) / 2; }
 double pressure(Averages a) { return (total(a, &Part::xx) + total(a, &Part::yy)) / 2; }
 double shear_stress(Averages a, Part p) { return -a[p.xy]; }
 double shear_stress(Averages a) { return -total(a, &Part::xy); }
+double anisotropy(Averages a, Part p) { return (a[p.xx] - a[p.yy]) / 2; }
 double anisotropy(Averages a) { return (total(a, &Part::xx) - total(a, &Part::yy)) / 2; }
 
 constexpr std::string_view stress_unit = "m/tau_e^2";
@@ -71,6 +72,7 @@ std::vector<Observable> observables(Scene const& scene, double box_length) {
   };
   auto const p = [](Averages a, auto part) { return pressure(a, part); };
   auto const s = [](Averages a, auto part) { return shear_stress(a, part); };
+  auto const d = [](Averages a, auto part) { return anisotropy(a, part); };
 
   std::vector<Observable> list{
       {"p", stress_unit, "pressure", [=](Averages a) { return pressure(a) / area; }},
@@ -82,6 +84,9 @@ std::vector<Observable> observables(Scene const& scene, double box_length) {
       {"sigma_dis", stress_unit, "its dissipative part", of(s, dissipative, 1 / area)},
       {"sigma_kin", stress_unit, "its kinetic part", of(s, kinetic, 1 / area)},
       {"delta_p", stress_unit, "(p_xx - p_yy)/2", [=](Averages a) { return anisotropy(a) / area; }},
+      {"delta_p_el", stress_unit, "its elastic part", of(d, elastic, 1 / area)},
+      {"delta_p_dis", stress_unit, "its dissipative part", of(d, dissipative, 1 / area)},
+      {"delta_p_kin", stress_unit, "its kinetic part", of(d, kinetic, 1 / area)},
       {"sigma_dev", stress_unit, "sqrt(delta_p^2 + sigma^2)",
        [=](Averages a) { return std::hypot(anisotropy(a), shear_stress(a)) / area; }},
       {"B_p", "1", "Bagnold coefficient p/gammadot^2", [=](Averages a) { return pressure(a) * bagnold; }},

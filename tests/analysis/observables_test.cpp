@@ -91,6 +91,7 @@ Values by_the_papers(Scene const& scene, double length, Means const& m) {
   for (Part const part : {Part{"_el", m.p_el}, Part{"_dis", m.p_dis}, Part{"_kin", m.p_kin}}) {
     v[std::string("p") + part.name] = 0.5 * (part.tensor[0][0] + part.tensor[1][1]);
     v[std::string("sigma") + part.name] = -part.tensor[0][1];
+    v[std::string("delta_p") + part.name] = 0.5 * (part.tensor[0][0] - part.tensor[1][1]);
   }
   v["delta_p"] = 0.5 * (p[0][0] - p[1][1]);  // P1 Eq. (14)
   v["sigma_dev"] = std::sqrt(v["delta_p"] * v["delta_p"] + v["sigma"] * v["sigma"]);
@@ -144,11 +145,13 @@ TEST(Observables, AreTheFormulasOfThePapers) {
 
 TEST(Observables, NamesAndOrderAreThoseOfTheContract) {
   std::vector<std::string> const names{
-      "p",         "p_el",      "p_dis",     "p_kin",        "sigma",       "sigma_el",
-      "sigma_dis", "sigma_kin", "delta_p",   "sigma_dev",    "B_p",         "B_p_el",
-      "B_p_dis",   "B_p_kin",   "B_sigma",   "B_sigma_el",   "B_sigma_dis", "B_sigma_kin",
-      "eta_p",     "eta_p_el",  "eta_sigma", "eta_sigma_el", "mu",          "I",
-      "T_g",       "Z",         "R_v",       "energy_gap",   "spin_mean",   "spin_var"};
+      "p",           "p_el",        "p_dis",     "p_kin",      "sigma",
+      "sigma_el",    "sigma_dis",   "sigma_kin", "delta_p",    "delta_p_el",
+      "delta_p_dis", "delta_p_kin", "sigma_dev", "B_p",        "B_p_el",
+      "B_p_dis",     "B_p_kin",     "B_sigma",   "B_sigma_el", "B_sigma_dis",
+      "B_sigma_kin", "eta_p",       "eta_p_el",  "eta_sigma",  "eta_sigma_el",
+      "mu",          "I",           "T_g",       "Z",          "R_v",
+      "energy_gap",  "spin_mean",   "spin_var"};
   for (auto const* model : {"CD", "CD_rot"}) {
     Scene const scene = scene_of(model, 1.0);
     auto expected = names;

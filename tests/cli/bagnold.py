@@ -25,7 +25,7 @@ PROGRAM = os.environ.get("BAGNOLD", str(SOURCE / "build/openmp/bagnold"))
 
 STRESSES = "p p_el p_dis p_kin sigma sigma_el sigma_dis sigma_kin"
 NAMES = (
-    f"{STRESSES} delta_p sigma_dev "
+    f"{STRESSES} delta_p delta_p_el delta_p_dis delta_p_kin sigma_dev "
     + " ".join("B_" + name for name in STRESSES.split())
     + " eta_p eta_p_el eta_sigma eta_sigma_el mu I T_g Z R_v energy_gap"
 ).split()
