@@ -227,10 +227,12 @@ struct JsonEstimate {
 
   Json json(statistics::Estimate const& of) const {
     auto const& tau = of.correlation;
-    return {{"mean", number(of.mean)},
-            {"error", number(of.error)},
-            {"correlation_strain", tau ? number(*tau * sample_strain) : Json(nullptr)},
-            {"samples", of.samples}};
+    Json all{{"mean", number(of.mean)},
+             {"error", number(of.error)},
+             {"correlation_strain", tau ? number(*tau * sample_strain) : Json(nullptr)},
+             {"samples", of.samples}};
+    if (of.rough) all["rough"] = true;
+    return all;
   }
 };
 

@@ -16,7 +16,8 @@ namespace {
 std::string with_error(statistics::Estimate const& estimate) {
   if (!estimate.mean) return "undefined";
   if (!estimate.error) return fmt::format("{:.4g} (no error)", *estimate.mean);
-  return fmt::format("{:.4g} +- {:.1g}", *estimate.mean, *estimate.error);
+  return fmt::format("{:.4g} +- {:.1g}{}", *estimate.mean, *estimate.error,
+                     estimate.rough ? " (rough)" : "");
 }
 
 }  // namespace
@@ -70,12 +71,14 @@ void print_table(Run const& run, std::vector<NamedEstimate> const& list) {
                run.scene.disks.seed + static_cast<std::int64_t>(run.replicas.size()) - 1,
                statistics::error_source(run.replicas.size()));
 
-  std::set<std::string> remarks;
+  std::set<std::string> remarks, rough;
   for (auto const& named : list)
-    if (auto const& all = named.estimate.all; !all.remark.empty() && !all.error)
-      remarks.insert(all.remark);
+    if (auto const& all = named.estimate.all; !all.remark.empty())
+      (all.error ? rough : remarks).insert(all.remark);
   if (!remarks.empty())
     fmt::print("\nno error where the statistics are too short: {}\n", *remarks.begin());
+  if (!rough.empty())
+    fmt::print("\nrough: errors from few blocks, with Student's factor: {}\n", *rough.begin());
 
   std::vector<Observable> only;
   for (auto const& named : list) only.push_back(named.observable);

@@ -7,12 +7,10 @@
 #include <vector>
 
 #include "src/statistics/blocking.hpp"
+#include "src/statistics/student.hpp"
 
 namespace bagnold::statistics {
 namespace {
-
-/// Fewest blocks from which a first correlation time is taken.
-constexpr std::size_t fewest_for_level = 4;
 
 /// Whether a series of this standard error, as of independent values, is nothing but the rounding
 /// of f(all) - f(all but w), a few epsilon |f|, that deviations() blows up n times.
@@ -22,28 +20,45 @@ bool only_rounding(double standard_error, std::size_t n, double f) {
   return standard_error * std::sqrt(count) <= rounding;
 }
 
+std::string counted(long count, std::string const& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+/// How much longer a run of n windows must be for an error that is not rough, going by this
+/// correlation time: enough is 64 tau; half as much again, since short series show too small a tau.
+long times_longer(std::size_t n, double tau) {
+  return std::max(2l, std::lround(std::ceil(96.0 * tau / static_cast<double>(n))));
+}
+
 /// Why n windows are too few, going by the largest correlation time that they let show.
 void say_too_short(Estimate& result, std::vector<BlockLevel> const& levels) {
   double tau = 0.5;
   for (BlockLevel const& level : levels) {
-    if (level.blocks < fewest_for_level) break;
+    if (level.blocks < fewest_rough_blocks) break;
     double const se_1 = levels.front().standard_error;
     tau = std::max(tau, correlation_time(level.standard_error, se_1));
   }
-  double const count = static_cast<double>(result.samples);
-  result.independent = count / (2.0 * tau);
-  // Enough is 64 tau; half as much again, since short series show too small a tau.
-  long const times = std::max(2l, std::lround(std::ceil(96.0 * tau / count)));
+  result.independent = static_cast<double>(result.samples) / (2.0 * tau);
   long const independent = std::max(1l, std::lround(result.independent));
-  result.remark = "worth about " + std::to_string(independent) +
-         (independent == 1 ? " independent window" : " independent windows") + ": run about " +
-         std::to_string(times) + " times longer for an error";
+  result.remark = "worth about " + counted(independent, "independent window") + ": run about " +
+                  std::to_string(times_longer(result.samples, tau)) +
+                  " times longer for an error";
+}
+
+/// Makes the error of too few blocks one that mean +- 2 errors can be told from.
+void make_rough(Estimate& result) {
+  result.rough = true;
+  *result.error *= student_factor(result.blocks - 1);
+  result.remark = "rough, from " + counted(static_cast<long>(result.blocks), "block") +
+                  ": run about " +
+                  std::to_string(times_longer(result.samples, *result.correlation)) +
+                  " times longer for a better error";
 }
 
 /// Fills in the error of a finite mean, or the remark.
 void add_error(Estimate& result, Jackknife& jackknife) {
   std::size_t const n = result.samples;
-  if (n < fewest_blocks) return say_too_short(result, {});
+  if (n < fewest_rough_blocks) return say_too_short(result, {});
   std::vector<double> const series = jackknife.deviations();
   if (!std::ranges::all_of(series, [](double value) { return std::isfinite(value); })) {
     result.remark = "undefined without one of the windows: run longer for an error";
@@ -52,16 +67,17 @@ void add_error(Estimate& result, Jackknife& jackknife) {
   std::vector<BlockLevel> const levels = block_levels(series);
   double const se_1 = levels.front().standard_error;
   if (only_rounding(se_1, n, *result.mean)) {
+    if (n < fewest_blocks) return say_too_short(result, {});
     result.error = 0.0;
     result.blocks = n;
     result.independent = static_cast<double>(n);
     return;
   }
   auto const level = automatic_level(levels, n);
-  bool const enough = level && level->blocks >= fewest_for_level;
+  bool const enough = level && level->blocks >= fewest_rough_blocks;
   std::size_t const length =
       enough ? block_length(correlation_time(level->standard_error, se_1), n) : n;
-  if (n / length < fewest_blocks) return say_too_short(result, levels);
+  if (n / length < fewest_rough_blocks) return say_too_short(result, levels);
   double const error = jackknife.error(length);
   if (!std::isfinite(error)) {
     result.remark = "undefined without one of the blocks: run longer for an error";
@@ -73,6 +89,7 @@ void add_error(Estimate& result, Jackknife& jackknife) {
   result.correlation = tau;
   result.blocks = n / length;
   result.independent = static_cast<double>(n) / (2.0 * tau);
+  if (result.blocks < fewest_blocks) make_rough(result);
 }
 
 }  // namespace

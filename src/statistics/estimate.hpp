@@ -18,12 +18,16 @@ struct Estimate {
   std::size_t samples = 0;            ///< windows measured
   double independent = 0;             ///< windows that would have this scatter were they so
   std::size_t blocks = 0;             ///< blocks the error comes from; 0: none
-  std::string remark;                 ///< why there is no error, and what to do; empty: all is well
+  bool rough = false;                 ///< an error from 4 to 7 blocks, with Student's factor
+  std::string remark;  ///< why there is no error or a rough one, what to do; empty: all is well
 };
 
-/// Fewest blocks an error is given for: from 8 it is itself uncertain by 1/sqrt(2 * 7), a quarter.
-/// It takes n = 64 tau_int windows to have them.
+/// Fewest blocks of an error that is not rough: from 8 it is itself uncertain by 1/sqrt(2 * 7), a
+/// quarter. It takes n = 64 tau_int windows to have them.
 inline constexpr std::size_t fewest_blocks = 8;
+
+/// Fewest blocks of a rough error, uncertain by 1/sqrt(2 * 3): n = 23 tau_int.
+inline constexpr std::size_t fewest_rough_blocks = 4;
 
 /// f of the averages over all windows from `first` on (those before it are discarded), and its
 /// error. Never the mean of f over windows: a ratio of averages has no bias from noisy windows.
@@ -41,9 +45,13 @@ inline constexpr std::size_t fewest_blocks = 8;
 /// and about 4% low at 100 tau_int; each one scatters by (tau_int / n)^(1/3), 10% at 1000 tau_int.
 /// Two time scales (0.3 and 0.95 a window) made them 7 to 9% low, damped oscillations 6 to 9% high.
 ///
-/// No error with fewer than 8 blocks. Far too short a run can still seem long enough (1% of runs of
-/// 4 tau_int, 10% of 20 tau_int): no method sees what has not happened yet, and where a system
-/// jumps between two states a few times only, errors come out too small.
+/// From 4 to 7 blocks the error is rough: it is multiplied by Student's factor (student.hpp), so
+/// that mean +- 2 errors holds the truth as often as it should: of autoregressive series in 0.94 to
+/// 0.99 above n = 24 tau_int. No error with fewer than 4 blocks.
+///
+/// Far too short a run can still seem long enough (1% of runs of 4 tau_int, 10% of 20 tau_int; for a
+/// rough error 4% of 8 tau_int): no method sees what has not happened yet, and where a system jumps
+/// between two states a few times only, errors come out too small.
 ///
 /// A quantity that does not change, to rounding, has error 0 and no correlation time. Costs n calls
 /// of f and a few n numbers of memory.

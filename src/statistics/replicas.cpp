@@ -44,6 +44,11 @@ void add_combined_error(Estimate& all, std::vector<Estimate> const& each, Window
     all.blocks += each[r].blocks;
   }
   all.error = std::sqrt(squares) / weights;
+  for (auto const& one : each)
+    if (one.rough) {
+      all.rough = true;
+      all.remark = one.remark;
+    }
 }
 
 std::optional<double> mean_correlation(std::vector<Estimate> const& each) {

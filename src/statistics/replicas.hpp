@@ -29,7 +29,8 @@ inline constexpr std::size_t fewest_replicas = 3;
 /// 1/sqrt(2 (R - 1)), half of it at R = 3; `blocks` is R.
 ///
 /// For R = 2, whose one difference tells next to nothing, the errors of estimate() are combined:
-/// error = [(M_1 e_1)^2 + (M_2 e_2)^2]^(1/2) / (M_1 + M_2), M the weights. R = 1 is estimate().
+/// error = [(M_1 e_1)^2 + (M_2 e_2)^2]^(1/2) / (M_1 + M_2), M the weights, rough where one of them
+/// is. R = 1 is estimate().
 /// The correlation time is the mean of those of the replicas that have one.
 ReplicaEstimate estimate(std::vector<Windows const*> const& replicas, std::size_t first,
                          Function const& f);

@@ -22,6 +22,11 @@ double number(Json const& object, char const* name) {
   return found != object.end() && found->is_number() ? found->get<double>() : nothing;
 }
 
+bool is_true(Json const& object, char const* name) {
+  auto const found = object.find(name);
+  return found != object.end() && *found == true;
+}
+
 Json read_summary(std::filesystem::path const& summary) {
   auto const bytes = io::read_file(summary);
   auto const* text = reinterpret_cast<char const*>(bytes.data());
@@ -32,10 +37,14 @@ Json read_summary(std::filesystem::path const& summary) {
   return all;
 }
 
+void append(std::string& names, std::string const& name) {
+  names += (names.empty() ? "" : " ") + name;
+}
+
 std::string names_of_warnings(Json const& summary) {
   std::string names;
   for (auto const& warning : summary.value("warnings", Json::array()))
-    names += (names.empty() ? "" : " ") + warning.value("name", "");
+    append(names, warning.value("name", ""));
   return names;
 }
 
@@ -52,6 +61,7 @@ Results read_results(Sweep const& sweep, SweepFolder const& folder) {
   auto const points = sweep.points.size();
   Results results;
   results.warnings.resize(points);
+  results.rough_errors.resize(points);
   for (std::size_t k = 0; k < points; ++k) {
     if (!folder.finished(k)) {
       results.status.push_back(folder.begun(k) && !folder.in_use(k) ? "failed" : "open");
@@ -64,6 +74,7 @@ Results read_results(Sweep const& sweep, SweepFolder const& folder) {
       auto& of_name = column(results, name, points);
       of_name.mean[k] = number(estimate, "mean");
       of_name.error[k] = number(estimate, "error");
+      if (is_true(estimate, "rough")) append(results.rough_errors[k], name);
     }
   }
   return results;

@@ -21,12 +21,14 @@ struct Results {
   std::vector<Column> columns;  ///< every observable of any point, in the order of first appearance
   std::vector<std::string> status;  ///< [P]: "done", "failed" (begun, no result) or "open"
   std::vector<std::string> warnings;  ///< [P]: names of a point's warnings, a space between
+  std::vector<std::string> rough_errors;  ///< [P]: NAMEs whose errors are rough, a space between
 };
 
 /// From the points' summary.json. Throws FileError where one cannot be read.
 Results read_results(Sweep const& sweep, SweepFolder const& folder);
 
-/// sweep.csv: a row a point, the varied keys, then NAME and NAME_error; empty where there is none.
+/// sweep.csv: a row a point, the varied keys, NAME and NAME_error, rough_errors; empty where there
+/// is none.
 /// Replaces the file as a whole; throws FileError.
 void write_csv(std::filesystem::path const& file, Sweep const& sweep, Results const& results);
 

@@ -29,6 +29,7 @@ void write_csv(std::filesystem::path const& file, Sweep const& sweep, Results co
     line.push_back(cell(column.name));
     line.push_back(cell(column.name + "_error"));
   }
+  line.push_back("rough_errors");
   auto table = fmt::format("{}\n", fmt::join(line, ","));
   for (std::size_t k = 0; k < sweep.points.size(); ++k) {
     line.clear();
@@ -37,6 +38,7 @@ void write_csv(std::filesystem::path const& file, Sweep const& sweep, Results co
       line.push_back(cell(column.mean[k]));
       line.push_back(cell(column.error[k]));
     }
+    line.push_back(cell(results.rough_errors[k]));
     table += fmt::format("{}\n", fmt::join(line, ","));
   }
   io::replace_file(file, std::as_bytes(std::span(table)));

@@ -40,7 +40,25 @@ TEST(Estimate, ShortSeriesHasNoErrorAndSaysSo) {
   while (values.size() < 20000) values.push_back(series.next());
   Estimate const found = estimate(windows_of(values), 0, identity);
   EXPECT_TRUE(found.error);
+  EXPECT_FALSE(found.rough);
   EXPECT_EQ(found.remark, "");
+}
+
+/// White noise of 16 values: blocks of (8 n / 4)^(1/3), 3.2, so of 4, and 4 of them.
+TEST(Estimate, OfFourBlocksIsRough) {
+  Autoregressive series(0.0, 8);
+  Estimate found;
+  std::vector<double> values;
+  do {  // a draw that blocking takes for white
+    values.clear();
+    for (int i = 0; i < 16; ++i) values.push_back(series.next());
+    found = estimate(windows_of(values), 0, identity);
+  } while (!found.error || found.blocks != 4);
+  double const se_1 = block_levels(values).front().standard_error;
+  double const tau = *found.correlation;
+  EXPECT_TRUE(found.rough);
+  EXPECT_NEAR(*found.error, 1.6534 * se_1 * std::sqrt(2.0 * tau), 1e-3 * *found.error);
+  EXPECT_NE(found.remark.find("rough, from 4 blocks: run about"), std::string::npos);
 }
 
 TEST(Estimate, RemarkSaysHowMuchLonger) {

@@ -25,8 +25,8 @@ class SweepResults : public testing::Test {
                      "\"title\" = [\"a, b\", \"say \\\"x\\\"\", \"\"] }")),
         folder(SweepFolder::make(test_folder / "out", sweep)) {
     std::ofstream(folder.summary(0))
-        << R"({"wall_seconds": 3, "observables": {"p": {"mean": 0.1, "error": 1e-3},)"
-        << R"("Z": {"mean": 2, "error": null}}})";
+        << R"({"wall_seconds": 3, "observables": {"p": {"mean": 0.1, "error": 1e-3, "rough": true},)"
+        << R"("Z": {"mean": 2, "error": null}, "mu": {"mean": 3, "error": 1, "rough": true}}})";
     std::ofstream(folder.summary(1)) << R"({"warnings": [{"name": "one"}, {"name": "two"}],)"
                                      << R"( "observables": {"p": {"mean": 1e-300, "error": 0},)"
                                      << R"("spin_mean": {"mean": -0.5, "error": 0.25}}})";
@@ -44,10 +44,10 @@ TEST_F(SweepResults, TableIsWrittenOutByHand) {
   EXPECT_EQ(results.warnings, (std::vector<std::string>{"", "one two", ""}));
   write_csv(test_folder / "t.csv", sweep, results);
   EXPECT_EQ(text_in(test_folder / "t.csv"),
-            "disks.model,title,p,p_error,Z,Z_error,spin_mean,spin_mean_error\n"
-            "CD,\"a, b\",0.1,0.001,2,,,\n"
-            "CD_rot,\"say \"\"x\"\"\",1e-300,0,,,-0.5,0.25\n"
-            "CD_n,,,,,,,\n");
+            "disks.model,title,p,p_error,Z,Z_error,mu,mu_error,spin_mean,spin_mean_error,rough_errors\n"
+            "CD,\"a, b\",0.1,0.001,2,,3,1,,,p mu\n"
+            "CD_rot,\"say \"\"x\"\"\",1e-300,0,,,,,-0.5,0.25,\n"
+            "CD_n,,,,,,,,,,\n");
 }
 
 TEST_F(SweepResults, Hdf5HoldsTheSame) {
@@ -68,6 +68,7 @@ TEST_F(SweepResults, Hdf5HoldsTheSame) {
                            "assert text(\"points/title\") == [\"a, b\", \"say \\\"x\\\"\", \"\"]\n"
                            "assert text(\"status\") == [\"done\", \"done\", \"failed\"]\n"
                            "assert text(\"warnings\") == [\"\", \"one two\", \"\"]\n"
+                           "assert text(\"rough_errors\") == [\"p mu\", \"\", \"\"]\n"
                            "assert \"CD_rot\" in text(\"points/scene\")[1]\n"
                            "assert text(\"points/folder\")[2].startswith(\"0003_model=CD_n\")"),
             0);

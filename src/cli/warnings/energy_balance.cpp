@@ -29,7 +29,9 @@ double energy(Finished const& finished, double overlap, std::size_t window) {
 
 std::optional<Warning> energy_balance(Finished const& finished) {
   auto const* found = finished.of("energy_gap");
-  if (!found || !found->estimate.all.mean || !found->estimate.all.error) return {};
+  if (!found || !found->estimate.all.mean || !found->estimate.all.error ||
+      found->estimate.all.rough)
+    return {};
   double const gap = *found->estimate.all.mean, error = *found->estimate.all.error;
   auto const first = static_cast<std::size_t>(finished.run.plan.discarded_windows);
   auto const last = static_cast<std::size_t>(finished.run.plan.windows) - 1;

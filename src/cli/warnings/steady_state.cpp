@@ -42,7 +42,7 @@ std::optional<Warning> steady_state(Finished const& finished) {
     double const drift = (second - first) / std::abs(*found->estimate.all.mean);
     auto const start = statistics::steady_start(measured);
     bool const settles = start.found && 4 * start.first <= measured.size();
-    auto const& error = found->estimate.all.error;
+    auto const error = found->estimate.all.rough ? std::nullopt : found->estimate.all.error;
     double const apart = error ? std::abs(second - first) / (2 * *error) : 0.0;
     if (std::abs(drift) < (error ? least_drift : least_without_error)) continue;
     if (settles && !error) continue;
