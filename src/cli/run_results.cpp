@@ -14,6 +14,7 @@
 #include "src/config/scene_file.hpp"
 #include "src/io/atomic_file.hpp"
 #include "src/io/result_file.hpp"
+#include "src/statistics/stopping.hpp"
 
 namespace bagnold {
 
@@ -111,7 +112,16 @@ io::Series series(Run const& run, std::string_view name, std::string_view unit,
 statistics::ReplicaEstimate estimate(Run const& run, statistics::Function const& f) {
   std::vector<statistics::Windows const*> windows;
   for (auto const& replica : run.replicas) windows.push_back(&replica.measurement.windows);
-  return statistics::estimate(windows, discarded(run), f);
+  auto found = statistics::estimate(windows, discarded(run), f);
+  if (!run.scene.shear.target_error.empty()) found.all = statistics::cautious(found);
+  return found;
+}
+
+std::string errors_from(Run const& run) {
+  std::string const source(statistics::error_source(run.replicas.size()));
+  if (run.scene.shear.target_error.empty()) return source;
+  if (run.replicas.size() < statistics::fewest_replicas) return source + ", with Student's factor";
+  return source + " or blocks of windows in each, the larger one, with Student's factor";
 }
 
 std::vector<NamedEstimate> estimates(Run const& run) {
@@ -263,7 +273,7 @@ void add_protocol(Json& summary, Run const& run) {
   for (auto const& [name, error] : run.reached)
     summary["target_error"][name] = {{"wanted", shear.target_error.at(name)},
                                      {"reached", number(error)}};
-  if (!run.reached.empty()) summary["target_error_reached"] = all_reached(run);
+  if (!run.reached.empty()) summary["target_error_reached"] = run.target_met;
 }
 
 Json warnings_json(std::vector<Warning> const& warnings) {
@@ -318,7 +328,7 @@ void write_summary(RunFolder const& folder, Run const& run, std::vector<NamedEst
   double const frame_strain = run.plan.strain(run.plan.frame_steps);
   bool const several = run.replicas.size() > 1 && !run.plan.ramp;
   if (several)
-    summary["errors_from"] = statistics::error_source(run.replicas.size());
+    summary["errors_from"] = errors_from(run);
   std::vector<JsonEstimate> all;
   for (auto const& [observable, estimate] : list)
     all.push_back({std::string(observable.name), estimate, window_strain});

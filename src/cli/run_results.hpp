@@ -34,6 +34,7 @@ struct Run {
   double wall_seconds = 0.0;  ///< of stepping, resumes included
   bool steady_found = true;   ///< by shear.discard = "auto"; false: the middle was taken
   std::map<std::string, std::optional<double>> reached;  ///< relative errors, of those with a target
+  bool target_met = false;  ///< by all of them, at this look and at the one before
 };
 
 struct Warning;
@@ -43,10 +44,15 @@ struct NamedEstimate {
   statistics::ReplicaEstimate estimate;
 };
 
-/// Mean and standard error of a function of averages over the measured windows.
+/// Mean and standard error of a function of averages over the measured windows. Where the scene has
+/// a target error, and so may have chosen its own end, it is the cautious one
+/// (src/statistics/stopping.hpp).
 statistics::ReplicaEstimate estimate(Run const& run, statistics::Function const& f);
 
-/// The same of all observables.
+/// How it comes by the error for several replicas, in words.
+std::string errors_from(Run const& run);
+
+/// Mean and standard error of all observables.
 std::vector<NamedEstimate> estimates(Run const& run);
 
 /// A quantity in each window that all replicas have finished, averaged over them.

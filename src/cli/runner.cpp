@@ -23,6 +23,7 @@
 #include "src/protocols/steady.hpp"
 #include "src/simulation/make_simulation.hpp"
 #include "src/start/start.hpp"
+#include "src/statistics/stopping.hpp"
 
 namespace bagnold {
 
@@ -142,13 +143,12 @@ Plan Runner::next_leg() const {
   std::int64_t done = run_.plan.windows < whole_.windows ? run_.plan.windows + 1 : 0;
   for (auto const& replica : run_.replicas)
     done = std::max(done, static_cast<std::int64_t>(replica.measurement.windows.size()));
-  return shortened(run_.scene, whole_, next_look(done, whole_.windows));
+  return shortened(run_.scene, whole_, statistics::next_look(done, whole_.windows));
 }
 
 bool Runner::enough() {
-  discard_transient(run_);
-  run_.reached = reached_errors(run_);
-  return run_.plan.windows == whole_.windows || all_reached(run_);
+  judge_errors(run_);
+  return run_.plan.windows == whole_.windows || run_.target_met;
 }
 
 int Runner::run() {

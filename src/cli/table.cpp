@@ -47,6 +47,8 @@ void print_ends(Run const& run) {
     fmt::print("relative error of {}: {} wanted, {} reached at strain {:.4g}\n", name,
                run.scene.shear.target_error.at(name),
                error ? fmt::format("{:.2g}", *error) : "none", run.plan.strain(run.plan.steps));
+  if (!run.reached.empty() && !run.target_met)
+    fmt::print("not reached at two looks in a row: raise shear.strain\n");
 }
 
 }  // namespace
@@ -69,7 +71,7 @@ void print_table(Run const& run, std::vector<NamedEstimate> const& list) {
     fmt::print("\n{} replicas, seeds {} to {}; errors: {}\n", run.replicas.size(),
                run.scene.disks.seed,
                run.scene.disks.seed + static_cast<std::int64_t>(run.replicas.size()) - 1,
-               statistics::error_source(run.replicas.size()));
+               errors_from(run));
 
   std::set<std::string> remarks, rough;
   for (auto const& named : list)

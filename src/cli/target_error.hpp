@@ -5,19 +5,16 @@
 
 namespace bagnold {
 
-/// The number of windows at which errors are looked at next, from `windows` on: 100, and from there
-/// a tenth more each time, `most` at last. What a run does depends on no clock, and errors that
-/// scatter get few chances to look small.
-std::int64_t next_look(std::int64_t windows, std::int64_t most);
-
-/// Relative standard errors over the windows so far of what the scene has a target for.
-std::map<std::string, std::optional<double>> reached_errors(Run const& run);
-
-/// Whether run.reached is there and at or below its target for every name.
-bool all_reached(Run const& run);
+/// How the windows so far stand to the scene's target errors: sets discarded windows, run.reached
+/// and run.target_met (src/statistics/stopping.hpp). Depends on the windows of the run only, so that
+/// a resumed run ends where an undisturbed one does.
+void judge_errors(Run& run);
 
 /// Where the scene leaves it open ("auto"): the windows to discard, by steady_start() of B_p and
-/// B_sigma, averaged over replicas; the later one counts.
+/// B_sigma, averaged over replicas; the later one counts. Where the scene has a target error it is
+/// twice that, the first half at most: of an exponential transient that MSER-5 cuts where it is as
+/// large as the noise, nothing is left there, while the rest of it would bias a run that ends early
+/// by up to 0.8 of its error.
 void discard_transient(Run& run);
 
 /// Throws InputError where a target is for no NAME of the scene.

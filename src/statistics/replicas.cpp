@@ -32,23 +32,25 @@ void add_error_of_scatter(Estimate& all, Jackknife& jackknife, std::size_t repli
   all.blocks = replicas;
 }
 
-void add_combined_error(Estimate& all, std::vector<Estimate> const& each, Windows const& total) {
+/// Error, blocks, rough and remark of what the replicas' own errors add up to.
+Estimate combined(std::vector<Estimate> const& each, Windows const& total) {
+  Estimate within;
   double squares = 0.0, weights = 0.0;
   for (std::size_t r = 0; r < each.size(); ++r) {
     if (!each[r].error) {
-      all.remark = each[r].remark;
-      return;
+      Estimate none;
+      none.remark = each[r].remark;
+      return none;
     }
     squares += std::pow(total.weight[r] * *each[r].error, 2);
     weights += total.weight[r];
-    all.blocks += each[r].blocks;
+    within.blocks += each[r].blocks;
+    if (!each[r].rough) continue;
+    within.rough = true;
+    within.remark = each[r].remark;
   }
-  all.error = std::sqrt(squares) / weights;
-  for (auto const& one : each)
-    if (one.rough) {
-      all.rough = true;
-      all.remark = one.remark;
-    }
+  within.error = std::sqrt(squares) / weights;
+  return within;
 }
 
 std::optional<double> mean_correlation(std::vector<Estimate> const& each) {
@@ -70,7 +72,7 @@ ReplicaEstimate estimate(std::vector<Windows const*> const& replicas, std::size_
   for (Windows const* windows : replicas) result.each.push_back(estimate(*windows, first, f));
   Estimate& all = result.all;
   if (replicas.size() == 1) {
-    all = result.each.front();
+    all = result.within = result.each.front();
     return result;
   }
   for (auto const& one : result.each) {
@@ -89,10 +91,15 @@ ReplicaEstimate estimate(std::vector<Windows const*> const& replicas, std::size_
     return result;
   }
   all.mean = jackknife.value();
-  if (replicas.size() >= fewest_replicas)
+  result.within = combined(result.each, total);
+  if (replicas.size() >= fewest_replicas) {
     add_error_of_scatter(all, jackknife, replicas.size());
-  else
-    add_combined_error(all, result.each, total);
+    return result;
+  }
+  all.error = result.within.error;
+  all.blocks = result.within.blocks;
+  all.rough = result.within.rough;
+  all.remark = result.within.remark;
   return result;
 }
 

@@ -12,6 +12,7 @@ namespace bagnold::statistics {
 struct ReplicaEstimate {
   Estimate all;
   std::vector<Estimate> each;  ///< [R]
+  Estimate within;  ///< error, blocks, rough, remark: the combined errors of each, below
 };
 
 /// Fewest replicas whose scatter gives the error.
@@ -30,7 +31,8 @@ inline constexpr std::size_t fewest_replicas = 3;
 ///
 /// For R = 2, whose one difference tells next to nothing, the errors of estimate() are combined:
 /// error = [(M_1 e_1)^2 + (M_2 e_2)^2]^(1/2) / (M_1 + M_2), M the weights, rough where one of them
-/// is. R = 1 is estimate().
+/// is, none where one has none. R = 1 is estimate(). Such a combination is `within` for every R; it
+/// is known from many more blocks than there are replicas, but not whether they sit in one state.
 /// The correlation time is the mean of those of the replicas that have one.
 ReplicaEstimate estimate(std::vector<Windows const*> const& replicas, std::size_t first,
                          Function const& f);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/statistics/windows.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace bagnold::statistics {
@@ -11,6 +12,13 @@ void Windows::push_back(std::span<double const> row, double window_weight) {
     throw std::invalid_argument("the weight of a window must be positive");
   sums.insert(sums.end(), row.begin(), row.end());
   weight.push_back(window_weight);
+}
+
+Windows Windows::first(std::size_t count) const {
+  auto const kept = static_cast<std::ptrdiff_t>(std::min(count, size()));
+  return {columns,
+          {sums.begin(), sums.begin() + kept * static_cast<std::ptrdiff_t>(columns)},
+          {weight.begin(), weight.begin() + kept}};
 }
 
 std::vector<double> Windows::mean(std::size_t first, std::size_t last) const {

@@ -28,6 +28,9 @@ struct Windows {
   /// a window without evaluations has no mean.
   void push_back(std::span<double const> row, double window_weight);
 
+  /// The first `count` windows, all of them where there are fewer.
+  Windows first(std::size_t count) const;
+
   /// K means over windows first .. last - 1; NaN where there is none. Throws std::out_of_range
   /// beyond the end.
   std::vector<double> mean(std::size_t first, std::size_t last) const;

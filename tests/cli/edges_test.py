@@ -139,6 +139,21 @@ class Edges(CliTest):
         self.assertEqual(code, 0, said)
         self.assertIn("error_bar", names)
 
+    def test_rough_errors_are_marked(self):
+        """Of so many quantities in a run of 64 windows some have 4 to 7 blocks, and some do not."""
+        path = self.scene(SOUND, shear__strain=4.0, output__sample_strain=2.0**-5)
+        out = self.folder / "rough"
+        result = self.bagnold("run", path, "--out", out)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        rough = {name: one["rough"] for name, one in read_summary(out)["observables"].items()
+                 if "rough" in one}
+        self.assertEqual(set(rough.values()), {True})
+        self.assertLess(len(rough), len(read_summary(out)["observables"]))
+        for name in rough:
+            self.assertIsNotNone(read_summary(out)["observables"][name]["error"])
+            self.assertRegex(result.stdout, rf"(?m)^{name} .* \(rough\)")
+        self.assertIn("with Student's factor", result.stdout)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -254,15 +254,17 @@ class Steady(ProtocolTest):
         np.testing.assert_allclose(summary["observables"]["p"]["mean"], series["p"][first:].mean(), rtol=1e-9)
         self.assertEqual(summary["scene"]["shear"]["discard"], "auto")
 
+    LONGER = {**LONG, "shear__strain": 2.0**7}  # 4096 windows
+
     def test_target_error_ends_the_run_where_it_is_reached(self):
         wanted = {"B_p": 0.2, "Z": 0.1}
-        target = Raw("{ B_p = 0.2, Z = 0.1 }")
+        changes = {**self.LONGER, "shear__target_error": Raw("{ B_p = 0.2, Z = 0.1 }")}
         for name, more in (("half", {}), ("auto", {"shear__discard": "auto"}),
                            ("three", {"disks__replicas": 3})):
             with self.subTest(name=name):
-                changes = {**self.LONG, **more}
-                out = self.run_new(name, shear__target_error=target, **changes)
-                windows = read_series(out)["p"].shape[-1]
+                out = self.run_new(name, **changes, **more)
+                series = read_series(out)
+                windows = series["p"].shape[-1]
                 summary = read_summary(out)
                 self.assertTrue(summary["target_error_reached"])
                 for key, error in wanted.items():
@@ -272,20 +274,29 @@ class Steady(ProtocolTest):
                                      found["error"] / abs(found["mean"]))
                 grid = [100]
                 while grid[-1] < windows:
-                    grid.append(grid[-1] + -(-grid[-1] // 10))
+                    grid.append(grid[-1] + -(-grid[-1] // 2))
                 self.assertEqual(grid[-1], windows)
-                self.assertLess(windows, 1024)
-                # at every look before it was not reached: runs of those lengths by hand
-                for look in grid[-3:-1]:
-                    shorter = self.run_new(f"{name}{look}", **{**changes, "shear__strain": look * 2.0**-5})
-                    found = read_summary(shorter)["observables"]
-                    errors = [found[k]["error"] for k in wanted]
-                    self.assertTrue(any(e is None or e > wanted[k] * abs(found[k]["mean"])
-                                        for k, e in zip(wanted, errors)), look)
+                self.assertLess(windows, 4096)
+                # at the look before, targets were met once: too few for a run that may go on to there
+                shorter = read_summary(self.run_new(
+                    f"{name}shorter", **{**changes, **more, "shear__strain": grid[-2] * 2.0**-5}))
+                self.assertEqual(shorter["strain"]["total"], grid[-2] * 2.0**-5)
+                self.assertFalse(shorter["target_error_reached"])
+                for key, error in wanted.items():
+                    self.assertLessEqual(shorter["target_error"][key]["reached"], error)
                 # and the run that ends there is the run of that strain
-                same = self.run_new(f"{name}same", **{**changes, "shear__strain": windows * 2.0**-5})
+                same = self.run_new(f"{name}same", **{**self.LONGER, **more, "shear__strain": windows * 2.0**-5})
                 self.assertEqual(read_summary(same)["observables"].keys(), summary["observables"].keys())
-                np.testing.assert_allclose(read_series(same)["p"], read_series(out)["p"], rtol=1e-6)
+                np.testing.assert_allclose(read_series(same)["p"], series["p"], rtol=1e-6)
+                if name == "auto":
+                    first = max(mser5(series[key]) for key in ("B_p", "B_sigma"))
+                    self.assertEqual(discarded_windows(out), min(2 * first, (windows + 1) // 2))
+                if name == "three":  # Student's t, 2 degrees of freedom: 4.53 stays above 95.45%
+                    self.assertIn("Student", summary["errors_from"])
+                    for key in wanted:
+                        own = [one["observables"][key]["mean"] for one in summary["replicas"]]
+                        self.assertGreater(summary["observables"][key]["error"],
+                                           2.26 * np.std(own, ddof=1) / np.sqrt(3))
 
     def test_target_error_that_is_not_reached(self):
         out = self.run_new("cap", shear__target_error=Raw("{ B_p = 1e-9 }"))
@@ -294,9 +305,10 @@ class Steady(ProtocolTest):
         self.assertEqual(summary["strain"]["total"], 2.0**-3)
 
     def test_kills_change_no_bit(self):
-        path = self.scene(**self.LONG, shear__target_error=Raw("{ B_p = 0.12 }"), disks__replicas=2,
+        path = self.scene(**self.LONGER, shear__target_error=Raw("{ B_p = 0.12 }"), disks__replicas=2,
                           **OFTEN)
         whole, seconds = self.undisturbed(path)
+        self.assertTrue(read_summary(whole)["target_error_reached"])
         for number, moments in ((signal.SIGKILL, 5), (signal.SIGTERM, 3)):
             out = self.kill_and_resume(path, f"ended{number}", moments, seconds, number=number)
             self.assert_same_results(whole, out)
