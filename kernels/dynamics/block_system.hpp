@@ -123,6 +123,17 @@ struct BlockSystem {
     return (a * now.spin(i) + b * now.spin(j)) / (a + b);
   }
 
+  /// Likewise of a pair of a class, halo included; 0 if the law does not rotate.
+  Real common_spin(Block const& block, int pair_class, simd::LocalPair const& pair) const {
+    if constexpr (rotates) {
+      Real const a = pair_class == 2 ? big_diameter : small_diameter;
+      Real const b = pair_class == 0 ? small_diameter : big_diameter;
+      return (a * now.spin(block.first + pair.a()) + b * now.spin(block.first + pair.b())) /
+             (a + b);
+    }
+    return 0;
+  }
+
   /// force: [block.local()], zeroed here.
   template <class Observer>
   void evaluate(Block const& block, BlockState const& state, Force* force,

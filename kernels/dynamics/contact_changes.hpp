@@ -3,11 +3,13 @@
 
 #include "kernels/blocks/blocks.hpp"
 #include "kernels/dynamics/contact_event.hpp"
+#include "kernels/dynamics/contact_sample.hpp"
 
 namespace bagnold {
 
-/// Calls pack(pairs, touched, touching, d) for each eight pairs of a block's inner list: which were
-/// in contact by `touched`, and which are, by the comparison that forces make. d: r_ij and v_ij.
+/// Calls pack(class, pairs, touched, touching, d) for each eight pairs of a block's inner list:
+/// which were in contact by `touched`, and which are, by the comparison that forces make. d: r_ij
+/// and v_ij.
 ///
 /// records: the block's, halo included; touched: a byte for eight places of the inner list.
 template <class OfPack>
@@ -20,7 +22,7 @@ void for_contacts(Blocks const& blocks, Block const& block, simd::Record const* 
       auto const* const pairs = blocks.near[inner_list].data() + begin + k;
       auto const d = simd::load_differences(records, pairs);
       auto const touching = (fma(d.x, d.x, d.y * d.y) < reach2).lanes();
-      of_pack(pairs, touched[(begin + k) / simd::width], touching, d);
+      of_pack(c, pairs, touched[(begin + k) / simd::width], touching, d);
     }
   }
 }
@@ -31,7 +33,7 @@ template <class Changed>
 void contact_changes(Blocks const& blocks, Block const& block, simd::Record const* records,
                      std::uint8_t* touched, Changed const& changed) {
   for_contacts(blocks, block, records, touched,
-               [&](simd::LocalPair const* pairs, std::uint8_t& before, unsigned touching,
+               [&](int, simd::LocalPair const* pairs, std::uint8_t& before, unsigned touching,
                    simd::Records const& d) {
                  for (auto lanes = touching ^ before; lanes != 0; lanes &= lanes - 1) {
                    int const n = __builtin_ctz(lanes);
@@ -43,17 +45,22 @@ void contact_changes(Blocks const& blocks, Block const& block, simd::Record cons
 }
 
 /// Sums over pairs in contact one after the other, in the order of the list, as PackSums has it: a
-/// pair across the edge of a block counts half.
-inline ContactMotion contact_motion(Blocks const& blocks, Block const& block,
-                                    simd::Record const* records, std::uint8_t* touched) {
+/// pair across the edge of a block counts half. spin(class, pair): see contact_velocities();
+/// see(pair, r_ij, v_ij, spin) is called for each.
+template <class Spin, class See>
+ContactMotion contact_motion(Blocks const& blocks, Block const& block, simd::Record const* records,
+                             std::uint8_t* touched, Spin const& spin, See const& see) {
   ContactMotion sums;
   for_contacts(blocks, block, records, touched,
-               [&](simd::LocalPair const* pairs, std::uint8_t const&, unsigned touching,
+               [&](int c, simd::LocalPair const* pairs, std::uint8_t const&, unsigned touching,
                    simd::Records const& d) {
                  for (auto lanes = touching; lanes != 0; lanes &= lanes - 1) {
                    int const n = __builtin_ctz(lanes);
                    bool const inside = std::max(pairs[n].a(), pairs[n].b()) < block.padded;
-                   sums.add(inside ? 1 : 0.5, {d.x.v[n], d.y.v[n]}, {d.vx.v[n], d.vy.v[n]});
+                   Vec2<Real> const separation{d.x.v[n], d.y.v[n]}, velocity{d.vx.v[n], d.vy.v[n]};
+                   Real const common = spin(c, pairs[n]);
+                   sums.add(inside ? 1 : 0.5, separation, velocity, common);
+                   see(pairs[n], separation, velocity, common);
                  }
                });
   return sums;

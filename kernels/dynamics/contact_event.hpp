@@ -38,22 +38,4 @@ inline ContactEvent contact_event(std::int64_t step, bool begins, std::uint32_t 
   return {step, begins, a, b, collision_angle(velocity, separation)};
 }
 
-/// Sums over pairs in contact.
-struct ContactMotion {
-  Real normal2 = 0;      ///< of v_N^2, [d_s^2 / tau_e^2]
-  Real tangential2 = 0;  ///< of v_T^2
-
-  void add(Real weight, Vec2<Real> const& separation, Vec2<Real> const& velocity) {
-    Real const r2 = dot(separation, separation), along = dot(velocity, separation);
-    Real const across = cross(velocity, separation);
-    normal2 += weight * (along * along / r2);
-    tangential2 += weight * (across * across / r2);
-  }
-  ContactMotion& operator+=(ContactMotion const& o) {
-    normal2 += o.normal2;
-    tangential2 += o.tangential2;
-    return *this;
-  }
-};
-
 }  // namespace bagnold

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "kernels/core/vec2.hpp"
 
@@ -36,6 +37,44 @@ inline ContactVelocities contact_velocities(Vec2<Real> const& separation,
   return {cross(velocity, separation) / r / strain_rate, r * spin / strain_rate,
           -dot(velocity, separation) / r / strain_rate};
 }
+
+/// Sums over pairs in contact, of V_T, V_R, V_N of ContactVelocities in [d_s / tau_e].
+struct ContactMotion {
+  enum : int {
+    normal2,
+    tangential2,
+    rotational2,
+    tangential_rotational,
+    tangential_normal,
+    rotational_normal,
+    tangential,
+    rotational,
+    normal,
+    contacts,
+    count
+  };
+  Real value[count] = {};
+
+  /// spin: as in contact_velocities().
+  void add(Real weight, Vec2<Real> const& separation, Vec2<Real> const& velocity, Real spin) {
+    Real const r2 = dot(separation, separation), along = dot(velocity, separation);
+    Real const across = cross(velocity, separation), r = std::sqrt(r2);
+    value[normal2] += weight * (along * along / r2);
+    value[tangential2] += weight * (across * across / r2);
+    value[rotational2] += weight * (r2 * spin * spin);
+    value[tangential_rotational] += weight * (across * spin);
+    value[tangential_normal] -= weight * (across * along / r2);
+    value[rotational_normal] -= weight * (along * spin);
+    value[tangential] += weight * (across / r);
+    value[rotational] += weight * (r * spin);
+    value[normal] -= weight * (along / r);
+    value[contacts] += weight;
+  }
+  ContactMotion& operator+=(ContactMotion const& o) {
+    for (int c = 0; c < count; ++c) value[c] += o.value[c];
+    return *this;
+  }
+};
 
 /// A contact is looked at in one configuration.
 struct ContactSample {
@@ -76,6 +115,12 @@ class SampleChoice {
     return uniform(a, b, begin ^ aside);
   }
 
+  /// Likewise of a contact in the configuration at a step.
+  Real rank_at(std::uint32_t a, std::uint32_t b, std::int64_t step) const {
+    constexpr std::int64_t aside = std::int64_t{1} << 61;  // no step
+    return uniform(a, b, step ^ aside);
+  }
+
  private:
   Real uniform(std::uint32_t a, std::uint32_t b, std::int64_t step) const {
     auto const pair = std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
@@ -93,6 +138,29 @@ class SampleChoice {
 
   std::uint64_t seed_ = 0;
   bool on_ = false;
+};
+
+/// A contact in one evaluated configuration, and its rank among all of them.
+struct ContactPick {
+  Real rank = 0;
+  ContactVelocities velocities;
+};
+
+/// Picks the contacts of evaluated configurations that may be among those of the least ranks, which
+/// are an even choice of all: a contact has as many chances as configurations it lasts.
+struct ContactPicker {
+  SampleChoice choice;
+  std::int64_t first_step = 0;  ///< from which on
+  Real limit = 0;               ///< of the ranks
+
+  /// Adds the contact, whose velocities are asked for only then. Disks in any order.
+  template <class Velocities>
+  void operator()(std::vector<ContactPick>& picks, std::int64_t step, std::uint32_t a,
+                  std::uint32_t b, Velocities const& velocities) const {
+    if (!choice || step < first_step) return;
+    Real const rank = choice.rank_at(a, b, step);
+    if (rank < limit) picks.push_back({rank, velocities()});
+  }
 };
 
 }  // namespace bagnold

@@ -78,7 +78,8 @@ struct BinaryCollisions {
           int const k = __builtin_ctz(lanes);
           add_sample(sums[static_cast<std::size_t>(k) * times.bins() + times.bin(sample[k])], f, p,
                      q, k, step.v[k]);
-          watch.sample(k, times.bin(sample[k]), f.force.separation, velocity);
+          watch.sample(k, times.bin(sample[k]), times.step(sample[k]), f.force.separation, velocity,
+                       {p.spin, q.spin});
           due.v[k] = due_step(times, ++sample[k]);
         }
       auto const g = take_step(p, q, f, dt, touch);

@@ -16,11 +16,13 @@ struct LaneWatch {
     std::vector<ContactEvent>* events = nullptr;
     ContactMotion* motion = nullptr;  ///< by measurement window
     std::vector<ContactSample>* samples = nullptr;
+    std::vector<ContactPick>* picks = nullptr;
     std::int64_t opened = 0,
                  due = SampleChoice::never;  ///< of the contact, as OpenContact has them
     Real share_a = 0.5, share_b = 0.5;       ///< d / (d_a + d_b)
   };
   SampleChoice choice;
+  ContactPicker picker;
   Real strain_rate = 0;    ///< gammadot, [1/tau_e]
   std::int64_t begin = 0;  ///< of the window, [steps]
   unsigned touched = 0;    ///< lanes in contact
@@ -45,21 +47,30 @@ struct LaneWatch {
       int const k = __builtin_ctz(lanes);
       auto const now = begin + static_cast<std::int64_t>(step.v[k]);
       if (lane[k].due != now) continue;
-      Real const common = lane[k].share_a * spin.x.v[k] + lane[k].share_b * spin.y.v[k];
-      lane[k].samples->push_back(
-          {now, lane[k].a, lane[k].b,
-           contact_velocities(at(separation, k), at(velocity, k), common, strain_rate)});
+      lane[k].samples->push_back({now, lane[k].a, lane[k].b,
+                                  contact_velocities(at(separation, k), at(velocity, k),
+                                                     common_spin(k, spin), strain_rate)});
       lane[k].due = choice.next(lane[k].a, lane[k].b, lane[k].opened, now);
     }
   }
 
-  /// One lane's configuration is evaluated.
-  void sample(int k, std::size_t bin, Vec2<simd::Pack> const& separation,
-              Vec2<simd::Pack> const& velocity) const {
-    if (touched >> k & 1) lane[k].motion[bin].add(1, at(separation, k), at(velocity, k));
+  /// One lane's configuration is evaluated, `step` steps after `begin`. spin: as in look().
+  void sample(int k, std::size_t bin, std::int64_t step, Vec2<simd::Pack> const& separation,
+              Vec2<simd::Pack> const& velocity, Vec2<simd::Pack> const& spin) const {
+    if ((touched >> k & 1) == 0) return;
+    Lane const& of = lane[k];
+    Real const common = common_spin(k, spin);
+    of.motion[bin].add(1, at(separation, k), at(velocity, k), common);
+    picker(*of.picks, begin + step, of.a, of.b, [&] {
+      return contact_velocities(at(separation, k), at(velocity, k), common, strain_rate);
+    });
   }
 
  private:
+  Real common_spin(int k, Vec2<simd::Pack> const& spin) const {
+    return lane[k].share_a * spin.x.v[k] + lane[k].share_b * spin.y.v[k];
+  }
+
   void begin_or_end(Lane& of, bool begins) const {
     auto const step = of.events->back().step;
     of.opened = step;
@@ -74,7 +85,8 @@ struct LaneWatch {
 struct NoLaneWatch {
   void look(simd::Mask, simd::Mask, simd::Pack, Vec2<simd::Pack> const&, Vec2<simd::Pack> const&,
             Vec2<simd::Pack> const&) const {}
-  void sample(int, std::size_t, Vec2<simd::Pack> const&, Vec2<simd::Pack> const&) const {}
+  void sample(int, std::size_t, std::int64_t, Vec2<simd::Pack> const&, Vec2<simd::Pack> const&,
+              Vec2<simd::Pack> const&) const {}
 };
 
 }  // namespace bagnold

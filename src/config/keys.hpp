@@ -117,7 +117,7 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
   visit(of({"steady", "cascade"}, Key{"measure.contacts", "",
             "durations, rate, angles and clusters of contacts", optional}), measure.contacts);
   visit(of({"steady", "cascade"}, Key{"measure.correlations", "",
-            "relative velocities of collisions at a random time during each", optional}),
+            "relative velocities in contact, of contacts in time and once a collision", optional}),
         measure.correlations);
   visit(of({"steady", "cascade"}, Key{"measure.profiles", "",
             "profiles over y of flow, packing and stress; band fractions", optional}),

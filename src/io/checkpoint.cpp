@@ -16,7 +16,7 @@
 namespace bagnold::io {
 namespace {
 
-constexpr std::int64_t schema = 6;  ///< of the file, see SCHEMA.md
+constexpr std::int64_t schema = 7;  ///< of the file, see SCHEMA.md
 
 std::filesystem::path newest_of(std::filesystem::path const& folder) {
   return folder / "checkpoint.h5";

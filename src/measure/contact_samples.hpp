@@ -3,42 +3,51 @@
 
 #include <cstddef>
 #include <map>
+#include <string>
 #include <vector>
 
+#include "kernels/dynamics/contact_sample.hpp"
 #include "src/measure/frame_observer.hpp"
-#include "src/simulation/contact_table.hpp"
 
 namespace bagnold {
 
-/// Velocities in collisions, each looked at once, at a random step of it: P2 Fig. 21.
-///
-/// Of all collisions those of the least ranks are kept (SampleChoice::rank): an even choice that
-/// does not depend on their order.
+/// An even choice of velocities in contact: of all that are offered those of the least ranks, see
+/// SampleChoice, so that it does not depend on their order.
 class ContactSamples {
  public:
   static constexpr std::size_t most = 5000;  ///< as in P2 Fig. 21
 
-  ContactSamples(SampleChoice choice, bool rotates) : choice_(choice), rotates_(rotates) {}
-
-  void add(OpenContact const& contact);
-
-  void save(Numbers& numbers) const;
-  void load(Numbers const& numbers);
+  void add(ContactPick const& pick);
 
   /// Adds those of another system.
   void add(ContactSamples const& other);
 
-  /// `contact_velocities`: V_T, V_R, V_C_T, V_N of each, where disks do not rotate V_T and V_N;
-  /// `_mean`, `_covariance` of the columns, and `_axes` of each two of them: nothing of fewer than
-  /// two collisions.
-  std::vector<statistics::Samples> samples() const;
+  /// Ranks from here on are not kept.
+  Real limit() const;
+
+  std::vector<double> numbers() const;
+  void restore(std::vector<double> const& numbers);
+
+  std::vector<ContactVelocities> velocities() const;
 
  private:
-  void keep(double rank, ContactVelocities const& velocities);
+  std::multimap<Real, ContactVelocities> kept_;  ///< by rank
+};
 
-  SampleChoice choice_;
-  bool rotates_;
-  std::multimap<double, ContactVelocities> kept_;  ///< by rank
+/// Sums of such velocities over gammadot d_s, each of weight 1.
+ContactMotion sums_of(std::vector<ContactVelocities> const& velocities);
+
+/// What a set of velocities in contact is reported as.
+struct VelocityTables {
+  std::string name;         ///< `contact_velocities`
+  std::string description;  ///< of the rows
+  bool rotates;
+
+  /// NAME: V_T, V_R, V_C_T, V_N of each, where disks do not rotate V_T and V_N; NAME_mean,
+  /// NAME_covariance of these columns, and NAME_axes of each two of them, from `sums` over
+  /// gammadot d_s. Nothing of fewer than two.
+  std::vector<statistics::Samples> operator()(std::vector<ContactVelocities> const& velocities,
+                                              ContactMotion const& sums) const;
 };
 
 }  // namespace bagnold

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/measure/contacts.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <optional>
 
 #include "src/measure/contact_histograms.hpp"
@@ -10,10 +12,24 @@ namespace bagnold {
 
 namespace {
 
+/// Velocities in contact of one system, with measure.correlations.
+struct FoundVelocities {
+  ContactSamples contacts;    ///< any contact in any evaluated configuration: weighted by duration
+  ContactSamples collisions;  ///< each contact once
+  ContactMotion motion;       ///< over all that `contacts` is a choice of, [d_s / tau_e]
+
+  void add(FoundVelocities const& other) {
+    contacts.add(other.contacts);
+    collisions.add(other.collisions);
+    motion += other.motion;
+  }
+};
+
 /// What is found of the contacts of one system.
 struct Found final : ContactListener {
   ContactHistograms histograms;
-  std::optional<ContactSamples> samples;  ///< with measure.correlations
+  SampleChoice choice;
+  std::optional<FoundVelocities> velocities;
 
   explicit Found(double time_step) : histograms(time_step) {}
   void begins(ContactEvent const& event, std::size_t cluster) override {
@@ -22,15 +38,34 @@ struct Found final : ContactListener {
   void ends(ContactEvent const& event, std::int64_t duration) override {
     histograms.ends(event, duration);
   }
-  void sampled(OpenContact const& contact) override {
-    if (samples) samples->add(contact);
+  void sampled(OpenContact const& c) override {
+    if (velocities) velocities->collisions.add({choice.rank(c.a, c.b, c.begin), c.velocities});
   }
+  void evaluated(ContactMotion const& motion) override {
+    if (velocities) velocities->motion += motion;
+  }
+  void picked(ContactPick const& pick) override { velocities->contacts.add(pick); }
+  Real limit() const override { return velocities ? velocities->contacts.limit() : 0; }
 };
+
+/// Sums over [d_s / tau_e] as sums over gammadot d_s.
+ContactMotion over_rate(ContactMotion motion, double strain_rate) {
+  using M = ContactMotion;
+  for (int c = M::normal2; c <= M::rotational_normal; ++c)
+    motion.value[c] /= strain_rate * strain_rate;
+  for (int c : {M::tangential, M::rotational, M::normal}) motion.value[c] /= strain_rate;
+  return motion;
+}
 
 class Contacts final : public FrameObserver {
  public:
-  Contacts(double time_step, std::shared_ptr<ContactRecord> record, std::shared_ptr<Found> found)
-      : time_step_(time_step), record_(std::move(record)), found_(std::move(found)) {}
+  Contacts(Scene const& scene, double time_step, std::shared_ptr<ContactRecord> record,
+           std::shared_ptr<Found> found)
+      : strain_rate_(scene.shear.strain_rate),
+        rotates_(scene.rotates()),
+        time_step_(time_step),
+        record_(std::move(record)),
+        found_(std::move(found)) {}
 
   void add(Frame const&) override {}
 
@@ -40,12 +75,15 @@ class Contacts final : public FrameObserver {
       open.insert(open.end(), {static_cast<double>(c.a), static_cast<double>(c.b),
                                static_cast<double>(c.begin), c.binary ? 1.0 : 0.0});
     found_->histograms.save(numbers);
-    if (!found_->samples) return;
+    if (!found_->velocities) return;
     auto& looks = numbers["contacts_looks"];
     for (auto const& c : record_->table.sorted())
       looks.insert(looks.end(), {due_number(c.due), c.velocities.tangential,
                                  c.velocities.rotational, c.velocities.normal});
-    found_->samples->save(numbers);
+    auto const& [contacts, collisions, motion] = *found_->velocities;
+    numbers["contact_velocities"] = contacts.numbers();
+    numbers["collision_velocities"] = collisions.numbers();
+    numbers["contact_motion"].assign(std::begin(motion.value), std::end(motion.value));
   }
 
   void load(Numbers const& numbers) override {
@@ -55,13 +93,16 @@ class Contacts final : public FrameObserver {
       contacts.push_back({static_cast<std::uint32_t>(open[k]),
                           static_cast<std::uint32_t>(open[k + 1]),
                           static_cast<std::int64_t>(open[k + 2]), open[k + 3] != 0});
-    if (found_->samples) {
+    if (found_->velocities) {
       auto const& looks = numbers.at("contacts_looks");
       for (std::size_t k = 0; k < contacts.size(); ++k) {
         contacts[k].due = due_step(looks.at(4 * k));
         contacts[k].velocities = {looks.at(4 * k + 1), looks.at(4 * k + 2), looks.at(4 * k + 3)};
       }
-      found_->samples->load(numbers);
+      auto& [chosen, collisions, motion] = *found_->velocities;
+      chosen.restore(numbers.at("contact_velocities"));
+      collisions.restore(numbers.at("collision_velocities"));
+      std::ranges::copy(numbers.at("contact_motion"), motion.value);
     }
     record_->restore(contacts);
     found_->histograms.load(numbers);
@@ -70,15 +111,29 @@ class Contacts final : public FrameObserver {
   void report(std::vector<FrameObserver const*> const& systems,
               FrameResults& results) const override {
     ContactHistograms all(time_step_);
-    auto samples = found_->samples;
+    auto velocities = found_->velocities;
     for (auto const* system : systems) {
       auto const& other = *dynamic_cast<Contacts const&>(*system).found_;
       all.add(other.histograms);
-      if (samples && &other != found_.get()) samples->add(*other.samples);
+      if (velocities && &other != found_.get()) velocities->add(*other.velocities);
     }
     for (auto& histogram : all.histograms()) results.histograms.push_back(std::move(histogram));
-    if (!samples) return;
-    for (auto& table : samples->samples()) results.samples.push_back(std::move(table));
+    if (!velocities) return;
+    auto const tell = [&](VelocityTables const& tables, ContactSamples const& samples,
+                          ContactMotion const& sums) {
+      for (auto& one : tables(samples.velocities(), sums))
+        results.samples.push_back(std::move(one));
+    };
+    auto const& [contacts, collisions, motion] = *velocities;
+    tell({"contact_velocities",
+          "relative velocities over gammadot d_s (P2 Eqs. 30-34), each of a contact in an "
+          "evaluated configuration; means, covariance and axes are over all of these",
+          rotates_},
+         contacts, over_rate(motion, strain_rate_));
+    tell({"collision_velocities",
+          "likewise, each of one collision at a random step of it: long ones count as short ones",
+          rotates_},
+         collisions, sums_of(collisions.velocities()));
   }
 
  private:
@@ -90,6 +145,8 @@ class Contacts final : public FrameObserver {
     return number < 0 ? SampleChoice::never : static_cast<std::int64_t>(number);
   }
 
+  double strain_rate_;
+  bool rotates_;
   double time_step_;
   std::shared_ptr<ContactRecord> record_;
   std::shared_ptr<Found> found_;
@@ -103,13 +160,14 @@ std::shared_ptr<ContactRecord> watch_contacts(Scene const& scene, Plan const& pl
   SampleChoice choice;
   if (scene.measure.correlations) {
     choice = SampleChoice(seed);
-    found->samples.emplace(choice, scene.rotates());
+    found->choice = choice;
+    found->velocities.emplace();
   }
   auto const record =
       std::make_shared<ContactRecord>(static_cast<std::size_t>(scene.disks.count), columns,
                                       plan.discarded_windows * plan.window_steps, found, choice);
   constexpr auto never = std::int64_t{1} << 60;
-  frames.watch(std::make_unique<Contacts>(plan.time_step, record, found), never, never);
+  frames.watch(std::make_unique<Contacts>(scene, plan.time_step, record, found), never, never);
   return record;
 }
 

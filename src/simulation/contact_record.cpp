@@ -101,10 +101,20 @@ void ContactRecord::looked(std::int64_t begin, std::int64_t end, Sampling const&
   }
 }
 
-void ContactRecord::add(ContactMotion const& motion, std::int64_t window,
+void ContactRecord::add(ContactMotion const& motion, std::int64_t step, Sampling const& sampling,
                         OpenWindows& windows) const {
-  add(ContactColumns::normal2, motion.normal2, window, windows);
-  add(ContactColumns::tangential2, motion.tangential2, window, windows);
+  for (int c = 0; c < ContactMotion::count; ++c)
+    add(ContactColumns::motion + c, motion.value[c], sampling.window(step), windows);
+  if (listener_ && step >= first_step_) listener_->evaluated(motion);
+}
+
+ContactPicker ContactRecord::picker() const {
+  return {choice, first_step_, listener_ ? listener_->limit() : 0};
+}
+
+void ContactRecord::add(std::vector<ContactPick>& picks) const {
+  for (auto const& pick : picks) listener_->picked(pick);
+  picks.clear();
 }
 
 }  // namespace bagnold

@@ -24,6 +24,12 @@ class ContactListener {
 
   /// Of one that ends and was looked at, see SampleChoice: its velocities at a random step.
   virtual void sampled(OpenContact const&) {}
+
+  /// Of contacts in evaluated configurations: sums over all of them, and those with a rank below
+  /// `limit()`, see ContactPicker, in no particular order.
+  virtual void evaluated(ContactMotion const&) {}
+  virtual void picked(ContactPick const&) {}
+  virtual Real limit() const { return 0; }
 };
 
 /// Turns the events of one system into sums of measurement windows.
@@ -71,8 +77,14 @@ class ContactRecord {
   /// Configurations begin .. end - 1 have been looked at.
   void looked(std::int64_t begin, std::int64_t end, Sampling const& sampling, OpenWindows& windows);
 
-  /// Sums over one evaluated configuration, or several.
-  void add(ContactMotion const& motion, std::int64_t window, OpenWindows& windows) const;
+  /// Sums over one evaluated configuration, or several, of a window; step: of any of them.
+  void add(ContactMotion const& motion, std::int64_t step, Sampling const& sampling,
+           OpenWindows& windows) const;
+
+  /// Who picks contacts of evaluated configurations, from now on; and those that it picked, which
+  /// are used up.
+  ContactPicker picker() const;
+  void add(std::vector<ContactPick>& picks) const;
 
  private:
   using Events = std::vector<ContactEvent>::const_iterator;

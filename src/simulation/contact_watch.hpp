@@ -32,7 +32,9 @@ class ContactWatch {
     if (!listed_) list(blocks, record.table);
     bool const sampled = sampling.sampled(step);
     found_.resize(blocks.count);
+    picks_.resize(blocks.count);
     motion_.assign(blocks.count, {});
+    ContactPicker const picker = record.picker();
     loop(blocks.count, [&](std::uint32_t b) {
       Block const& block = blocks.block(b);
       refresh_halo(blocks, block, all.now, box);
@@ -46,12 +48,24 @@ class ContactWatch {
             found_[b].push_back(contact_event(step, begins, disk(slots.a), disk(slots.b.index()),
                                               separation, velocity));
           });
-      if (sampled) motion_[b] = contact_motion(blocks, block, records, touched_.data());
+      if (sampled)
+        motion_[b] = contact_motion(
+            blocks, block, records, touched_.data(),
+            [&](int c, simd::LocalPair const& pair) { return all.common_spin(block, c, pair); },
+            [&](simd::LocalPair const& pair, Vec2<Real> const& separation,
+                Vec2<Real> const& velocity, Real spin) {
+              auto const slots = slot_pair(blocks, block, pair);
+              if (!is_first_listing(slots)) return;
+              picker(picks_[b], step, disk(slots.a), disk(slots.b.index()), [&] {
+                return contact_velocities(separation, velocity, spin, box.strain_rate);
+              });
+            });
     });
     for (auto& found : found_) take(found);
+    for (auto& picks : picks_) record.add(picks);
     ContactMotion motion;
     for (auto const& of_block : motion_) motion += of_block;
-    if (sampled) record.add(motion, sampling.window(step), windows);
+    if (sampled) record.add(motion, step, sampling, windows);
     tell(sampling, windows);
     if (record.choice)
       for (auto const& contact : record.due(step)) {
@@ -141,6 +155,7 @@ class ContactWatch {
   std::vector<std::uint32_t> disk_of_;            ///< by slot
   std::vector<std::uint8_t> touched_;             ///< a byte for eight places of the inner lists
   std::vector<std::vector<ContactEvent>> found_;  ///< by block
+  std::vector<std::vector<ContactPick>> picks_;   ///< by block
   std::vector<ContactMotion> motion_;             ///< by block
   std::vector<ContactEvent> events_;
   std::vector<ContactSample> samples_;

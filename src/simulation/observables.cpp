@@ -36,9 +36,37 @@ double anisotropy(Averages a) { return (total(a, &Part::xx) - total(a, &Part::yy
 
 constexpr std::string_view stress_unit = "m/tau_e^2";
 
+/// How the velocity at the contact, V^C_T = V_T + V^R (P2 Eqs. 30-34), goes with the rotation in it.
+/// sum(averages, column): of ContactColumns.
+template <class Sum>
+void add_rotation_in_contact(std::vector<Observable>& list, Sum const& sum) {
+  using M = ContactMotion;
+  auto const mean = [sum](Averages a, int column) {
+    return sum(a, ContactColumns::motion + column) / sum(a, ContactColumns::motion + M::contacts);
+  };
+  auto const at_contact2 = [mean](Averages a) {
+    return mean(a, M::tangential2) + 2 * mean(a, M::tangential_rotational) + mean(a, M::rotational2);
+  };
+  list.push_back({"v_C_T_rms", "d_s/tau_e", "across it at the point of contact",
+                  [=](Averages a) { return std::sqrt(at_contact2(a)); }});
+  list.push_back({"v_R_rms", "d_s/tau_e", "of that the part of the rotation",
+                  [=](Averages a) { return std::sqrt(mean(a, M::rotational2)); }});
+  list.push_back({"contact_rotation_correlation", "1",
+                  "correlation coefficient of V^C_T with V^R over contacts in time",
+                  [=](Averages a) {
+                    double const turn = mean(a, M::rotational);
+                    double const slip = mean(a, M::tangential) + turn;
+                    double const both = mean(a, M::tangential_rotational) + mean(a, M::rotational2);
+                    return (both - slip * turn) /
+                           std::sqrt((at_contact2(a) - slip * slip) *
+                                     (mean(a, M::rotational2) - turn * turn));
+                  }});
+}
+
 /// Those of contacts, in whose names Z = 2 tau_dur nu_coll.
 void add_contacts(Scene const& scene, std::vector<Observable>& list) {
   using K = ContactColumns;
+  using M = ContactMotion;
   int const first = scene.rotates() ? C::count_rotating : C::count;
   auto const sum = [first](Averages a, int column) {
     return a[static_cast<std::size_t>(first + column)];
@@ -52,8 +80,9 @@ void add_contacts(Scene const& scene, std::vector<Observable>& list) {
   list.push_back({"nu_coll", "1/tau_e", "contacts begun per disk and time",
                   [=](Averages a) { return sum(a, K::begun) / (n * dt * sum(a, K::steps)); }});
   list.push_back({"v_N_rms", "d_s/tau_e", "relative velocity in contact, along the line of centres",
-                  rms(K::normal2)});
-  list.push_back({"v_T_rms", "d_s/tau_e", "across it", rms(K::tangential2)});
+                  rms(K::motion + M::normal2)});
+  list.push_back({"v_T_rms", "d_s/tau_e", "across it", rms(K::motion + M::tangential2)});
+  if (scene.rotates()) add_rotation_in_contact(list, sum);
   list.push_back({"cluster_binary_share", "1",
                   "share of contacts in which neither disk ever touched a third one",
                   [=](Averages a) { return sum(a, K::binary) / sum(a, K::ended); }});

@@ -23,7 +23,10 @@ void look_along_rows(ContactForces<Law, Repulsion, Space> const& forces, std::in
   ContactRecord& record = *windows.contacts;
   std::vector<ContactEvent> events;
   std::vector<ContactSample> touched;
+  std::vector<ContactPick> picks;
   ContactMotion sums;
+  ContactPicker const picker = record.picker();
+  bool const sampled = sampling.sampled(step);
   auto const spin = [&](std::uint32_t i, std::uint32_t j) {
     if constexpr (Law::rotates) {
       Real const a = forces.table.diameter[species(i)], b = forces.table.diameter[species(j)];
@@ -43,15 +46,19 @@ void look_along_rows(ContactForces<Law, Repulsion, Space> const& forces, std::in
       if (!touching && !record.table.is_open(i, j)) continue;
       Vec2<Real> velocity = motion(i).velocity - motion(j).velocity;
       velocity.x -= forces.box.velocity_shift(image);
-      if (touching) sums.add(1, separation, velocity);
-      if (touching && record.choice)
-        touched.push_back(
-            {step, i, j,
-             contact_velocities(separation, velocity, spin(i, j), forces.box.strain_rate)});
+      auto const velocities = [&] {
+        return contact_velocities(separation, velocity, spin(i, j), forces.box.strain_rate);
+      };
+      if (touching && sampled) {
+        sums.add(1, separation, velocity, spin(i, j));
+        picker(picks, step, i, j, velocities);
+      }
+      if (touching && record.choice) touched.push_back({step, i, j, velocities()});
       if (touching != record.table.is_open(i, j))
         events.push_back(contact_event(step, touching, i, j, separation, velocity));
     }
-  if (sampling.sampled(step)) record.add(sums, sampling.window(step), windows);
+  if (sampled) record.add(sums, step, sampling, windows);
+  record.add(picks);
   record.add(events, sampling, windows);
   for (auto const& sample : touched)
     if (record.table.find(sample.a, sample.b)->due == step) record.add(sample);

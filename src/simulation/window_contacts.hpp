@@ -20,6 +20,7 @@ class WindowContacts {
     if (!on_) return;
     for (auto& events : events_) events.clear();
     for (auto& samples : samples_) samples.clear();
+    for (auto& picks : picks_) picks.clear();
     motion_.clear();
     units_ = 0;
     begin_ = step;
@@ -27,6 +28,7 @@ class WindowContacts {
     watch_ = &watch;
     table_ = &windows.contacts->table;
     choice_ = windows.contacts->choice;
+    picker_ = windows.contacts->picker();
     strain_rate_ = box.strain_rate;
   }
 
@@ -39,6 +41,7 @@ class WindowContacts {
     if (events_.size() < units_) {
       events_.emplace_back();
       samples_.emplace_back();
+      picks_.emplace_back();
     }
     motion_.resize(units_ * bins);
   }
@@ -49,10 +52,11 @@ class WindowContacts {
                 std::uint32_t slot_b) {
     lanes.begin = begin_;
     lanes.choice = choice_;
+    lanes.picker = picker_;
     lanes.strain_rate = strain_rate_;
     auto& lane = lanes.lane[k];
-    lane = {watch_->disk(slot_a), watch_->disk(slot_b), &events_[unit],
-            motion_.data() + unit * bins_, &samples_[unit]};
+    lane = {watch_->disk(slot_a),          watch_->disk(slot_b), &events_[unit],
+            motion_.data() + unit * bins_, &samples_[unit],      &picks_[unit]};
     Real const a = all.table.diameter[all.species(slot_a)];
     Real const b = all.table.diameter[all.species(slot_b)];
     lane.share_a = a / (a + b);
@@ -110,12 +114,20 @@ class WindowContacts {
     }
   }
 
-  /// Adds a batch's sums to a measurement window.
-  void sample(Blocks const& blocks, std::uint32_t b, simd::Record const* records, std::size_t unit,
-              std::size_t bin) {
-    Block const& block = blocks.block(b);
-    motion_[unit * bins_ + bin] +=
-        contact_motion(blocks, block, records + block.first, touched_.data());
+  /// Adds a batch's sums after `steps` steps of the window to a measurement window.
+  template <class Step, class Slot>
+  void sample(Step const& step, std::uint32_t b, std::size_t unit, std::size_t bin,
+              std::int64_t steps, Slot const& slot) {
+    Block const& block = step.blocks.block(b);
+    motion_[unit * bins_ + bin] += contact_motion(
+        step.blocks, block, step.now.record.data() + block.first, touched_.data(),
+        [&](int c, simd::LocalPair const& pair) { return step.common_spin(block, c, pair); },
+        [&](simd::LocalPair const& pair, Vec2<Real> const& separation, Vec2<Real> const& velocity,
+            Real spin) {
+          picker_(picks_[unit], begin_ + steps, watch_->disk(slot(b, pair.a())),
+                  watch_->disk(slot(b, pair.b())),
+                  [&] { return contact_velocities(separation, velocity, spin, strain_rate_); });
+        });
   }
 
   /// After a window that counts: tells of the units for which counts(unit) holds.
@@ -128,13 +140,14 @@ class WindowContacts {
       if (!counts(unit)) continue;
       watch_->take(events_[unit]);
       watch_->take(samples_[unit]);
+      record.add(picks_[unit]);
       for (std::size_t bin = 0; bin < times.bins(); ++bin)
         motion[bin] += motion_[unit * bins_ + bin];
     }
     watch_->tell(sampling, windows);
-    auto const first = sampling.window(begin_);
-    for (std::size_t bin = 0; bin < times.bins(); ++bin)
-      record.add(motion[bin], first + static_cast<std::int64_t>(bin), windows);
+    for (std::size_t k = 0; k < times.size(); ++k)
+      if (k == 0 || times.bin(k) != times.bin(k - 1))
+        record.add(motion[times.bin(k)], begin_ + times.step(k), sampling, windows);
     record.looked(begin_, end, sampling, windows);
   }
 
@@ -167,8 +180,10 @@ class WindowContacts {
   std::vector<ContactMotion> motion_;              ///< [units][bins]
   std::vector<std::uint8_t> touched_;              ///< by place in the lists of batches
   SampleChoice choice_;
+  ContactPicker picker_;
   Real strain_rate_ = 0;
   std::vector<std::vector<ContactSample>> samples_;  ///< by unit
+  std::vector<std::vector<ContactPick>> picks_;      ///< by unit
   std::vector<std::vector<Watched>> watched_;        ///< by batch
 };
 

@@ -341,8 +341,7 @@ class WindowedSteps {
               auto const here = measure_block(step, b, clock.strain_rate, force);
               for (int c = 0; c < Sums<rotates>::columns; ++c) sums.value[c] += here.value[c];
               if (contacts_)
-                contacts_.sample(step.blocks, b, step.now.record.data(), first_unit + b,
-                                 times_.bin(sample));
+                contacts_.sample(step, b, first_unit + b, times_.bin(sample), s, slot);
               ++sample;
             }
             watch.time = static_cast<Real>(s + 1) * clock.time_step;

@@ -9,7 +9,8 @@ import numpy as np
 
 from bagnold import LAWS, CliTest, read_summary, seconds_to_strain
 
-SCALARS = ("tau_dur", "nu_coll", "v_N_rms", "v_T_rms", "cluster_binary_share")
+SCALARS = ("tau_dur", "nu_coll", "v_N_rms", "v_T_rms", "v_C_T_rms", "v_R_rms",
+           "contact_rotation_correlation", "cluster_binary_share")
 HISTOGRAMS = ("cluster_disks", "tau_dur", "theta", "theta_begin", "theta_end")
 ENGINES = ("reference", "dense", "contact-rich", "windowed")
 ON = {"measure__contacts": True, "measure__correlations": True}
@@ -22,7 +23,7 @@ def histograms(out):
 
 
 def velocities(out):
-    """{name: rows} of /samples/contact_velocities*"""
+    """{name: rows} of /samples/contact_velocities* and collision_velocities*"""
     with h5py.File(out / "result.h5", "r") as file:
         return {k: d[()] for k, d in file["samples"].items()}
 
@@ -32,14 +33,35 @@ class ContactsTest(CliTest):
         for law in LAWS:
             out = self.run_new(law, disks__model=law, shear__strain=2.0, **ON)
             found = velocities(out)
-            rows = found["contact_velocities"]
-            self.assertGreater(len(rows), 50)
-            np.testing.assert_allclose(found["contact_velocities_mean"][0], rows.mean(axis=0), rtol=1e-9)
-            np.testing.assert_allclose(found["contact_velocities_covariance"], np.cov(rows.T), rtol=1e-9)
-            if law in ("CD", "CD_n"):
-                self.assertEqual(rows.shape[1], 2)
-            else:
-                np.testing.assert_allclose(rows[:, 0] + rows[:, 1], rows[:, 2], atol=1e-9)
+            rotates = law not in ("CD", "CD_n")
+            for name in ("contact_velocities", "collision_velocities"):
+                rows, mean = found[name], found[f"{name}_mean"][0]
+                covariance = found[f"{name}_covariance"]
+                self.assertGreater(len(rows), 50)
+                off = np.abs(mean - rows.mean(axis=0)) / np.sqrt(np.diag(covariance) / len(rows))
+                self.assertLess(off.max(), 5, name)
+                np.testing.assert_allclose(np.diag(covariance), rows.var(axis=0), rtol=0.3)
+                self.assertEqual(rows.shape[1], 4 if rotates else 2)
+                if rotates:
+                    np.testing.assert_allclose(rows[:, 0] + rows[:, 1], rows[:, 2], atol=1e-9)
+            rows = found["collision_velocities"]
+            np.testing.assert_allclose(found["collision_velocities_mean"][0], rows.mean(axis=0), rtol=1e-9)
+            np.testing.assert_allclose(found["collision_velocities_covariance"], np.cov(rows.T, ddof=0), rtol=1e-9)
+            if rotates:
+                found_by_sums = found["contact_velocities_covariance"]
+                correlation = found_by_sums[1, 2] / np.sqrt(found_by_sums[1, 1] * found_by_sums[2, 2])
+                means = {k: v["mean"] for k, v in read_summary(out)["observables"].items()}
+                self.assertAlmostEqual(means["contact_rotation_correlation"], correlation, places=9)
+
+    def test_velocities_at_the_contact_do_not_go_with_the_rotation(self):
+        """P2 Fig. 21 (d), an identity of contacts in time; each collision once they do."""
+        out = self.run_new("dense", disks__packing_fraction=0.84, shear__strain=4.0, **ON)
+        correlation = {}
+        for name in ("contact_velocities", "collision_velocities"):
+            covariance = velocities(out)[f"{name}_covariance"]
+            correlation[name] = covariance[1, 2] / np.sqrt(covariance[1, 1] * covariance[2, 2])
+        self.assertLess(abs(correlation["contact_velocities"]), 0.02, correlation)
+        self.assertGreater(correlation["collision_velocities"], 0.05, correlation)
 
     def test_durations_cut_short_by_the_run_are_warned_of(self):
         """Newtonian contacts outlast a strain of 1/8; dilute ones are short beside one of 8."""

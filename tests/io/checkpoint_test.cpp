@@ -66,7 +66,7 @@ TEST(Checkpoint, ImpossibleNumbersOfReplicasAreRefused) {
                                       std::numeric_limits<std::int64_t>::max()}) {
     Hdf5Writer file(Hashed::yes);
     file.attribute("/", "format", "bagnold-checkpoint");
-    file.attribute("/", "schema", std::int64_t{6});
+    file.attribute("/", "schema", std::int64_t{7});
     file.attribute("/", "replicas", replicas);
     file.text("/scene", "");
     auto image = bytes_of(file.content());

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 
 #include "kernels/observables/sums.hpp"
 #include "src/config/time_step.hpp"
@@ -124,6 +125,96 @@ TEST_F(SyntheticContacts, GoOnFromWhatIsSaved) {
   EXPECT_EQ(again.save(), frames.save());
   EXPECT_EQ(windows_again.sums[1].sums[columns + ContactColumns::duration], 80 + 80);
   EXPECT_EQ(windows_again.sums[1].sums[columns + ContactColumns::binary], 0);
+}
+
+/// Of two kinds of disks that rotate, velocities in contact at a rate of 1/2.
+class SyntheticVelocities : public SyntheticContacts {
+ public:
+  static constexpr int columns = SumColumns::count_rotating;
+
+  SyntheticVelocities() {
+    scene.disks.model = "CD_rot";
+    scene.measure.correlations = true;
+    scene.shear.strain_rate = 0.5;
+    frames = Frames();
+    windows.contacts = watch_contacts(scene, plan, columns, 1, frames);
+  }
+
+  /// A pair one above the other that rotates, V_R = v_r / (gammadot d_s), and moves.
+  static ContactMotion motion(Real v_t, Real v_r, Real v_n) {
+    ContactMotion sums;
+    sums.add(1, {0, -1}, {-v_t, v_n}, v_r);
+    return sums;
+  }
+
+  std::vector<double> rows(Frames const& of, std::string const& name) const {
+    for (auto const& table : Frames::join({&of}).samples)
+      if (table.name == name) return table.rows;
+    throw std::out_of_range(name);
+  }
+};
+
+TEST_F(SyntheticVelocities, AreAveragedOverContactsInTime) {
+  for (auto const& [v_t, v_r, v_n] :
+       {std::tuple{1.0, -2.0, 3.0}, {2.0, -2.5, 1.0}, {6.0, -9.0, 2.0}})
+    windows.contacts->add(motion(v_t, v_r, v_n), 200, sampling, windows);
+  windows.sums[2].sums[SumColumns::contacts] = 6;
+  auto const sums = windows.sums[2].sums;
+  auto const value = [&](std::string const& name) {
+    for (auto const& o : observables(scene, 10.0))
+      if (o.name == name) return o.value(sums);
+    return double(NAN);
+  };
+  EXPECT_NEAR(value("v_T_rms"), std::sqrt(41 / 3.0), 1e-12);
+  EXPECT_NEAR(value("v_N_rms"), std::sqrt(14 / 3.0), 1e-12);
+  EXPECT_NEAR(value("v_R_rms"), std::sqrt((4 + 6.25 + 81) / 3), 1e-12);
+  EXPECT_NEAR(value("v_C_T_rms"), std::sqrt((1 + 0.25 + 9) / 3), 1e-12);
+  // V^C_T = -1, -0.5, -3 and V^R = -2, -2.5, -9: means -1.5 and -4.5
+  double const both = 0.5 * 2.5 + 1 * 2 + 1.5 * 4.5;
+  double const slip2 = 0.25 + 1 + 2.25, turn2 = 6.25 + 4 + 20.25;
+  EXPECT_NEAR(value("contact_rotation_correlation"), both / std::sqrt(slip2 * turn2), 1e-12);
+}
+
+/// From the first measured step on, over gammadot d_s; a run that goes on has them all, and systems
+/// are taken together.
+TEST_F(SyntheticVelocities, AreReportedOfAllMeasuredConfigurations) {
+  auto const tell_some = [&](std::shared_ptr<ContactRecord> const& to) {
+    std::vector<ContactPick> picks{{0.25, {1, -2, 3}}, {0.5, {2, -2.5, 1}}};
+    to->add(motion(1, -2, 3), 100, sampling, windows);
+    to->add(picks);
+    EXPECT_TRUE(picks.empty());
+  };
+  windows.contacts->add(motion(100, 100, 100), 99, sampling, windows);
+  tell_some(windows.contacts);
+  auto const saved = frames.save();
+  windows.contacts->add(motion(3, -1, 1), 200, sampling, windows);
+  EXPECT_EQ(rows(frames, "contact_velocities"),
+            (std::vector<double>{1, -2, -1, 3, 2, -2.5, -0.5, 1}));
+  EXPECT_EQ(rows(frames, "contact_velocities_mean"), (std::vector<double>{4, -3, 1, 4}));
+  EXPECT_NEAR(rows(frames, "contact_velocities_covariance")[4 * 0 + 2], 2 * 3, 1e-12);
+
+  Frames again;
+  auto const record = watch_contacts(scene, plan, columns, 1, again);
+  again.load(saved);
+  record->add(motion(3, -1, 1), 200, sampling, windows);
+  EXPECT_EQ(again.save(), frames.save());
+
+  Frames other;
+  tell_some(watch_contacts(scene, plan, columns, 2, other));
+  for (auto const& table : Frames::join({&frames, &other}).samples)
+    if (table.name == "contact_velocities_mean")
+      EXPECT_NEAR(table.rows[0], 2 * (1 + 3 + 1) / 3.0, 1e-12);
+}
+
+/// Each collision counts once, with the velocities of its last look.
+TEST_F(SyntheticVelocities, OfCollisionsAreACollisionEach) {
+  std::vector<ContactEvent> events{
+      {110, true, 0, 1, 0}, {110, true, 2, 3, 0}, {150, false, 0, 1, 0}, {120, false, 2, 3, 0}};
+  std::vector<ContactSample> looks{{110, 0, 1, {1, 2, 3}}, {110, 2, 3, {4, 5, 6}}};
+  windows.contacts->add(events, looks, sampling, windows);
+  EXPECT_EQ(rows(frames, "collision_velocities").size(), 8u);
+  EXPECT_EQ(rows(frames, "collision_velocities_mean"), (std::vector<double>{2.5, 3.5, 6, 4.5}));
+  EXPECT_THROW(rows(frames, "contact_velocities"), std::out_of_range);
 }
 
 TEST_F(SyntheticContacts, RefuseWhatCannotHappen) {

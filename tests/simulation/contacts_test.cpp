@@ -60,6 +60,83 @@ TEST_P(Contacts, AreLookedAtWhereAllPairsWouldBe) {
   }
 }
 
+/// Every contact of every evaluated configuration once, with its velocities there, in any engine.
+TEST_P(Contacts, AreOfferedOnceForEachEvaluatedConfiguration) {
+  for (double packing_fraction : {0.82, 0.6}) {
+    Scene const scene = small_scene(packing_fraction, 64);
+    State const start = shaken_start(scene);
+    Sampling const sampling{200, 7, 500};
+    SampleChoice const choice(11);
+    AllPairs const expected(scene, start, sampling, choice);
+    ASSERT_GT(expected.picks.size(), packing_fraction > 0.7 ? 2000u : 100u);
+    auto simulation = simulate(scene, start, backend());
+    Watched watched(*simulation, start.count(), 0, choice);
+    auto const& record = watched.windows.contacts;
+    while (simulation->step() < 500) {
+      simulation->advance(83, sampling, watched.windows);
+      auto const open = record->table.sorted();
+      simulation = make_simulation(scene, simulation->snapshot(), backend());
+      record->restore(open);
+    }
+    auto const& picks = watched.listener->picks;
+    ASSERT_EQ(picks.size(), expected.picks.size());
+    for (auto a = picks.begin(), b = expected.picks.begin(); a != picks.end(); ++a, ++b) {
+      ASSERT_EQ(a->first, b->first);
+      EXPECT_NEAR(a->second.tangential, b->second.tangential, 1e-5);
+      EXPECT_NEAR(a->second.rotational, b->second.rotational, 1e-5);
+      EXPECT_NEAR(a->second.normal, b->second.normal, 1e-5);
+    }
+
+    Watched later(*simulate(scene, start, backend()), start.count(), 200, choice);
+    later.listener->below = 0.5;
+    auto const again = simulate(scene, start, backend());
+    again->advance(500, sampling, later.windows);
+    EXPECT_GT(later.listener->picks.size(), picks.size() / 5);
+    EXPECT_LT(later.listener->picks.size(), picks.size() / 2);
+    for (auto const& [rank, v] : later.listener->picks) {
+      EXPECT_LT(rank, 0.5);
+      EXPECT_TRUE(picks.contains(rank));
+    }
+  }
+}
+
+/// What rotation gains in all is what contacts exert on it, and a contact of tangential damping k_t
+/// takes k_t v^C_T v^R of it in a unit of time: in a steady state <V^C_T V^R> = 0 over contacts in
+/// time. With the velocities of every step, up to its square.
+TEST_P(Contacts, VelocitiesAtTheContactTakeFromTheRotationWhatItLoses) {
+  if (law() != "CD_rot" && law() != "general") GTEST_SKIP() << "has no rotation";
+  Scene scene = small_scene(0.84, 64);
+  State const start = shaken_start(scene);
+  auto const energy = [&](State const& state) {
+    double sum = 0;
+    for (std::size_t i = 0; i < state.count(); ++i)
+      sum += 0.5 * state.spin[i] * state.spin[i] *
+             reference::moment_of_inertia(reference_parameters(scene), state.diameter[i]);
+    return sum;
+  };
+  auto const missed = [&](double time_step) {
+    scene.integration.time_step = time_step;
+    auto const simulation = simulate(scene, start, backend());
+    Watched watched(*simulation, start.count());
+    auto const steps = std::llround(20 / time_step);
+    Sampling sampling{steps, 1, steps};
+    simulation->advance(steps, sampling, watched.windows);
+    auto const sum = [&](int column) {
+      return watched.sum(0, ContactColumns::motion + column, simulation->columns());
+    };
+    double const k_t =
+        (law() == "general" ? scene.disks.damping_tangential : 1.0) / scene.disks.elasticity;
+    using M = ContactMotion;
+    double const taken = time_step * k_t * (sum(M::tangential_rotational) + sum(M::rotational2));
+    double const lost = energy(start) - energy(simulation->state());
+    double const without_sign = time_step * k_t * sum(M::rotational2);
+    return std::abs(taken - lost) / without_sign;
+  };
+  double const coarse = missed(0.02), fine = missed(0.01);
+  EXPECT_LT(coarse, 0.01);
+  EXPECT_LT(fine, 0.6 * coarse);
+}
+
 /// Every begin and end, its angle, cluster and duration, and all sums.
 TEST_P(Contacts, AreThoseOfAllPairsInEveryConfiguration) {
   for (double packing_fraction : {0.82, 0.6}) {

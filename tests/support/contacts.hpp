@@ -35,6 +35,10 @@ class Listener final : public ContactListener {
  public:
   std::vector<Happened> all;
   std::vector<Looked> looked;
+  std::map<Real, ContactVelocities> picks;  ///< by rank
+  Real below = 1;                           ///< ranks that are asked for
+  void picked(ContactPick const& pick) override { picks[pick.rank] = pick.velocities; }
+  Real limit() const override { return below; }
   void sampled(OpenContact const& c) override {
     looked.push_back({{c.a, c.b}, c.begin, c.velocities});
   }
@@ -51,7 +55,8 @@ class AllPairs {
  public:
   std::vector<Happened> all;  ///< ends first, then by pair
   std::vector<std::array<double, ContactColumns::count>> windows;
-  std::vector<Looked> looked;  ///< in the order of their ends
+  std::vector<Looked> looked;               ///< in the order of their ends
+  std::map<Real, ContactVelocities> picks;  ///< all contacts of evaluated configurations, by rank
 
   AllPairs(Scene const& scene, State const& start, Sampling const& sampling,
            SampleChoice choice = {})
@@ -84,10 +89,9 @@ class AllPairs {
       touch[i].insert(j);
       touch[j].insert(i);
       if (!sampling.sampled(step)) continue;
-      double const along = (c.x * c.velocity_x + c.y * c.velocity_y) / c.separation;
-      double const v2 = c.velocity_x * c.velocity_x + c.velocity_y * c.velocity_y;
-      sums[ContactColumns::normal2] += along * along;
-      sums[ContactColumns::tangential2] += v2 - along * along;
+      auto const v = velocities(system, c);
+      add(v, system.p.strain_rate, sums.data() + ContactColumns::motion);
+      if (choice_) picks[choice_.rank_at(i, j, step)] = v;
     }
     end(system, now, step, sums);
     for (auto const& [pair, c] : now) {
@@ -113,6 +117,23 @@ class AllPairs {
       if (choice_) looked.push_back({pair, open.begin, chosen(pair, open, step)});
       return true;
     });
+  }
+
+  /// Sums in the columns of ContactMotion.
+  static void add(ContactVelocities const& v, double rate, double* sums) {
+    using M = ContactMotion;
+    double const t = v.tangential * rate, r = v.rotational * rate, n = v.normal * rate;
+    for (auto const& [column, value] : {std::pair{M::normal2, n * n},
+                                        {M::tangential2, t * t},
+                                        {M::rotational2, r * r},
+                                        {M::tangential_rotational, t * r},
+                                        {M::tangential_normal, t * n},
+                                        {M::rotational_normal, r * n},
+                                        {M::tangential, t},
+                                        {M::rotational, r},
+                                        {M::normal, n},
+                                        {M::contacts, 1.0}})
+      sums[column] += value;
   }
 
   /// The last step that the choice comes to before the end.

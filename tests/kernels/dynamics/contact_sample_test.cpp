@@ -78,12 +78,52 @@ TEST(SampleChoice, IsEvenOverTheSteps) {
   }
 }
 
+/// Sums of made-up pairs, in their own units: V_T = 0.3, V_R = 1.2 * 0.5, V_N = -0.1 for the one,
+/// of weight 1/2 for the other.
+TEST(ContactMotion, SumsProductsOfVelocities) {
+  using M = ContactMotion;
+  ContactMotion one, both;
+  one.add(1, {0, -1.2}, {-0.3, -0.1}, 0.5);
+  EXPECT_NEAR(one.value[M::tangential], 0.3, 1e-15);
+  EXPECT_NEAR(one.value[M::rotational], 0.6, 1e-15);
+  EXPECT_NEAR(one.value[M::normal], -0.1, 1e-15);
+  EXPECT_NEAR(one.value[M::tangential2], 0.09, 1e-15);
+  EXPECT_NEAR(one.value[M::rotational2], 0.36, 1e-15);
+  EXPECT_NEAR(one.value[M::normal2], 0.01, 1e-15);
+  EXPECT_NEAR(one.value[M::tangential_rotational], 0.18, 1e-15);
+  EXPECT_NEAR(one.value[M::tangential_normal], -0.03, 1e-15);
+  EXPECT_NEAR(one.value[M::rotational_normal], -0.06, 1e-15);
+  both.add(0.5, {0, -1.2}, {-0.3, -0.1}, 0.5);
+  both += one;
+  for (int c = 0; c < M::count; ++c) EXPECT_NEAR(both.value[c], 1.5 * one.value[c], 1e-15) << c;
+}
+
+/// Of contacts of all lengths each configuration has the same chance, whatever its contact's.
+TEST(ContactPicker, IsEvenOverContactsInTime) {
+  ContactPicker const picker{SampleChoice(3), 100, 0.25};
+  std::vector<ContactPick> picks;
+  std::size_t asked = 0;
+  auto const pick = [&](std::uint32_t a, std::uint32_t b, std::int64_t step) {
+    picker(picks, step, a, b, [&] { return ++asked, ContactVelocities{}; });
+  };
+  for (std::int64_t step = 0; step < 100; ++step) pick(1, 2, step);
+  EXPECT_TRUE(picks.empty());
+  for (std::int64_t step = 100; step < 40100; ++step) pick(1, 2, step);
+  EXPECT_NEAR(static_cast<double>(picks.size()), 1e4, 4 * std::sqrt(40000 * 3 / 16.0));
+  for (std::uint32_t a = 0; a < 40000; ++a) pick(a, a + 1, 500);
+  EXPECT_NEAR(static_cast<double>(picks.size()), 2e4, 4 * std::sqrt(80000 * 3 / 16.0));
+  EXPECT_EQ(asked, picks.size());
+  for (auto const& one : picks) EXPECT_LT(one.rank, 0.25);
+}
+
 TEST(SampleChoice, DependsOnSeedAndDisksNotOnTheirOrder) {
   SampleChoice const one(1), two(2), off;
   EXPECT_EQ(one.next(3, 8, 10, 500), one.next(8, 3, 10, 500));
   EXPECT_NE(one.next(3, 8, 10, 500), one.next(3, 9, 10, 500));
   EXPECT_NE(one.next(3, 8, 10, 500), two.next(3, 8, 10, 500));
   EXPECT_NE(one.rank(3, 8, 10), one.rank(3, 8, 11));
+  EXPECT_NE(one.rank(3, 8, 10), one.rank_at(3, 8, 10));
+  EXPECT_EQ(one.rank_at(3, 8, 10), one.rank_at(8, 3, 10));
   EXPECT_EQ(off.first(10), SampleChoice::never);
 }
 
