@@ -11,6 +11,7 @@
 #include "src/cli/commands.hpp"
 #include "src/cli/provenance.hpp"
 #include "src/cli/run_folder.hpp"
+#include "src/cli/run_time_estimate.hpp"
 #include "src/cli/signals.hpp"
 #include "src/config/errors.hpp"
 #include "src/io/atomic_file.hpp"
@@ -102,8 +103,10 @@ int emit_slurm(sweep::Sweep const& sweep, sweep::SweepFolder const& folder,
   for (auto const& word : point_options(options))
     words += fmt::format(" {}", sweep::shell_word(word));
   if (options.allow_unstable) words += " --allow-unstable";
+  std::vector<double> seconds;
+  for (auto const& time : times_of_points(sweep).each) seconds.push_back(time.most);
   sweep::SlurmJob const job{this_program(), fs::absolute(options.sweep_file), folder.path(), words,
-                            threads_of(options)};
+                            threads_of(options), std::move(seconds)};
   fs::create_directories(folder.path() / "slurm");
   auto const points = folder.path() / "points.slurm", collect = folder.path() / "collect.slurm";
   io::replace_text(points, sweep::slurm_array(sweep, job));

@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "src/cli/checked_scene.hpp"
 #include "src/cli/commands.hpp"
+#include "src/cli/machine.hpp"
 #include "src/cli/run_in_folder.hpp"
+#include "src/cli/run_time_estimate.hpp"
 #include "src/config/cascade.hpp"
 #include "src/config/run_time.hpp"
 #include "src/config/scene_file.hpp"
 #include "src/config/stability.hpp"
 #include "src/config/time_step.hpp"
 #include "src/config/toml_text.hpp"
+#include "src/simulation/make_simulation.hpp"
 #include "src/sweep/sweep_table.hpp"
 
 namespace bagnold {
 
 namespace {
-
-double disk_steps(Scene const& scene, Plan const& plan) {
-  return static_cast<double>(plan.steps) *
-         static_cast<double>(scene.disks.count * scene.disks.replicas);
-}
 
 void print_ramp(Ramp const& ramp) {
   auto const tau = [&](std::int64_t steps) { return static_cast<double>(steps) * ramp.time_step; };
@@ -38,9 +38,21 @@ void print_ramp(Ramp const& ramp) {
       ramp.piece_steps);
 }
 
+/// "23 min (11 min to 46 min) on one core, 12 min on 2"
+std::string in_words(RunTime const& time, int threads) {
+  auto text = fmt::format("{} ({} to {}) on one core", time_text(time.expected),
+                          time_text(time.least), time_text(time.most));
+  if (threads > 1) text += fmt::format(", {} on {}", time_text(time.expected / threads), threads);
+  return text;
+}
+
+/// Threads that `run` takes by itself here.
+int default_threads(Scene const& scene) {
+  return why_no_start().empty() ? choose({}, scene).threads : 1;
+}
+
 /// What one run comes to.
-void print_plan(Scene const& scene, Plan const& plan) {
-  RunTime const time = estimated_time(scene, plan);
+void print_plan(Scene const& scene, Plan const& plan, RunTime const& time, int threads) {
   if (plan.ramp) print_ramp(*plan.ramp);
   fmt::print("# strain         {:.6g}\n", plan.strain(plan.steps));
   fmt::print("# steps          {}, {:.4g} million disk-steps\n", plan.steps,
@@ -61,8 +73,7 @@ void print_plan(Scene const& scene, Plan const& plan) {
                frames, frames * 7 * 8 * disks / 1e6);
   }
   fmt::print("# memory         {:.3g} MB\n", memory_needed(scene, plan) / 1e6);
-  fmt::print("# estimated time {} to {} on one core\n", time_text(time.least),
-             time_text(time.most));
+  fmt::print("# estimated time {}\n", in_words(time, threads));
 }
 
 }  // namespace
@@ -74,7 +85,7 @@ int validate_command(RunOptions const& options) {
   Scene scene = read_scene(options.scene_file, options.overrides);
   Plan const plan = checked_plan(scene, options.allow_unstable);
   auto const runs = runs_of(scene);
-  states_in_file(runs.front());
+  auto started = states_in_file(runs.front());
   scene = resolved(std::move(scene));
 
   fmt::print("{}\n", write_scene(scene));
@@ -87,17 +98,16 @@ int validate_command(RunOptions const& options) {
   if (scene.disks.replicas > 1)
     fmt::print("# replicas       {}, seeds {} to {}; the steps and windows below are of each\n",
                scene.disks.replicas, scene.disks.seed, scene.disks.seed + scene.disks.replicas - 1);
-  RunTime all;
-  for (auto const& run : runs) {
-    Plan const of_run = make_plan(run);
-    if (runs.size() > 1) fmt::print("#\n# strain rate    {:g}\n", run.shear.strain_rate);
-    print_plan(run, of_run);
-    RunTime const time = estimated_time(run, of_run);
-    all = {all.least + time.least, all.most + time.most};
+  int const threads = default_threads(scene);
+  std::optional<State> first;
+  if (!started.empty()) first = std::move(started.front().state);
+  RunTimes const times = times_of_runs(runs, std::move(first));
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    if (runs.size() > 1) fmt::print("#\n# strain rate    {:g}\n", runs[k].shear.strain_rate);
+    print_plan(runs[k], make_plan(runs[k]), times.each[k], threads);
   }
-  if (runs.size() > 1)
-    fmt::print("#\n# all {} rates    {} to {} on one core\n", runs.size(), time_text(all.least),
-               time_text(all.most));
+  if (runs.size() > 1) fmt::print("#\n# all {} rates    {}\n", runs.size(), in_words(times.sum(), threads));
+  fmt::print("#                {}\n", times.how);
   return 0;
 }
 

@@ -40,7 +40,7 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
   auto& [title, disks, start, shear, integration, measure, output] = scene;
   constexpr double many = std::numeric_limits<double>::infinity();
   // asked again at each key: a reader learns the protocol on the way
-  auto const is = [&](std::string_view protocol) { return shear.protocol == protocol; };
+  auto const is = [&chosen = shear.protocol](std::string_view protocol) { return chosen == protocol; };
   auto const of = [](std::initializer_list<std::string_view> protocols, Key key) {
     key.protocols = protocols;
     return key;

@@ -3,22 +3,34 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace bagnold {
 
 namespace {
 
-/// Steps of a disk per second on one core, for an estimate of the time only: what the default
-/// engine did in a dense state, and in a dilute one at a rate of 1e-4; at smaller rates it is
-/// faster (docs/performance.md).
+/// Steps of a disk per second on one core: what the default engine did in a dense state, and in a
+/// dilute one at a rate of 1e-4 (docs/performance.md).
 constexpr double fast_disk_steps = 300e6, slow_disk_steps = 45e6;
 
 }  // namespace
 
-RunTime estimated_time(Scene const& scene, Plan const& plan) {
-  double const disk_steps =
-      static_cast<double>(plan.steps) *
-      static_cast<double>(scene.disks.count * scene.disks.replicas);
-  return {disk_steps / fast_disk_steps, disk_steps / slow_disk_steps};
+RunTime& RunTime::operator+=(RunTime const& other) {
+  expected += other.expected;
+  least += other.least;
+  most += other.most;
+  return *this;
+}
+
+double disk_steps(Scene const& scene, Plan const& plan) {
+  return static_cast<double>(plan.steps) *
+         static_cast<double>(scene.disks.count * scene.disks.replicas);
+}
+
+RunTime time_by_steps(Scene const& scene, Plan const& plan) {
+  double const all = disk_steps(scene, plan);
+  return {all / std::sqrt(fast_disk_steps * slow_disk_steps), all / fast_disk_steps,
+          all / slow_disk_steps};
 }
 
 std::string time_text(double seconds) {

@@ -8,13 +8,21 @@
 
 namespace bagnold {
 
-/// Bounds of what a run may take on one core, [s]: an estimate only.
+/// What a run may take on one core, [s]: an estimate, and bounds that should hold it.
 struct RunTime {
+  double expected = 0;
   double least = 0;
   double most = 0;
+
+  RunTime& operator+=(RunTime const& other);
 };
 
-RunTime estimated_time(Scene const& scene, Plan const& plan);
+/// Disks times steps, of all replicas.
+double disk_steps(Scene const& scene, Plan const& plan);
+
+/// By the number of steps alone, for where none can be tried: good to a factor of 7 at rates of
+/// 1e-4 and above, too long below in a dilute state.
+RunTime time_by_steps(Scene const& scene, Plan const& plan);
 
 /// Seconds as "12 min", "3.5 h".
 std::string time_text(double seconds);

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/config/run_time.hpp"
-
 namespace bagnold::sweep {
 
 namespace {
@@ -19,9 +17,7 @@ std::int64_t minutes_needed(Sweep const& sweep, SlurmJob const& job) {
   std::size_t const tasks = std::min(sweep.chains.size(), most_tasks);
   std::vector<double> seconds(tasks);
   for (std::size_t k = 0; k < sweep.chains.size(); ++k)
-    for (auto const point : sweep.chains[k])
-      seconds[k % tasks] +=
-          estimated_time(sweep.points[point].scene, sweep.points[point].plan).most;
+    for (auto const point : sweep.chains[k]) seconds[k % tasks] += job.seconds.at(point);
   for (double const one : seconds) longest = std::max(longest, one);
   return static_cast<std::int64_t>(
       std::ceil(std::clamp(2 * longest / 60 / job.threads, 10.0, 1e7)));

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "src/sweep/sweep.hpp"
 
@@ -15,11 +16,12 @@ struct SlurmJob {
   std::filesystem::path folder;  ///< of the sweep
   std::string options;           ///< for every point, e.g. "--threads 4"
   int threads = 1;               ///< cores a point uses
+  std::vector<double> seconds;   ///< that each point may take on one core at most, [points]
 };
 
 /// An array of one task a chain (beyond 1000 chains a task does several in turn) that runs
-/// `bagnold sweep FILE --out DIR --chain K`. The wall time asked for is twice the longest chain's
-/// upper estimate, 10 minutes at least.
+/// `bagnold sweep FILE --out DIR --chain K`. The wall time asked for is twice that of the longest task,
+/// 10 minutes at least.
 std::string slurm_array(Sweep const& sweep, SlurmJob const& job);
 
 /// The step behind it, which writes the tables.
