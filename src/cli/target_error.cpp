@@ -39,8 +39,7 @@ statistics::SteadyStart steady_start(Run const& run, std::size_t windows) {
 }
 
 std::size_t discarded_of(Run const& run, std::int64_t windows) {
-  if (!run.scene.shear.discard)
-    return steady_start(run, static_cast<std::size_t>(windows)).first;
+  if (!run.scene.shear.discard) return steady_start(run, static_cast<std::size_t>(windows)).first;
   return static_cast<std::size_t>(shortened(run.scene, run.plan, windows).discarded_windows);
 }
 

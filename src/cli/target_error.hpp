@@ -6,8 +6,8 @@
 namespace bagnold {
 
 /// How the windows so far stand to the scene's target errors: sets discarded windows, run.reached
-/// and run.target_met (src/statistics/stopping.hpp). Depends on the windows of the run only, so that
-/// a resumed run ends where an undisturbed one does.
+/// and run.target_met (src/statistics/stopping.hpp). Depends on the windows of the run only, so
+/// that a resumed run ends where an undisturbed one does.
 void judge_errors(Run& run);
 
 /// Where the scene leaves it open ("auto"): the windows to discard, by steady_start() of B_p and

@@ -41,8 +41,7 @@ void say_too_short(Estimate& result, std::vector<BlockLevel> const& levels) {
   result.independent = static_cast<double>(result.samples) / (2.0 * tau);
   long const independent = std::max(1l, std::lround(result.independent));
   result.remark = "worth about " + counted(independent, "independent window") + ": run about " +
-                  std::to_string(times_longer(result.samples, tau)) +
-                  " times longer for an error";
+                  std::to_string(times_longer(result.samples, tau)) + " times longer for an error";
 }
 
 /// Makes the error of too few blocks one that mean +- 2 errors can be told from.

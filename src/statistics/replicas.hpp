@@ -12,7 +12,7 @@ namespace bagnold::statistics {
 struct ReplicaEstimate {
   Estimate all;
   std::vector<Estimate> each;  ///< [R]
-  Estimate within;  ///< error, blocks, rough, remark: the combined errors of each, below
+  Estimate within;             ///< error, blocks, rough, remark: the combined errors of each, below
 };
 
 /// Fewest replicas whose scatter gives the error.

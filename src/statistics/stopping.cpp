@@ -37,8 +37,8 @@ Estimate cautious(ReplicaEstimate const& found) {
   double error = 0.0;
   if (replicas >= fewest_replicas) error = *all.error * student_factor(replicas - 1);
   if (auto const& within = found.within; within.error)
-    error = std::max(error, *within.error * (within.rough ? 1.0
-                                                          : student_factor(within.blocks - replicas)));
+    error = std::max(
+        error, *within.error * (within.rough ? 1.0 : student_factor(within.blocks - replicas)));
   all.error = error;
   return all;
 }

@@ -8,18 +8,18 @@
 
 /// When a run may end because its errors are small enough.
 ///
-/// Errors that scatter are now and then small by luck, and of a skewed quantity they are small where
-/// its mean is low: a run that ends at the first small error states half the true one. So a run ends
-/// where, at two looks in a row, a factor of 1.5 apart,
+/// Errors that scatter are now and then small by luck, and of a skewed quantity they are small
+/// where its mean is low: a run that ends at the first small error states half the true one. So a
+/// run ends where, at two looks in a row, a factor of 1.5 apart,
 ///
 /// 1. each replica is worth 32 independent windows, and has an error that is not rough;
 /// 2. the cautious() error meets the target.
 ///
-/// The second look has half as many windows again, which no luck of the first has chosen. Made series
-/// (tests/statistics/stopping_test.cpp) and simulated ones (docs/statistics.md) then end with means
-/// that are off by more than two stated errors in less than 7% of runs, and biased by less than a
-/// quarter of one. They end at about half (four replicas) to two thirds (one) of the error that was
-/// asked for.
+/// The second look has half as many windows again, which no luck of the first has chosen. Made
+/// series (tests/statistics/stopping_test.cpp) and simulated ones (docs/statistics.md) then end
+/// with means that are off by more than two stated errors in less than 7% of runs, and biased by
+/// less than a quarter of one. They end at about half (four replicas) to two thirds (one) of the
+/// error that was asked for.
 namespace bagnold::statistics {
 
 /// Windows, first discarded ones included, at the first look.
@@ -43,8 +43,8 @@ bool long_enough(ReplicaEstimate const& found);
 /// - what the replicas' own errors add up to, as for R = 2 (replicas.hpp), where each has one;
 /// - from R = 3 on the jackknife over replicas;
 ///
-/// both times Student's factor (student.hpp), of their blocks less one each and of R - 1, where they
-/// do not have it yet, being rough.
+/// both times Student's factor (student.hpp), of their blocks less one each and of R - 1, where
+/// they do not have it yet, being rough.
 Estimate cautious(ReplicaEstimate const& found);
 
 /// Whether a run of `windows` windows may end: `met`, asked for the windows of a look, is true of

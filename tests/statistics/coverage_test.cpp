@@ -82,9 +82,9 @@ TEST(Coverage, FarTooShortRunsSeldomGetAnError) {
   EXPECT_LT(repeat(0.98, 1000, 500).given, 75);  // 20 tau
 }
 
-/// Of runs of 24 to 64 correlation times those that end up with 4 to 7 blocks: mean +- 2 errors holds
-/// 95.45% or, since a run with too small an error tends to have more blocks, up to 3% more; within 4
-/// binomial standard deviations. Without Student's factor it is 91 to 92%.
+/// Of runs of 24 to 64 correlation times those that end up with 4 to 7 blocks: mean +- 2 errors
+/// holds 95.45% or, since a run with too small an error tends to have more blocks, up to 3% more;
+/// within 4 binomial standard deviations. Without Student's factor it is 91 to 92%.
 TEST(Coverage, OfRoughErrors) {
   for (double const rho : {0.0, 0.5, 0.9}) {
     Autoregressive series(rho, 50);

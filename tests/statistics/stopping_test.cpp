@@ -72,13 +72,13 @@ TEST(Stopping, EveryReplicaMustHaveRunForLongEnough) {
 /// A series of mean 1: noise, skewed or not, about a transient or about a mean of each replica.
 struct Made {
   double rho = 0.8;
-  double noise = 0.3;          ///< standard deviation
-  double skew = 0.0;           ///< s of exp(s x - s^2/2), x normal; 0: normal noise
-  double transient = 0.0;      ///< at the start, decays exponentially
+  double noise = 0.3;      ///< standard deviation
+  double skew = 0.0;       ///< s of exp(s x - s^2/2), x normal; 0: normal noise
+  double transient = 0.0;  ///< at the start, decays exponentially
   double transient_time = 1.0;
-  double between = 0.0;        ///< standard deviation of the means of replicas
+  double between = 0.0;  ///< standard deviation of the means of replicas
   double target = 0.05;
-  bool automatic = false;      ///< twice what MSER-5 discards instead of the first half
+  bool automatic = false;  ///< twice what MSER-5 discards instead of the first half
   std::int64_t most = 40000;
 
   std::vector<double> series(Autoregressive& source, std::size_t n) const {
@@ -182,8 +182,9 @@ TEST(Stopping, OfSkewedSeries) {
 TEST(Stopping, OfATransient) {
   for (std::size_t const replicas : {1u, 4u})
     for (bool const automatic : {false, true})
-      expect_honest({.transient = 3.0, .transient_time = 50.0, .automatic = automatic,
-                     .most = 6000}, replicas, 63);
+      expect_honest(
+          {.transient = 3.0, .transient_time = 50.0, .automatic = automatic, .most = 6000},
+          replicas, 63);
 }
 
 /// Which no replica can tell by itself; most runs go on to the end. Then only Student's t is left,
