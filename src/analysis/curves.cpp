@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <compare>
 #include <cstdlib>
+#include <numeric>
 
 #include "src/config/errors.hpp"
 #include "src/config/nearest_word.hpp"
@@ -102,6 +104,27 @@ std::vector<std::vector<std::size_t>> seeds_together(SweepTable const& table,
 }
 
 }  // namespace
+
+std::vector<std::vector<std::size_t>> seed_groups(SweepTable const& table) {
+  std::vector<std::size_t> order(table.points);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  auto const compare = [&](std::size_t a, std::size_t b) {
+    for (auto const& [name, key] : table.keys) {
+      if (name == seed_key) continue;
+      auto const by = key.is_text() ? std::strong_order(key.texts[a], key.texts[b])
+                                    : std::strong_order(key.numbers[a], key.numbers[b]);
+      if (by != 0) return by;
+    }
+    return std::strong_ordering::equal;
+  };
+  std::ranges::stable_sort(order, [&](auto a, auto b) { return compare(a, b) < 0; });
+  std::vector<std::vector<std::size_t>> groups;
+  for (auto const row : order) {
+    if (groups.empty() || compare(groups.back().front(), row) != 0) groups.emplace_back();
+    groups.back().push_back(row);
+  }
+  return groups;
+}
 
 std::string key_text(SweepTable const& table, std::string const& key, std::size_t point) {
   auto const& column = table.keys.at(key);

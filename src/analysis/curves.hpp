@@ -39,6 +39,9 @@ struct CurveChoice {
 /// not varied, or two data at one place of a curve.
 std::vector<Curve> curves_of(SweepTable const& table, CurveChoice const& choice);
 
+/// All points by data: those that differ in the seed only lie together.
+std::vector<std::vector<std::size_t>> seed_groups(SweepTable const& table);
+
 /// Points that failed.
 std::size_t count_failed(SweepTable const& table);
 

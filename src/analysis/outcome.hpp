@@ -23,6 +23,7 @@ struct Found {
   std::size_t freedom = 0;
   std::size_t points = 0;
   std::vector<Line> lines = {};
+  bool weighted = true;  ///< the points had errors
 };
 
 /// Something to find, on the measured points (replica 0) or on resampled ones.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "src/analysis/fit/chance.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/nearest_word.hpp"
 
@@ -19,14 +20,6 @@ std::vector<double> at(std::vector<double> const& all, std::span<std::size_t con
   std::vector<double> out;
   for (auto const row : rows) out.push_back(all[row]);
   return out;
-}
-
-/// chi2 that is exceeded by chance once in a hundred, by the cube of a normal number (Wilson and
-/// Hilferty, Proc. Natl. Acad. Sci. 17, 684 (1931)): 1% low at one degree of freedom.
-double chance_limit(double freedom) {
-  constexpr double deviations = 2.3263;  // of a normal number, exceeded once in a hundred
-  double const variance = 2.0 / (9.0 * freedom);
-  return freedom * std::pow(1.0 - variance + deviations * std::sqrt(variance), 3);
 }
 
 Measured const& observable(SweepTable const& table, std::string const& name) {
@@ -55,9 +48,9 @@ Value merge_seeds(std::span<double const> means, std::span<double const> errors)
   for (double const value : means)
     if (std::isfinite(value)) scatter += (value - mean) * (value - mean);
   double const own = std::sqrt(squares) / n;
-  double const among = count > 1 ? std::sqrt(scatter / (n * (n - 1.0))) : none;
-  bool const by_chance = (n - 1.0) * among * among <= chance_limit(n - 1.0) * own * own;
-  return {mean, by_chance || count == 1 ? own : among};  // NaN compares false
+  if (count == 1) return {mean, own};
+  bool const by_chance = scatter / n <= chance_limit(n - 1.0) * own * own;  // NaN compares false
+  return {mean, by_chance ? own : students_factor(n - 1.0) * std::sqrt(scatter / (n * (n - 1.0)))};
 }
 
 Quantity::Quantity(SweepTable const& table, std::string const& name, std::optional<double> phi_j)
@@ -74,19 +67,47 @@ Quantity::Quantity(SweepTable const& table, std::string const& name, std::option
     number_ = table.numbers(name);
   } else {
     observable_ = &observable(table, name);
+    errors_ = seed_errors(table, *observable_);
   }
+}
+
+/// Merged over seeds; a seed without an error has the pooled one.
+Value Quantity::measured(std::span<std::size_t const> rows) const {
+  auto const means = at(observable_->mean, rows);
+  auto errors = at(observable_->error, rows);
+  double sum = 0.0, count = 0.0;
+  for (double const value : means)
+    if (std::isfinite(value)) sum += value, count += 1.0;
+  bool pooled = false;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (std::isfinite(errors[i])) {
+      errors[i] *= errors_.factor;
+    } else if (std::isfinite(means[i])) {
+      errors[i] = errors_.relative * std::abs(sum / count);
+      pooled = std::isfinite(errors[i]);
+    }
+  }
+  auto out = merge_seeds(means, errors);
+  out.pooled = pooled;
+  return out;
+}
+
+double Quantity::widened() const {
+  return first_ ? std::max(first_->widened(), second_->widened()) : errors_.factor;
 }
 
 Value Quantity::of(std::span<std::size_t const> rows) const {
   if (first_) {
     auto const first = first_->of(rows), second = second_->of(rows);
+    bool const pooled = first.pooled || second.pooled;
     if (!divides_)
       return {first.mean * second.mean,
-              std::hypot(first.error * second.mean, first.mean * second.error)};
+              std::hypot(first.error * second.mean, first.mean * second.error), pooled};
     double const ratio = first.mean / second.mean;
-    return {ratio, std::hypot(first.error / second.mean, ratio * second.error / second.mean)};
+    return {ratio, std::hypot(first.error / second.mean, ratio * second.error / second.mean),
+            pooled};
   }
-  if (observable_) return merge_seeds(at(observable_->mean, rows), at(observable_->error, rows));
+  if (observable_) return measured(rows);
   return {rows.empty() ? none : number_[rows.front()], 0.0};
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "src/analysis/random.hpp"
+#include "src/analysis/seed_errors.hpp"
 #include "src/analysis/sweep_table.hpp"
 
 namespace bagnold::analysis {
@@ -14,19 +15,22 @@ namespace bagnold::analysis {
 /// A mean over seeds and its standard error; NaN where not known.
 struct Value {
   double mean, error;
+  bool pooled = false;  ///< a run without an error of its own weighs as SeedErrors has it
 };
 
 /// The mean over n seeds, those that are NaN left out, and its error: what the seeds' own errors
 /// e_i tell, (sum e_i^2)^(1/2) / n. What their scatter tells, [sum (x_i - mean)^2 / (n (n -
-/// 1))]^(1/2), is taken instead where a seed has no error, and where the seeds differ by more than
-/// chance allows at 1% (chi2 with n - 1 degrees of freedom): near a transition block errors are too
-/// small. Taking always the larger one would give less weight to points that scatter by chance, and
-/// a fit's bootstrap would then be too small by a quarter with two seeds.
+/// 1))]^(1/2) times Student's factor, is taken instead where a seed has no error, and where the
+/// seeds differ by more than chance allows at 1% (chi2 with n - 1 degrees of freedom): near a
+/// transition block errors are too small. Taking always the larger one would give less weight to
+/// points that scatter by chance, and a fit's bootstrap would then be too small by a quarter with
+/// two seeds.
 Value merge_seeds(std::span<double const> means, std::span<double const> errors);
 
 /// A number that each datum of a sweep has: what goes on an axis. By name:
 /// - `table.key`, a scene key (no error);
-/// - NAME, an observable, merged over seeds;
+/// - NAME, an observable, merged over seeds, errors of runs widened and put in as the whole sweep
+///   tells (SeedErrors);
 /// - `phi_J-phi`, the distance to jamming, phi_J given (no error);
 /// - A/B, A*B, the ratio or product of two of these after merging, errors added as independent; of
 ///   several signs the last one is worked out last.
@@ -46,10 +50,16 @@ class Quantity {
 
   bool is_key() const { return !observable_ && !first_; }
 
+  /// How many times wider errors of runs are taken than they tell; the largest of its parts.
+  double widened() const;
+
  private:
+  Value measured(std::span<std::size_t const> rows) const;
+
   std::string name_;
   std::vector<double> number_;            ///< of a key or phi_J-phi, one a row
   Measured const* observable_ = nullptr;  ///< of an observable
+  SeedErrors errors_{};                   ///< of an observable
   std::shared_ptr<Quantity const> first_, second_;
   bool divides_ = false;  ///< first_ / second_; else their product
 };

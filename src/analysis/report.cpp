@@ -3,6 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "src/analysis/fit/chance.hpp"
+#include "src/analysis/panel.hpp"
+
 namespace bagnold::analysis {
 
 Rows tabulate(std::vector<Outcome> const& outcomes, std::vector<std::string> const& parameters) {
@@ -30,20 +36,77 @@ Rows tabulate(std::vector<Outcome> const& outcomes, std::vector<std::string> con
   return out;
 }
 
+void note_errors(Report& report, std::size_t pooled, std::size_t data, double widened) {
+  constexpr double worth_a_word = 1.1;
+  if (pooled != 0)
+    report.notes.push_back(
+        fmt::format("{} of {} data have a run without an error of its own, too short for it: it "
+                    "weighs by the relative error of the others; longer runs would tell",
+                    pooled, data));
+  if (widened > worth_a_word)
+    report.notes.push_back(
+        fmt::format("seeds scatter {:.2g} times as much as their errors tell: errors are widened "
+                    "by that",
+                    widened));
+}
+
+void note_fits(Report& report, std::vector<Outcome> const& outcomes,
+               std::vector<std::string> const& parameters) {
+  std::size_t found = 0, poor = 0;
+  Outcome const* worst = nullptr;
+  auto const excess = [](Outcome const& one) {
+    return one.found.chi2 / static_cast<double>(one.found.freedom);
+  };
+  for (auto const& one : outcomes) {
+    if (!one.failure.empty()) continue;
+    ++found;
+    double const freedom = static_cast<double>(one.found.freedom);
+    if (!one.found.weighted || one.found.freedom == 0 ||
+        !(one.found.chi2 > chance_limit(freedom, once_in_1000)))
+      continue;
+    ++poor;
+    if (!worst || excess(one) > excess(*worst)) worst = &one;
+  }
+  auto const named = [](Outcome const& one) {
+    auto const name = caption(one.labels);
+    return name.empty() ? name : ", " + name;
+  };
+  if (worst)
+    report.notes.push_back(
+        fmt::format("chi2 is beyond chance in {} of {} fits (at worst {:.3g} for {} degrees of "
+                    "freedom{}): the law does not fit, or errors are too small, and those of what "
+                    "is fitted with them",
+                    poor, found, worst->found.chi2, worst->found.freedom, named(*worst)));
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    std::string list;
+    for (auto const& one : outcomes)
+      if (one.failure.empty() && one.found.error[k] > std::abs(one.found.value[k]))
+        list += fmt::format("{}{:.3g} +- {:.2g}{}", list.empty() ? "" : "; ", one.found.value[k],
+                            one.found.error[k], named(one));
+    if (!list.empty())
+      report.notes.push_back(fmt::format(
+          "{}: the error exceeds the value ({}): the points do not tell it", parameters[k], list));
+  }
+}
+
 void note_left_out(Report& report, SweepTable const& table, std::vector<Series> const& series) {
   if (auto const failed = count_failed(table))
     report.notes.push_back(
         fmt::format("{} of {} points have no result and are left out", failed, table.points));
-  std::size_t left_out = 0, unweighted = 0;
+  std::size_t left_out = 0, unweighted = 0, pooled = 0, data = 0;
+  double widened = 1.0;
   for (auto const& one : series) {
+    auto const points = one.points(0);
     left_out += one.left_out;
-    unweighted += !one.points(0).weighted();
+    unweighted += !points.weighted();
+    pooled += one.pooled;
+    data += points.size();
+    widened = std::max(widened, one.widened);
   }
   if (left_out)
-    report.notes.push_back(
-        fmt::format("{} data have no value or no error and are left out (a datum "
-                    "is one or several seeds)",
-                    left_out));
+    report.notes.push_back(fmt::format(
+        "{} data have no value and are left out (a datum is one or several seeds)", left_out));
+  note_errors(report, pooled, data, widened);
   if (unweighted)
     report.notes.push_back(
         fmt::format("{} of {} curves have no errors: their points weigh the same, "

@@ -21,7 +21,17 @@ struct Report {
 /// points, failure; a row for each outcome.
 Rows tabulate(std::vector<Outcome> const& outcomes, std::vector<std::string> const& parameters);
 
-/// Notes on data left out.
+/// A note on data that weigh by a pooled error (`pooled` of `data`), and on errors widened
+/// (SeedErrors); none where there is nothing to say.
+void note_errors(Report& report, std::size_t pooled, std::size_t data, double widened);
+
+/// Notes on fits that are not to be trusted: chi2 beyond what chance makes of its degrees of
+/// freedom once in a thousand, errors larger than their values. Those of points without errors say
+/// nothing by their chi2.
+void note_fits(Report& report, std::vector<Outcome> const& outcomes,
+               std::vector<std::string> const& parameters);
+
+/// Notes on data left out, and on how others weigh.
 void note_left_out(Report& report, SweepTable const& table, std::vector<Series> const& series);
 
 }  // namespace bagnold::analysis

@@ -25,6 +25,7 @@ struct Place {
 struct Measurement {
   Place place;
   double x, x_error, y, error;
+  bool pooled;
 };
 
 class Builder {
@@ -43,7 +44,7 @@ class Builder {
       if (request_.range && std::isfinite(x.mean) &&
           (x.mean < request_.range->first || x.mean > request_.range->second))
         continue;
-      all.push_back({place, x.mean, x.error, y.mean, y.error});
+      all.push_back({place, x.mean, x.error, y.mean, y.error, y.pooled});
     }
     auto const wanted = all.size();
     std::erase_if(all, [](auto const& m) { return !std::isfinite(m.x) || !std::isfinite(m.y); });
@@ -52,6 +53,8 @@ class Builder {
     if (weighted) std::erase_if(all, [&](auto const& m) { return !has_error(m); });
     std::ranges::stable_sort(all, {}, &Measurement::x);
     Series series{labels, {}, {}, wanted - all.size()};
+    series.pooled = static_cast<std::size_t>(std::ranges::count(all, true, &Measurement::pooled));
+    series.widened = y_->widened();
     for (auto const& m : all) series.x_error.push_back(m.x_error);
     series.points = [builder = *this, all, weighted](std::uint32_t replica) {
       return builder.points(all, weighted, replica);
@@ -64,7 +67,8 @@ class Builder {
     auto const first = y_->of(place.first.rows);
     if (!place.second) return first;
     auto const second = y_->of(place.second->rows);
-    return {first.mean - second.mean, std::hypot(first.error, second.error)};
+    return {first.mean - second.mean, std::hypot(first.error, second.error),
+            first.pooled || second.pooled};
   }
 
   Points points(std::vector<Measurement> all, bool weighted, std::uint32_t replica) const {

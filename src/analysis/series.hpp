@@ -17,11 +17,13 @@ struct Series {
   std::vector<double> x_error;                          ///< of the measured points
   std::function<Points(std::uint32_t replica)> points;  ///< 0: as measured; else resampled
   std::size_t left_out = 0;  ///< data without a value, or without an error
+  std::size_t pooled = 0;    ///< data that weigh by a pooled error
+  double widened = 1.0;      ///< see Quantity
 };
 
-/// y against x for every curve of the sweep. Data without x or y (failed, undefined) are left out;
-/// so are those without an error where others have one. Weights of resampled points are those of
-/// the measured ones. Keeps a reference to the table.
+/// y against x for every curve of the sweep. Data without x or y (failed, undefined) are left out.
+/// Those without an error of their own weigh by a pooled one (SeedErrors). Weights of resampled
+/// points are those of the measured ones. Keeps a reference to the table.
 std::vector<Series> make_series(SweepTable const& table, Request const& request,
                                 std::string const& x, std::string const& y);
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "src/analysis/curves.hpp"
 #include "src/analysis/sweep_table.hpp"
 
 namespace bagnold::analysis {

@@ -176,8 +176,41 @@ class AnalyseTest(CliTest):
         rows = self.analyse("table")
         self.assertEqual([float(row["p"]) for row in rows], [1.25, 10.25])
         self.assertEqual([row["seeds"] for row in rows], ["4", "4"])
+        students = 3.182446 / 1.959964  # t of three degrees of freedom over the normal number
         for row in rows:  # 0.1 sqrt(((1.5^2 + 0.5^2) 2) / (4 3))
-            self.assertAlmostEqual(float(row["p_error"]), 0.1 * math.sqrt(5 / 12), 12)
+            error = 0.1 * math.sqrt(5 / 12) * students
+            self.assertLess(abs(float(row["p_error"]) - error), 0.01 * error)
+
+    def test_runs_without_an_error_weigh_as_the_others(self):
+        """Half of the points of a crossover, those at large Q, from runs too short for an error."""
+        points = grid(disks__packing_fraction=[0.60, 0.70, 0.76],
+                      disks__elasticity=list(np.geomspace(0.1, 500, 16)))
+        phi, q = points["disks.packing_fraction"], points["disks.elasticity"]
+        self.sweep(points, 0.03, B_p_el=crossover(q, q_star(phi, Q0, C, PHI_J, X)))
+        with h5py.File(self.sweep_folder / "sweep.h5", "r+") as file:
+            file["observables/B_p_el_error"][q > 10] = np.nan
+        rows = self.analyse("crossover")
+        self.assertIn("21 of 48 data have a run without an error of its own", self.result.stderr)
+        for row in rows:
+            self.assertEqual(row["points"], "16")
+            self.near(row, "Q_star", q_star(float(row["disks.packing_fraction"]), Q0, C, PHI_J, X))
+            self.near(row, "q", 1.3)
+
+    def test_fits_that_are_not_to_be_trusted_are_told(self):
+        points = grid(disks__packing_fraction=[0.60, 0.70], disks__elasticity=list(np.geomspace(0.1, 500, 16)))
+        q = points["disks.elasticity"]
+        wavy = crossover(q, 5.0) * np.where(points["disks.packing_fraction"] == 0.7, 1 + 0.3 * np.sin(5 * q), 1)
+        self.sweep(points, 0.02, B_p_el=wavy)
+        self.analyse("crossover", "--resamples", 0)
+        self.assertRegex(self.result.stderr, r"chi2 is beyond chance in 1 of 2 fits \(at worst .* for 12 "
+                                             r"degrees of freedom, phi = 0.7\)")
+        self.sweep(points, 0.02, B_p_el=crossover(q, 5.0))
+        self.analyse("crossover", "--resamples", 0)
+        self.assertNotIn("chi2", self.result.stderr)
+        self.assertNotIn("exceeds the value", self.result.stderr)
+        self.sweep(points, 0.02, B_p_el=crossover(q, 2000.0))
+        self.analyse("crossover", "--resamples", 0)
+        self.assertIn("Q_star: the error exceeds the value", self.result.stderr)
 
     def test_same_bytes_each_time(self):
         self.bagnold_states()

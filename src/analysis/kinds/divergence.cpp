@@ -100,12 +100,15 @@ Report divergence(SweepTable const& table, Request const& request) {
   } else {
     places = find_places(table, request, found_on);
     note_left_out(report, table, found_on);
+    note_fits(report, places,
+              request.of == "crossover" ? crossover_names : std::vector<std::string>{});
     series = places_against_phi(places, request);
   }
   auto fixed = request.fixed;
   if (request.phi_j) fixed["phi_J"] = *request.phi_j;
   auto const outcomes = fit_all(series, divergence_model, fixed, false, request);
   report.results = tabulate(outcomes, {"Q0", "c", "phi_J", "x"});
+  note_fits(report, outcomes, {"Q0", "c", "phi_J", "x"});
   note_left_out(report, of_value ? table : SweepTable{}, series);
   Panel panel(report, phi_key,
               of_value                    ? request.y

@@ -23,6 +23,7 @@ Found slope(Points const& measured, std::size_t first, std::size_t last) {
             line.chi2,
             line.freedom,
             points.size()};
+  out.weighted = points.weighted();
   out.lines.push_back(
       sample_line(std::exp(points.x.front()), std::exp(points.x.back()), true,
                   [&](double x) { return std::exp(line.value[0] + line.value[1] * std::log(x)); }));
@@ -58,6 +59,7 @@ Report exponents(SweepTable const& table, Request const& request) {
     for (auto& task : tasks_of(one, request.window)) tasks.push_back(std::move(task));
   auto const outcomes = carry_out(tasks, request);
   report.results = tabulate(outcomes, {"x", "exponent"});
+  note_fits(report, outcomes, {"x", "exponent"});
   note_left_out(report, table, series);
   Panel above(report, x, y, true, true);
   for (auto const& one : series) above.data(caption(one.labels), one.points(0), one.x_error);

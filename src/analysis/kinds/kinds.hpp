@@ -39,6 +39,7 @@ Report merged_table(SweepTable const& table, Request const& request);
 // Where a crossover, a jump or a transition lies, for each curve: value = {place, ...}, but
 // {C, place, s, q} of a crossover. The series that they were found on are put into `series`.
 inline constexpr std::size_t crossover_place = 1;
+inline std::vector<std::string> const crossover_names{"C", "Q_star", "s", "q"};
 std::vector<Outcome> find_crossovers(SweepTable const& table, Request const& request,
                                      std::vector<Series>& series);
 std::vector<Outcome> find_jumps(SweepTable const& table, Request const& request,

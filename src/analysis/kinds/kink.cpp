@@ -17,6 +17,7 @@ Found kinks_of(Points const& measured, Request const& request) {
   auto const x_of = [&](double x) { return request.log_x ? std::exp(x) : x; };
   auto const y_of = [&](double y) { return request.log_y ? std::exp(y) : y; };
   Found out{{}, {}, fitted.chi2, fitted.freedom, points.size()};
+  out.weighted = points.weighted();
   for (std::size_t k = 3; k < fitted.value.size(); k += 2) {
     double const x = fitted.value[k], place = x_of(x);
     out.value.insert(out.value.end(), {place, y_of(piecewise_linear(x, fitted.value))});
@@ -48,6 +49,7 @@ Report kink(SweepTable const& table, Request const& request) {
     names.push_back(fmt::format("{}_{}", y, k));
   }
   report.results = tabulate(outcomes, names);
+  note_fits(report, outcomes, names);
   note_left_out(report, table, series);
   Panel panel(report, x, y, request.log_x, request.log_y);
   for (std::size_t k = 0; k < series.size(); ++k) {

@@ -24,15 +24,19 @@ Rows rows_of(SweepTable const& table, std::vector<Curve> const& curves,
   for (auto const& [name, values] : table.observables) names.push_back(name);
   for (auto const& name : asked)
     if (!table.observables.contains(name) && !table.keys.contains(name)) names.push_back(name);
-  for (auto const& name : names) out.columns.insert(out.columns.end(), {name, name + "_error"});
+  std::vector<Quantity> quantities;
+  for (auto const& name : names) {
+    out.columns.insert(out.columns.end(), {name, name + "_error"});
+    quantities.emplace_back(table, name, phi_j);
+  }
   for (auto const& curve : curves)
     for (auto const& datum : curve.data) {
       if (datum.rows.empty()) continue;
       std::vector<std::string> row;
       for (auto const& key : keys) row.push_back(key_text(table, key, datum.rows.front()));
       row.push_back(fmt::format("{}", datum.rows.size()));
-      for (auto const& name : names) {
-        auto const merged = Quantity(table, name, phi_j).of(datum.rows);
+      for (auto const& quantity : quantities) {
+        auto const merged = quantity.of(datum.rows);
         row.push_back(cell(merged.mean));
         row.push_back(cell(merged.error));
       }
@@ -55,14 +59,18 @@ Report merged_table(SweepTable const& table, Request const& request) {
   note_left_out(report, table, {});
   Panel panel(report, x, y, x != "disks.packing_fraction", y != "mu");
   Quantity const right(table, x, request.phi_j), up(table, y, request.phi_j);
+  std::size_t pooled = 0, data = 0;
   for (auto const& curve : curves)  // those without an error too: nothing is fitted
     for (auto const& datum : curve.data) {
       auto const at = right.of(datum.rows), value = up.of(datum.rows);
       bool const wanted =
           !request.range || (at.mean >= request.range->first && at.mean <= request.range->second);
-      if (wanted && std::isfinite(at.mean) && std::isfinite(value.mean))
-        panel.point("data", caption(curve.labels), at.mean, at.error, value.mean, value.error);
+      if (!wanted || !std::isfinite(at.mean) || !std::isfinite(value.mean)) continue;
+      ++data;
+      pooled += value.pooled;
+      panel.point("data", caption(curve.labels), at.mean, at.error, value.mean, value.error);
     }
+  note_errors(report, pooled, data, up.widened());
   return report;
 }
 

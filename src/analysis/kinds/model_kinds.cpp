@@ -12,6 +12,7 @@ namespace {
 
 Found found_from(Model const& model, Points const& points, Fit const& fitted, bool log_x) {
   Found out{fitted.value, fitted.error, fitted.chi2, fitted.freedom, points.size()};
+  out.weighted = points.weighted();
   auto const [low, high] = std::ranges::minmax(points.x);
   out.lines.push_back(
       sample_line(low, high, log_x, [&](double x) { return model.value(x, fitted.value); }));
@@ -56,7 +57,8 @@ Report crossover(SweepTable const& table, Request const& request) {
   Report report;
   std::vector<Series> series;
   auto const outcomes = find_crossovers(table, request, series);
-  report.results = tabulate(outcomes, {"C", "Q_star", "s", "q"});
+  report.results = tabulate(outcomes, crossover_names);
+  note_fits(report, outcomes, crossover_names);
   note_left_out(report, table, series);
   Panel panel(report, or_else(request.x, "disks.elasticity"), or_else(request.y, "B_p_el"), true,
               true);
@@ -77,6 +79,7 @@ Report friction_law(SweepTable const& table, Request const& request) {
   auto const outcomes = fit_all(
       series, [](Points const&) { return friction_law_model(); }, request.fixed, true, request);
   report.results = tabulate(outcomes, names_of(friction_law_model()));
+  note_fits(report, outcomes, names_of(friction_law_model()));
   note_left_out(report, table, series);
   Panel panel(report, x, y, true, false);
   for (std::size_t k = 0; k < series.size(); ++k) {

@@ -26,6 +26,7 @@ Found meet(Points const& measured, Request const& request) {
             lines.first.chi2 + lines.second.chi2,
             lines.first.freedom + lines.second.freedom,
             points.size()};
+  out.weighted = points.weighted();
   double const beyond = 0.05 * (points.x.back() - points.x.front());
   auto const add = [&](Fit const& fit, double low, double high) {
     low = std::min(low, lines.meeting.x - beyond);
@@ -62,6 +63,7 @@ Report transition(SweepTable const& table, Request const& request) {
   auto const x = or_else(request.x, "disks.elasticity");
   auto const name = symbol(x) + "_c";
   report.results = tabulate(outcomes, {name});
+  note_fits(report, outcomes, {name});
   note_left_out(report, table, series);
   for (std::size_t k = 0; k < series.size(); ++k)
     if (auto const points = series[k].points(0);
