@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "src/config/errors.hpp"
+
 namespace bagnold::analysis {
 namespace {
 
@@ -27,6 +29,40 @@ void put_line(std::string& out, std::vector<std::string> const& cells) {
 }  // namespace
 
 std::string cell(double value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
+
+Rows parse_csv(std::string const& text, std::string const& origin) {
+  Rows out;
+  std::vector<std::string> row(1);
+  std::size_t line = 1;
+  auto const finish_row = [&] {
+    if (out.columns.empty())
+      out.columns = row;
+    else if (row.size() != out.columns.size())
+      throw InputError(fmt::format("{}:{}: {} cells (must be {}, as many as names in line 1)",
+                                   origin, line, row.size(), out.columns.size()));
+    else
+      out.rows.push_back(row);
+    row.assign(1, "");
+    ++line;
+  };
+  bool in_quotes = false;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    char const letter = text[k];
+    if (in_quotes && letter == '"' && k + 1 < text.size() && text[k + 1] == '"')
+      row.back() += text[++k];
+    else if (letter == '"')
+      in_quotes = !in_quotes;
+    else if (in_quotes || (letter != ',' && letter != '\n' && letter != '\r'))
+      row.back() += letter;
+    else if (letter == ',')
+      row.emplace_back();
+    else if (letter == '\n')
+      finish_row();
+  }
+  if (in_quotes) throw InputError(fmt::format("{}: a quote is left open; close it", origin));
+  if (row.size() > 1 || !row.front().empty()) finish_row();
+  return out;
+}
 
 std::string to_csv(Rows const& rows) {
   std::string out;

@@ -18,4 +18,8 @@ std::string cell(double value);
 /// RFC 4180, lines ended by a line feed: equal tables give equal bytes.
 std::string to_csv(Rows const& rows);
 
+/// The table of a text as to_csv writes it, RFC 4180 with either end of line. Throws InputError
+/// with the line: a quote left open, a row of another length than the names.
+Rows parse_csv(std::string const& text, std::string const& origin);
+
 }  // namespace bagnold::analysis

@@ -19,6 +19,7 @@ struct Request {
   std::vector<std::string> by;
   std::map<std::string, std::string> where;
   std::optional<std::pair<double, double>> range;  ///< of x
+  std::size_t first = 0;                           ///< only so many points of smallest x; 0: all
   std::optional<double> phi_j;                     ///< fixes phi_J; needed by phi_J-phi
   Fixed fixed;                                     ///< other parameters
   bool log_x = false, log_y = false;               ///< kinks, transitions: lines in these axes

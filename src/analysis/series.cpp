@@ -52,7 +52,9 @@ class Builder {
     bool const weighted = std::ranges::any_of(all, has_error);
     if (weighted) std::erase_if(all, [&](auto const& m) { return !has_error(m); });
     std::ranges::stable_sort(all, {}, &Measurement::x);
-    Series series{labels, {}, {}, wanted - all.size()};
+    auto const kept = all.size();
+    if (request_.first != 0) all.resize(std::min(request_.first, kept));
+    Series series{labels, {}, {}, wanted - kept};
     series.pooled = static_cast<std::size_t>(std::ranges::count(all, true, &Measurement::pooled));
     series.widened = y_->widened();
     for (auto const& m : all) series.x_error.push_back(m.x_error);

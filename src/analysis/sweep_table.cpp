@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <optional>
+#include <set>
 
+#include "src/analysis/csv.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/keys.hpp"
 #include "src/config/nearest_word.hpp"
@@ -61,6 +64,60 @@ void read_observables(io::Hdf5Reader const& file, SweepTable& table) {
   }
 }
 
+std::optional<double> number_in(std::string const& text) {
+  char* end = nullptr;
+  double const value = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0' || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+KeyColumn key_column(Rows const& rows, std::size_t column) {
+  KeyColumn out;
+  for (auto const& row : rows.rows) {
+    out.texts.push_back(row[column]);
+    if (auto const number = number_in(row[column])) out.numbers.push_back(*number);
+  }
+  (out.numbers.size() == rows.rows.size() ? out.texts.clear() : out.numbers.clear());
+  return out;
+}
+
+std::vector<double> cells(SweepTable const& table, Rows const& rows, std::string const& name) {
+  auto const found = std::ranges::find(rows.columns, name);
+  std::vector<double> out(rows.rows.size(), std::nan(""));
+  if (found == rows.columns.end()) return out;
+  auto const column = static_cast<std::size_t>(found - rows.columns.begin());
+  for (std::size_t k = 0; k < out.size(); ++k) {
+    auto const& text = rows.rows[k][column];
+    if (text.empty()) continue;
+    auto const number = number_in(text);
+    if (!number)
+      throw InputError(fmt::format("{}: {} = \"{}\" (must be a finite number, or empty)",
+                                   table.origin, name, text));
+    out[k] = *number;
+  }
+  return out;
+}
+
+SweepTable read_csv_table(std::filesystem::path const& path) {
+  SweepTable table;
+  table.origin = path.string();
+  auto const bytes = io::read_file(path);
+  auto const rows =
+      parse_csv({reinterpret_cast<char const*>(bytes.data()), bytes.size()}, table.origin);
+  table.points = rows.rows.size();
+  if (table.points == 0)
+    throw InputError(fmt::format("{}: holds no row of values; make it again", table.origin));
+  for (std::size_t column = 0; column < rows.columns.size(); ++column) {
+    auto const& name = rows.columns[column];
+    if (name.find('.') != std::string::npos)
+      table.keys[name] = key_column(rows, column);
+    else if (!name.ends_with(error_ending))
+      table.observables[name] = {cells(table, rows, name),
+                                 cells(table, rows, name + std::string(error_ending))};
+  }
+  return table;
+}
+
 std::optional<double> number_of(Scene const& scene, std::string const& wanted) {
   std::optional<double> found;
   for_each_key(scene, [&](Key const& key, auto const& member) {
@@ -71,6 +128,22 @@ std::optional<double> number_of(Scene const& scene, std::string const& wanted) {
     if constexpr (std::is_same_v<Member, NumberOrWord>) found = member.number;
   });
   return found;
+}
+
+/// The same state and seed twice is the same run, not two.
+void refuse_twice(SweepTable const& table) {
+  std::set<std::vector<std::string>> seen;
+  for (std::size_t point = 0; point < table.points; ++point) {
+    std::vector<std::string> place;
+    for (auto const& [name, column] : table.keys)
+      place.push_back(fmt::format(
+          "{} = {}", name,
+          column.is_text() ? column.texts[point] : fmt::format("{}", column.numbers[point])));
+    if (!seen.insert(place).second)
+      throw InputError(
+          fmt::format("{}: {} is in both; leave it out of one, or give it another seed",
+                      table.origin, fmt::join(place, ", ")));
+  }
 }
 
 }  // namespace
@@ -104,6 +177,7 @@ std::vector<double> SweepTable::numbers(std::string const& key) const {
 }
 
 SweepTable read_sweep_table(std::filesystem::path const& path) {
+  if (path.extension() == ".csv" && std::filesystem::exists(path)) return read_csv_table(path);
   auto const file_path = std::filesystem::is_directory(path) ? path / "sweep.h5" : path;
   if (!std::filesystem::exists(file_path))
     throw InputError(fmt::format("{} is not there; run `bagnold sweep` first, or give its folder",
@@ -116,6 +190,43 @@ SweepTable read_sweep_table(std::filesystem::path const& path) {
   if (table.observables.empty())
     throw InputError(fmt::format("{}: /observables is empty; run the sweep first", table.origin));
   return table;
+}
+
+SweepTable merge_tables(std::vector<SweepTable> const& tables) {
+  if (tables.size() == 1) return tables.front();
+  SweepTable out;
+  for (auto const& table : tables) {
+    out.origin += (out.origin.empty() ? "" : " and ") + table.origin;
+    for (auto const& [name, column] : table.keys) out.keys[name];
+    for (auto const& [name, values] : table.observables) out.observables[name];
+  }
+  auto const append = [](auto& to, auto const& from) {
+    to.insert(to.end(), from.begin(), from.end());
+  };
+  for (auto const& table : tables) {
+    for (auto& [name, column] : out.keys) {
+      auto const own = table.keys.find(name);
+      if (own != table.keys.end() && own->second.is_text())
+        append(column.texts, own->second.texts);
+      else
+        append(column.numbers, table.numbers(name));
+    }
+    for (auto& [name, values] : out.observables) {
+      auto const own = table.observables.find(name);
+      std::vector<double> const none(table.points, std::nan(""));
+      append(values.mean, own == table.observables.end() ? none : own->second.mean);
+      append(values.error, own == table.observables.end() ? none : own->second.error);
+    }
+    append(out.scenes, table.scenes);
+    out.points += table.points;
+  }
+  if (out.scenes.size() != out.points) out.scenes.clear();
+  for (auto const& [name, column] : out.keys)
+    if (column.is_text() && !column.numbers.empty())
+      throw InputError(
+          fmt::format("{} is a text in one and a number in another of {}", name, out.origin));
+  refuse_twice(out);
+  return out;
 }
 
 }  // namespace bagnold::analysis

@@ -39,9 +39,15 @@ struct SweepTable {
 };
 
 /// Reads `sweep.h5`, or that file in a folder: `/points/KEY` [P] (numbers or texts of fixed
-/// length),
-/// `/points/scene` [P], `/observables/NAME` and `/observables/NAME_error` [P]. Files come from
-/// anywhere: Hdf5Reader refuses what is not plain. Throws InputError, naming the file.
+/// length), `/points/scene` [P], `/observables/NAME` and `/observables/NAME_error` [P]. Files come
+/// from anywhere: Hdf5Reader refuses what is not plain. Or a table NAME.csv like `sweep.csv`:
+/// columns with a dot in their names are keys, others observables. Throws InputError, naming the
+/// file.
 SweepTable read_sweep_table(std::filesystem::path const& path);
+
+/// Several sweeps as one, their points one after another. Keys are those that any of them varies,
+/// looked up in the scenes of the others; observables those of any, NaN where one has none. Throws
+/// InputError: a key that a sweep does not tell, or the same state and seed in two of them.
+SweepTable merge_tables(std::vector<SweepTable> const& tables);
 
 }  // namespace bagnold::analysis

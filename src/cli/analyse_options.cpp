@@ -18,6 +18,7 @@ void add_axes(CLI::App& command, analysis::Request& request) {
           "KEY=VALUE: only these points; may be repeated")
       ->allow_extra_args(false);
   command.add_option("--range", request.range, "LOW HIGH: only x between");
+  command.add_option("--first", request.first, "only so many points of smallest x [0: all]");
   command.add_flag("--log-x", request.log_x, "straight lines in ln x (kink, transition)");
   command.add_flag("--log-y", request.log_y, "straight lines in ln y (kink, transition)");
 }

@@ -151,5 +151,67 @@ TEST_F(SweepTableFile, HostileFilesAreRefused) {
       "more than the");
 }
 
+class CsvTable : public testing::Test {
+ protected:
+  SweepTable table(std::string const& text, std::string const& name = "made.csv") {
+    io::replace_file(folder_ / name, io::bytes_of(text));
+    return read_sweep_table(folder_ / name);
+  }
+
+  io::TestFolder folder_;
+};
+
+TEST_F(CsvTable, IsReadAsTheFileIs) {
+  auto const found = table(
+      "disks.elasticity,disks.model,p,p_error,mu\n1,CD,0.5,0.1,0.3\r\n10,\"C,\"\"D\",,,0.2\n");
+  EXPECT_EQ(found.points, 2u);
+  EXPECT_EQ(found.numbers("disks.elasticity"), (std::vector<double>{1, 10}));
+  EXPECT_EQ(found.keys.at("disks.model").texts, (std::vector<std::string>{"CD", "C,\"D"}));
+  EXPECT_EQ(found.observables.at("p").mean[0], 0.5);
+  EXPECT_EQ(found.observables.at("p").error[0], 0.1);
+  EXPECT_TRUE(std::isnan(found.observables.at("p").mean[1]));
+  EXPECT_TRUE(std::isnan(found.observables.at("mu").error[1]));
+  EXPECT_EQ(found.observables.size(), 2u);
+}
+
+TEST_F(CsvTable, OddOnesAreRefused) {
+  EXPECT_THROW(table(""), InputError);
+  EXPECT_THROW(table("disks.seed,p\n"), InputError);
+  EXPECT_THROW(table("disks.seed,p\n1\n"), InputError);
+  EXPECT_THROW(table("disks.seed,p\n1,2,3\n"), InputError);
+  EXPECT_THROW(table("disks.seed,p\n1,nan\n"), InputError);
+  EXPECT_THROW(table("disks.seed,p\n1,two\n"), InputError);
+  EXPECT_THROW(table("disks.seed,p\n1,\"2\n"), InputError);
+}
+
+TEST_F(CsvTable, SeveralSweepsAreOne) {
+  auto const base = table("disks.elasticity,disks.seed,p\n1,1,0.5\n10,1,0.6\n");
+  auto const finer = table("disks.seed,disks.elasticity,mu\n2,3,0.4\n", "finer.csv");
+  auto const merged = merge_tables({base, finer});
+  EXPECT_EQ(merged.points, 3u);
+  EXPECT_EQ(merged.numbers("disks.elasticity"), (std::vector<double>{1, 10, 3}));
+  EXPECT_EQ(merged.observables.at("p").mean[1], 0.6);
+  EXPECT_TRUE(std::isnan(merged.observables.at("p").mean[2]));
+  EXPECT_EQ(merged.observables.at("mu").mean[2], 0.4);
+  auto const again = table("disks.elasticity,disks.seed,p\n10,1,0.6\n", "again.csv");
+  EXPECT_THROW(merge_tables({base, again}), InputError);
+  auto const other = table("disks.elasticity,p\n10,0.6\n", "other.csv");
+  EXPECT_THROW(merge_tables({base, other}), InputError);  // of which seed?
+}
+
+TEST_F(SweepTableFile, SweepsOfOneKeyEachAreMergedByTheirScenes) {
+  auto base = table(put_good);
+  Scene scene;
+  scene.disks = {"CD", 64, 0.8, 1.0, "equal"};
+  scene.shear.strain_rate = 1e-4;
+  scene.shear.strain = 1.0;
+  base.scenes.assign(count, write_scene(scene));
+  auto other = base;
+  other.keys["disks.packing_fraction"].numbers = {0.7, 0.71, 0.72};
+  auto const merged = merge_tables({base, other});
+  EXPECT_EQ(merged.numbers("disks.packing_fraction"),
+            (std::vector<double>{0.8, 0.8, 0.8, 0.7, 0.71, 0.72}));
+}
+
 }  // namespace
 }  // namespace bagnold::analysis

@@ -94,6 +94,17 @@ class AnalyseTest(CliTest):
         ratio = float(row["x_bootstrap"]) / float(row["x_error"])
         self.assertLess(abs(math.log(ratio)), math.log(1.5))
 
+    def test_drops_between_powers_over_decades(self):
+        """P ~ 1/Q falls by more from Q = 0.2 to 0.5 than at the drop, within a smaller distance."""
+        points = grid(disks__packing_fraction=[0.70, 0.84], disks__elasticity=list(np.geomspace(0.2, 500, 30)))
+        q = points["disks.elasticity"]
+        q_c = np.where(points["disks.packing_fraction"] == 0.70, 21.0, 1e9)
+        self.sweep(points, 0.01, p_el=np.where(q < q_c, 1e-5 / q, 2e-9 * q))
+        drop, none = self.analyse("jump", "--x", "disks.elasticity", "--y", "p_el", "--direction", "down")
+        self.near(drop, "Q_down", 21.0)
+        self.assertLess(float(drop["Q_down_error"]) / 21.0, 0.1)
+        self.assertEqual(none["Q_down"], "")
+
     def test_divergence_of_a_quantity(self):
         points = grid(disks__packing_fraction=list(np.linspace(0.70, 0.835, 12)))
         phi = points["disks.packing_fraction"]
@@ -120,6 +131,9 @@ class AnalyseTest(CliTest):
         self.assertEqual(len(whole), 1)
         self.near(whole[0], "exponent", -3.0)
         self.assertEqual(len(rows), 1 + 4)
+        rows = self.analyse("exponents", "--phi-j", PHI_J, "--where", "disks.elasticity=0.1", "--first", 4)
+        self.assertEqual([row["points"] for row in rows], ["4", "3", "3"])
+        self.assertLess(float(rows[0]["x"]), PHI_J - 0.76)  # those nearest to jamming
 
     def test_transition(self):
         points = grid(shear__strain_rate=[1e-6, 1e-5], disks__packing_fraction=[0.81, 0.82],
@@ -159,6 +173,17 @@ class AnalyseTest(CliTest):
                 self.assertLess(abs(float(row[name]) - truth), 0.002)
             self.assertAlmostEqual(float(row["phi_up"]), 0.795, 6)
             self.assertAlmostEqual(float(row["phi_up_error"]), 0.002 / math.sqrt(12), 6)
+
+    def test_peak(self):
+        points = grid(disks__elasticity=[1, 5], disks__packing_fraction=list(np.linspace(0.77, 0.83, 13)))
+        phi, q = points["disks.packing_fraction"], points["disks.elasticity"]
+        top = np.where(q == 1, 0.7962, 0.8041)
+        self.sweep(points, 0.002, spin_var=3 - 1500 * (phi - top) ** 2)
+        for row, truth in zip(self.analyse("peak"), (0.7962, 0.8041)):
+            self.near(row, "phi_peak", truth)
+            self.near(row, "spin_var_peak", 3)
+            self.assertLess(float(row["phi_peak_error"]), 0.002)
+        self.refused("peak", "--range", 0.80, 0.83, "--where", "disks.elasticity=1", words=["beyond it"])
 
     def test_constant_pressure(self):
         self.bands()

@@ -15,6 +15,21 @@ bool is_clear(Points const& points, std::size_t low, std::size_t high, double ch
          clear * std::hypot(points.error[low] / points.y[low], points.error[high] / points.y[high]);
 }
 
+/// Is the steepest interval three times as steep as the intervals outside the jump, by their
+/// median? A power law is steep everywhere, and has no jump. Of two points nothing tells.
+template <class Steepness>
+bool stands_out(double steepest, std::size_t low, std::size_t high, std::size_t points,
+                Steepness const& steepness) {
+  constexpr double several = 3.0;
+  std::vector<double> outside;
+  for (std::size_t i = 0; i + 1 < points; ++i)
+    if (i < low || i >= high) outside.push_back(std::abs(steepness(i)));
+  if (outside.empty()) return points == 2;
+  auto const middle = outside.begin() + static_cast<std::ptrdiff_t>(outside.size() / 2);
+  std::ranges::nth_element(outside, middle);
+  return steepest >= several * *middle;
+}
+
 }  // namespace
 
 std::optional<Jump> find_jump(Points const& points, Direction direction, double least_factor) {
@@ -35,6 +50,7 @@ std::optional<Jump> find_jump(Points const& points, Direction direction, double 
   std::size_t high = low + 1;
   while (low > 0 && steepness(low - 1) >= half) --low;
   while (high + 1 < points.size() && steepness(high) >= half) ++high;
+  if (!stands_out(2.0 * half, low, high, points.size(), steepness)) return std::nullopt;
   if (change(low, high) < std::log(least_factor) || !is_clear(points, low, high, change(low, high)))
     return std::nullopt;
 

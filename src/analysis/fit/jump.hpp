@@ -21,7 +21,9 @@ enum class Direction { up, down };
 ///
 /// The steepest interval is widened on both sides while ln y changes on at least half as steeply;
 /// the middle is where ln y, interpolated, is half-way between its ends. None if y changes by less
-/// than `least_factor` or, with errors, by less than three of them. A jump may lie anywhere between
+/// than `least_factor` or, with errors, by less than three of them, or if the steepest interval is
+/// less than three times as steep as those outside the jump (their median): a power law, in ln x,
+/// has no jump. A jump may lie anywhere between
 /// two points: that spread, uniform, is the error.
 std::optional<Jump> find_jump(Points const& points, Direction direction, double least_factor);
 

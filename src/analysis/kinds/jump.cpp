@@ -19,10 +19,18 @@ std::vector<Direction> directions_of(Request const& request) {
   throw InputError(fmt::format("--direction {} (must be up, down or both)", request.direction));
 }
 
+std::string own_x(Request const& request) { return or_else(request.x, "disks.packing_fraction"); }
+
+/// Q and the rate go over decades: their jumps are steep in ln x, and lie anywhere between two ln
+/// x.
+bool is_log(Request const& request) { return own_x(request) != "disks.packing_fraction"; }
+
 /// value = {place, factor} for each direction; NaN where there is no jump. Where points are
 /// resampled the place is drawn from where it may lie between two of them: resampling alone does
 /// not move it.
-Found jumps_of(Points const& points, Request const& request, Draw const& draw) {
+Found jumps_of(Points const& measured, Request const& request, Draw const& draw) {
+  bool const log_x = is_log(request);
+  auto const points = with_logarithms(measured, log_x, false);
   Found out;
   out.points = points.size();
   for (auto const direction : directions_of(request)) {
@@ -30,14 +38,13 @@ Found jumps_of(Points const& points, Request const& request, Draw const& draw) {
     if (found && draw.replica != 0)
       found->x += std::sqrt(12.0) * found->error *
                   random_offset(draw, direction == Direction::up ? "up" : "down");
-    out.value.insert(out.value.end(),
-                     {found ? found->x : unknown, found ? found->after / found->before : unknown});
-    out.error.insert(out.error.end(), {found ? found->error : unknown, unknown});
+    double const place = !found ? unknown : log_x ? std::exp(found->x) : found->x;
+    out.value.insert(out.value.end(), {place, found ? found->after / found->before : unknown});
+    out.error.insert(out.error.end(),
+                     {found ? found->error * (log_x ? place : 1.0) : unknown, unknown});
   }
   return out;
 }
-
-std::string own_x(Request const& request) { return or_else(request.x, "disks.packing_fraction"); }
 
 }  // namespace
 
@@ -65,7 +72,7 @@ Report jump(SweepTable const& table, Request const& request) {
   }
   report.results = tabulate(outcomes, names);
   note_left_out(report, table, series);
-  bool const log_x = own_x(request) != "disks.packing_fraction";
+  bool const log_x = is_log(request);
   Panel panel(report, own_x(request), or_else(request.y, "R_v"), log_x, true);
   for (std::size_t k = 0; k < series.size(); ++k) {
     auto const curve = caption(series[k].labels);

@@ -33,6 +33,7 @@ Report exponents(SweepTable const& table, Request const& request);
 Report transition(SweepTable const& table, Request const& request);
 Report kink(SweepTable const& table, Request const& request);
 Report jump(SweepTable const& table, Request const& request);
+Report peak(SweepTable const& table, Request const& request);
 Report constant_pressure(SweepTable const& table, Request const& request);
 Report merged_table(SweepTable const& table, Request const& request);
 

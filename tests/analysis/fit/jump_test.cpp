@@ -61,6 +61,12 @@ TEST(Jump, NoneWhereThereIsNone) {
   EXPECT_FALSE(find_jump({{1, 2, 3}, {1, 2, 3}, {}}, Direction::down, 1.0));
   // a factor of 3, but within the errors
   EXPECT_FALSE(find_jump({{1, 2}, {1, 3}, {0.5, 2}}, Direction::up, 2.0));
+  // p ~ 1/Q over three decades, in ln Q
+  auto const power = sampled(
+      evenly(0, 7, 15), [](double x) { return std::exp(-x); }, [](double y) { return 0.03 * y; },
+      &random);
+  EXPECT_FALSE(find_jump(power, Direction::down, 2.0));
+  EXPECT_FALSE(find_jump({{1, 2, 3}, {9, 3, 1}, {}}, Direction::down, 2.0));
   EXPECT_THROW(find_jump({{1, 2}, {1, -3}, {}}, Direction::up, 2.0), InputError);
 }
 
