@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What figures take from the folder of a sweep: points picked by scene keys, seeds taken together."""
+"""What figures take from the folder of a sweep, or from a table made of it (figure_tables.py): points
+picked by scene keys, seeds taken together."""
 
+import json
 import math
 import os
 import tomllib
@@ -50,13 +52,39 @@ class Point:
             return {name.split(" [")[0]: data[:, k] for k, name in enumerate(names)}
 
 
-def points_of(folder, where):
-    """Points with results whose scene agrees with `where`, in the order of the sweep."""
-    with h5py.File(os.path.join(folder, "sweep.h5"), "r") as file:
+class Stored:
+    """A run of a table NAME.json: as Point, what is kept of it."""
+
+    def __init__(self, entry):
+        self.scene, self.kept = entry["scene"], entry
+
+    def read(self, path):
+        found = self.kept[path]
+        if "density" in found:
+            edges = np.linspace(*found["range"], len(found["density"]) + 1)
+            return {"edges": edges, "density": np.array(found["density"], float)}
+        if isinstance(found, dict):
+            return {name: np.array(values, float) for name, values in found.items()}
+        return np.array(found, float)
+
+    columns = read
+
+
+def points_in(source):
+    """All points with results, in the order of the sweep."""
+    if source.endswith(".json"):
+        with open(source, encoding="utf-8") as file:
+            return [Stored(entry) for entry in json.load(file)["points"]]
+    with h5py.File(os.path.join(source, "sweep.h5"), "r") as file:
         names, scenes, status = (file[path].asstr()[:]
                                  for path in ("points/folder", "points/scene", "status"))
-    points = [Point(os.path.join(folder, "points", name), flat(tomllib.loads(scene)))
-              for name, scene, done in zip(names, scenes, status) if done == "done"]
+    return [Point(os.path.join(source, "points", name), flat(tomllib.loads(scene)))
+            for name, scene, done in zip(names, scenes, status) if done == "done"]
+
+
+def points_of(sources, where):
+    """Points of all sources that are there whose scene agrees with `where`."""
+    points = [point for source in sources if os.path.exists(source) for point in points_in(source)]
     return [p for p in points if all(same(p.scene.get(k), v) for k, v in where.items())]
 
 

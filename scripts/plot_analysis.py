@@ -80,7 +80,7 @@ def bars(values):
     return np.nan_to_num(values) if (values > 0).any() else None
 
 
-def draw_curve(axes, rows, colour, marker, name, solid=False):
+def draw_curve(axes, rows, colour, marker, name, solid=False, joined=True):
     """Points, lines and marks of one curve."""
     of = {what: [row for row in rows if row["what"] == what] for what in ("data", "fit", "mark")}
     if of["data"]:
@@ -88,7 +88,7 @@ def draw_curve(axes, rows, colour, marker, name, solid=False):
                       xerr=bars(column(of["data"], "x_error")),
                       yerr=bars(column(of["data"], "y_error")), fmt=marker, ms=4.2,
                       mfc=colour if solid else "white",
-                      color=colour, ls="none" if of["fit"] else "-", lw=0.5, elinewidth=0.9,
+                      color=colour, ls="none" if of["fit"] or not joined else "-", lw=0.5, elinewidth=0.9,
                       capsize=1.5, label=name, zorder=3)
     if of["fit"]:
         x, y = column(of["fit"], "x"), column(of["fit"], "y")

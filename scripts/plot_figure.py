@@ -9,6 +9,7 @@ Exit code 1 and one line on stderr if it fails.
 
 import json
 import os
+import sys
 import textwrap
 
 from figure_data import histogram, points_of, principal_axes, profile, together
@@ -45,7 +46,9 @@ def draw_analysis(axes, panel, _):
     """What `bagnold analyse` drew: points with errors, fits, marks."""
     rows = panel["rows"]
     if not rows:
-        return axes.set_xlabel(f"nothing found: {panel['analyse'].split()[0]}")
+        if not panel.get("over"):
+            axes.set_xlabel(f"nothing found: {panel['analyse'].split()[0]}")
+        return
     change, slope = MAPS[panel["map"]] if "map" in panel else (None, None)
     for row in rows if change else []:
         if row["what"] != "mark":
@@ -54,16 +57,64 @@ def draw_analysis(axes, panel, _):
     for name in "xy":
         if name in panel.get("log", "".join(n for n in "xy" if rows[0][f"{n}_scale"] == "log")):
             getattr(axes, f"set_{name}scale")("log", nonpositive="mask")
+    rows = [row for row in rows if row["what"] in panel.get("only", row["what"])]
     names = list(dict.fromkeys(row["curve"] for row in rows))
     for k, name in enumerate(names):
-        curve = [row for row in rows if row["curve"] == name]
+        curve = [row | ({"y": np.nan} if panel.get("upright") and row["what"] == "mark" else {})
+                 for row in rows if row["curve"] == name]
         if name == "phi_J":
             continue
         text = (panel.get("name", "") + (", " if panel.get("name") and name else "") + pretty(name))
-        draw_curve(axes, curve, colour_of(k, len(names)), MARKERS[k % len(MARKERS)], text or None,
-                   solid=panel.get("over", False))
-    axes.set_xlabel(label(rows[0]["x_name"]))
-    axes.set_ylabel(label(rows[0]["y_name"]))
+        draw_curve(axes, curve, colour_of(k, len(names)), panel.get("marker", MARKERS[k % len(MARKERS)]),
+                   text or None, solid=panel.get("over", False), joined=panel.get("joined", True))
+    if panel.get("join"):
+        join_marks(axes, rows)
+    if panel.get("end_point"):
+        mark_end_point(axes, rows)
+    if not panel.get("over"):
+        axes.set_xlabel(label(rows[0]["x_name"]))
+        axes.set_ylabel(label(rows[0]["y_name"]))
+
+
+def join_marks(axes, rows):
+    """Dashed lines through the first marks of all curves, through the second, ...: P2 Fig. 22."""
+    marks = {}
+    for row in rows:
+        if row["what"] == "mark" and np.isfinite(row["x"]):
+            marks.setdefault(row["curve"], []).append((row["x"], row["y"]))
+    for places in zip(*marks.values()):
+        axes.plot(*np.transpose(places), color="black", ls=DASHED, lw=0.9, zorder=2)
+
+
+def places_of(rows, endings):
+    """{gammadot: phi} of a boundary that an analysis found; it is called phi_up (of a jump) or phi_1
+    (of a kink) where the region begins, phi_down or phi_2 where it ends."""
+    return {row["y"]: row["x"] for row in rows
+            if row["curve"].split(",")[0] in [f"phi_{ending}" for ending in endings]}
+
+
+BEGIN, END = ("up", "1"), ("down", "2")
+
+
+def mark_end_point(axes, rows):
+    """"*" above the largest rate at which a region begins and ends: its end lies there or beyond (as
+    schematic as in P2 Fig. 25)."""
+    begin, end = places_of(rows, BEGIN), places_of(rows, END)
+    both = [rate for rate in begin if rate in end]
+    if both:
+        axes.plot((begin[max(both)] + end[max(both)]) / 2, 1.4 * max(both), "*", ms=11, color="black")
+
+
+def draw_arrows(axes, panel, _):
+    """Arrows on the axis at the places (Q*, as `y`) that an analysis found for the curves of the panel
+    before, in their colours: P1 Fig. 13b."""
+    names = list(dict.fromkeys(row["curve"] for row in panel["before"]))
+    for row in panel["rows"]:
+        name = f"phi = {row['x']:g}"
+        if name in names:
+            axes.annotate("", (row["y"], 0.0), (row["y"], 0.09), xycoords=("data", "axes fraction"),
+                          arrowprops={"color": colour_of(names.index(name), len(names)),
+                                      "arrowstyle": "-|>"})
 
 
 def draw_histogram(axes, panel, points):
@@ -152,6 +203,9 @@ def draw_scatter(axes, panel, points):
         axes.plot(x0 + np.array([-2, 2]) * half * dx, y0 + np.array([-2, 2]) * half * dy, ":",
                   color="black", lw=1.1)
     axes.plot(x0, y0, "o", ms=5, mfc="white", mec="black", mew=0.8, zorder=4)
+    (_, (dx, dy)), _ = directions
+    axes.annotate(f"major axis: slope {dy / dx:.2f}; correlation {np.corrcoef(x, y)[0, 1]:.2f}",
+                  (0.02, 1.01), xycoords="axes fraction", fontsize=7)
     axes.set(xlim=(x0 - half, x0 + half), ylim=(y0 - half, y0 + half), aspect="equal",
              xlabel=VELOCITIES.get(panel["x"], panel["x"]),
              ylabel=VELOCITIES.get(panel["y"], panel["y"]))
@@ -175,28 +229,34 @@ def draw_loop(axes, panel, points):
     axes.set_ylabel(label(name))
 
 
-def mark_boundary(axes, name, points, k):
-    axes.plot(*points.T, MARKERS[k] + "-", color=(BLUE, VERMILION)[k], ms=5, mfc="white", label=name)
+def mark_boundary(axes, name, points, k, panel):
+    axes.plot(*points.T, panel.get("marker", MARKERS[k]) + ("-" if panel.get("joined", True) else ""),
+              color=(BLUE, VERMILION)[k], ms=5, mfc="white",
+              label=", ".join(filter(None, (panel.get("name"), name))))
 
 
 def draw_boundary(axes, panel, _):
     """Where a boundary phi(gammadot), found by an analysis, lies in other quantities: `at` are the
     two of the axes, each of the sweep's curves against phi taken at the boundary. P2 Figs. 26, 29."""
-    for k, ending in enumerate(("up", "down")):
-        places = [row for row in panel["rows"] if row["curve"].startswith(f"phi_{ending}")]
+    ends = []
+    for k, endings in enumerate((BEGIN, END)):
         found = []
-        for place in places:
+        for rate, place in places_of(panel["rows"], endings).items():
             pair = []
             for name in panel["at"]:
+                curve = [row for row in panel["of"].get(name, []) if row["curve"] == f"gammadot = {rate:g}"]
                 if name == "gammadot":
-                    pair.append(place["y"])
-                    continue
-                curve = [row for row in panel["of"][name] if row["curve"] == f"gammadot = {place['y']:g}"]
-                phi, value = np.array([(row["x"], row["y"]) for row in curve]).T
-                pair.append(np.exp(np.interp(place["x"], phi, np.log(value))))
-            found.append(pair)
+                    pair.append(rate)
+                elif curve:
+                    phi, value = np.array([(row["x"], row["y"]) for row in curve]).T
+                    pair.append(np.exp(np.interp(place, phi, np.log(value))))
+            if len(pair) == 2:
+                found.append(pair)
         if found:
-            mark_boundary(axes, (r"$\phi_B$", r"$\phi_N$")[k], np.array(found), k)
+            mark_boundary(axes, (r"$\phi_B$", r"$\phi_N$")[k], np.array(found), k, panel)
+            ends.append(max(found, key=max))
+    if panel.get("end_point") and len(ends) == 2:
+        axes.plot(*np.sqrt(np.prod(ends, axis=0)), "*", ms=11, color="black")
     axes.set(xscale="log", yscale="log")
     axes.set_xlabel(label(panel["at"][0]))
     axes.set_ylabel(label(panel["at"][1]))
@@ -222,7 +282,7 @@ def draw_bands(axes, panel, points):
 
 PANELS = {"analyse": draw_analysis, "histogram": draw_histogram, "profile": draw_profile,
           "field": draw_field, "samples": draw_scatter, "series": draw_loop,
-          "at": draw_boundary, "bands": draw_bands}
+          "at": draw_boundary, "bands": draw_bands, "arrows": draw_arrows}
 
 
 # ----------------------------------------------------------------------------------------- layout
@@ -230,7 +290,7 @@ PANELS = {"analyse": draw_analysis, "histogram": draw_histogram, "profile": draw
 
 def kind_of(panel):
     """What a panel draws is named by the key that it has."""
-    for key in ("histogram", "profile", "field", "samples", "series", "bands", "at", "analyse"):
+    for key in ("histogram", "profile", "field", "samples", "series", "bands", "at", "arrows", "analyse"):
         if key in panel:
             return key
     raise ValueError(f"a panel has none of {', '.join(PANELS)}")
@@ -249,14 +309,22 @@ def load(panel, folder):
         show = panel.get("show", 1)
         panel["rows"] = tables[show - 1] if len(tables) >= show else []
     if "of_drawn" in panel:
-        panel["of"] = {name: tables_of(os.path.join(folder, path))[0]
-                       for name, path in panel["of_drawn"].items()}
+        tables = {name: tables_of(os.path.join(folder, path))
+                  for name, path in panel["of_drawn"].items()}
+        panel["of"] = {name: table[0] for name, table in tables.items() if table}
     if "analyse" in panel:
         return []
-    points = points_of(os.path.join(folder, panel["folder"]), panel.get("where", {}))
+    points = points_of([os.path.join(folder, source) for source in panel["folder"]],
+                       panel.get("where", {}))
     if not points:
-        raise ValueError(f"no point of {panel['folder']} has {panel.get('where')}")
+        print(f"no point of {', '.join(panel['folder'])} has {panel.get('where')}", file=sys.stderr)
     return points
+
+
+def height_at(rows, x):
+    """The largest y of points between two x; 1 where there are none."""
+    return max((row["y"] for row in rows if row["what"] == "data" and min(x) <= row["x"] <= max(x)),
+               default=1.0)
 
 
 def finish(axes, panel, rows):
@@ -269,6 +337,8 @@ def finish(axes, panel, rows):
         axes.axhline(y, color=GREY, lw=0.9, ls=DASHED, zorder=0)
     for x0, y0, x1, slope, text in panel.get("slopes", []):
         x = np.array([x0, x1])
+        if y0 == "above":
+            y0 = 1.7 * height_at(rows, x)
         axes.plot(x, y0 * (x / x0) ** slope, color="black", lw=1.0)
         axes.annotate(text, (x1, y0 * (x1 / x0) ** slope), (3, 2), textcoords="offset points",
                       fontsize=9)
@@ -291,15 +361,21 @@ def draw(recipe, folder):
     width, height = recipe.get("panel_size", [4.6, 3.7])
     figure, grid = plt.subplots(lines, columns, squeeze=False, layout="constrained",
                                 figsize=(width * columns, height * lines + 0.4))
-    places, axes, shown = list(grid.flat), None, []
+    places, axes, shown, group = list(grid.flat), None, [], {}
     for k, panel in enumerate(recipe["panel"]):
         points = load(panel, folder)
         if not panel.get("over"):
-            axes, shown = places.pop(0), []
-        PANELS[kind_of(panel)](axes, panel, points)
-        shown += panel.get("rows", []) if kind_of(panel) == "analyse" else []
+            axes, shown, group = places.pop(0), [], {}
+        kind = kind_of(panel)
+        group |= panel
+        panel["before"] = shown
+        if points or kind in ("analyse", "at", "arrows"):
+            PANELS[kind](axes, panel, points)
+        else:
+            axes.set_xlabel("no data")
+        shown = shown + (panel.get("rows", []) if kind == "analyse" else [])
         if k + 1 == len(recipe["panel"]) or not recipe["panel"][k + 1].get("over"):
-            finish(axes, panel, shown)
+            finish(axes, group, shown)
     for axes in places:
         axes.set_axis_off()
     title = textwrap.fill(f"{recipe['name']}  {recipe.get('title', '')}", int(11 * width * columns))

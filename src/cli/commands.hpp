@@ -61,6 +61,7 @@ struct FigureOptions {
   std::string name;              ///< "P2-15"; "": list all
   std::filesystem::path folder;  ///< for pictures, and data that figures share; "": results/figures
   std::filesystem::path figures;  ///< figures.toml; "": found
+  std::filesystem::path data;     ///< folder of finished tables to draw from; "": run sweeps
   int jobs = 0;                   ///< as of a sweep
   bool quick = false;
   bool quiet = false;

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <map>
 
 #include "src/analysis/kinds/kinds.hpp"
 #include "src/cli/analyse_options.hpp"
@@ -34,11 +35,28 @@ AnalyseOptions parse_words(std::string const& words, std::string const& figure) 
   return options;
 }
 
-/// Makes one figure in a folder, from sweeps that are done.
+/// Where the data sets of a figure lie.
+struct DataFolder {
+  fs::path folder;
+  bool tables = false;  ///< NAME.csv and NAME.json instead of folders of sweeps
+
+  fs::path sweep(std::string const& name) const { return folder / name; }
+  fs::path measured(std::string const& name) const {
+    return folder / (tables ? name + ".csv" : name);
+  }
+  /// What is drawn other than analyses: histograms, profiles, series.
+  fs::path pictured(std::string const& name) const {
+    return folder / (tables ? name + ".json" : name);
+  }
+};
+
+using Names = std::vector<std::string>;
+
+/// Makes one figure in a folder, from data that are there.
 class FigureMaker {
  public:
-  FigureMaker(Figure figure, fs::path const& out)
-      : figure_(std::move(figure)), out_(out), folder_(out / figure_.name) {
+  FigureMaker(Figure figure, fs::path const& out, DataFolder const& data)
+      : figure_(std::move(figure)), data_(data), folder_(out / figure_.name) {
     fs::create_directories(folder_);
   }
 
@@ -49,10 +67,14 @@ class FigureMaker {
     int number = 0;
     for (auto& panel : figure_.panels) {
       auto const stem = fmt::format("panel{}", ++number);
-      auto const data = panel.at("data").get<std::string>();
-      panel["folder"] = "../data/" + data;
+      auto const data = panel.at("data").get<Names>();
+      panel["folder"] = json::array();
+      for (auto const& name : data)
+        panel["folder"].push_back(
+            fs::absolute(data_.pictured(name)).lexically_proximate(fs::absolute(folder_)).string());
       if (panel.contains("analyse")) panel["drawn"] = write_drawn(stem, panel.at("analyse"), data);
-      for (auto const& [name, words] : panel.value("of", json::object()).items())
+      auto const others = panel.value("of", json::object());
+      for (auto const& [name, words] : others.items())
         panel["of_drawn"][name] = write_drawn(stem + "_" + name, words, data);
     }
     recipe["panel"] = figure_.panels;
@@ -61,10 +83,11 @@ class FigureMaker {
     return path;
   }
 
-  std::vector<Comparison> compare_stated() const {
+  std::vector<Comparison> compare_stated() {
     std::vector<Comparison> all;
     for (auto const& entry : figure_.stated) {
-      auto const found = compare(entry, analyse(entry.at("analyse"), entry.at("data")).results);
+      auto const found =
+          compare(entry, analyse(entry.at("analyse"), entry.at("data").get<Names>()).results);
       all.insert(all.end(), found.begin(), found.end());
     }
     if (!all.empty()) io::replace_text(folder_ / "stated.csv", to_csv(to_rows(all)));
@@ -72,29 +95,83 @@ class FigureMaker {
   }
 
  private:
-  /// What an analysis finds; nothing, with a word why, where it finds nothing.
-  analysis::Report analyse(std::string const& words, std::string const& data) const {
+  /// What an analysis finds, with what is to be said of it, once; nothing, with a word why, where
+  /// it finds nothing.
+  analysis::Report const& analyse(std::string const& words, Names const& data) {
+    auto const [known, is_new] = reports_.try_emplace({words, data});
+    if (!is_new) return known->second;
     auto const options = parse_words(words, figure_.name);
-    auto const table = analysis::read_sweep_table(out_ / "data" / data);
+    auto const say = [&](std::string const& what) {
+      warn(fmt::format("{}: {}: {}", figure_.name, words, what));
+    };
     try {
-      return analysis::kind_of(options.kind).run(table, options.request);
+      known->second = analysis::kind_of(options.kind).run(table_of(data), options.request);
     } catch (InputError const& error) {
-      warn(fmt::format("{}: {}: {}", figure_.name, words, error.what()));
-      return {};
+      say(error.what());
     }
+    for (auto const& note : known->second.notes) say(note);
+    return known->second;
   }
 
-  std::string write_drawn(std::string const& stem, std::string const& words,
-                          std::string const& data) const {
-    auto const report = analyse(words, data);
+  /// The tables of those data sets that are there.
+  analysis::SweepTable const& table_of(Names const& data) {
+    auto const [known, is_new] = tables_.try_emplace(data);
+    if (!is_new) return known->second;
+    std::vector<analysis::SweepTable> parts;
+    for (auto const& name : data)
+      if (auto const path = data_.measured(name); fs::exists(path))
+        parts.push_back(analysis::read_sweep_table(path));
+    if (!parts.empty()) known->second = merge_tables(parts);
+    if (parts.empty())
+      throw InputError(fmt::format("{} is not there", data_.measured(data.front()).string()));
+    return known->second;
+  }
+
+  std::string write_drawn(std::string const& stem, std::string const& words, Names const& data) {
+    auto const& report = analyse(words, data);
     io::replace_text(folder_ / (stem + ".csv"), to_csv(report.results));
     io::replace_text(folder_ / (stem + ".drawn.csv"), to_csv(report.drawn));
     return stem + ".drawn.csv";
   }
 
   Figure figure_;
-  fs::path out_, folder_;
+  DataFolder data_;
+  fs::path folder_;
+  std::map<Names, analysis::SweepTable> tables_;
+  std::map<std::pair<std::string, Names>, analysis::Report> reports_;
 };
+
+/// Runs the sweeps of a figure that are not done; their exit code.
+int run_sweeps(FigureFile const& file, Figure const& figure, DataFolder const& data,
+               FigureOptions const& options) {
+  int status = 0;
+  for (auto const& name : figure.data) {
+    SweepOptions sweep;
+    sweep.sweep_file = file.sweep(name);
+    sweep.folder = data.sweep(name);
+    sweep.jobs = options.jobs;
+    sweep.quiet = options.quiet;
+    int const done = sweep_command(sweep);
+    if (done > 128) return done;
+    status = std::max(status, done);
+  }
+  return status;
+}
+
+/// Throws InputError where a folder has the tables of no data set of a figure, and says which ones
+/// it lacks.
+void check_tables(Figure const& figure, DataFolder const& data) {
+  std::vector<std::string> missing;
+  for (auto const& name : figure.data)
+    if (!fs::exists(data.measured(name)) && !fs::exists(data.pictured(name)))
+      missing.push_back(data.measured(name).filename().string());
+  if (missing.empty()) return;
+  auto const said =
+      fmt::format("{}: {} not in {}", figure.name, fmt::join(missing, ", "), data.folder.string());
+  if (missing.size() == figure.data.size())
+    throw InputError(said + "; without --data its sweeps are run");
+  warn(said + ": drawn without");
+}
 
 /// A figure whose analyses and sweep files are there, so that mistakes are told before anything
 /// runs.
@@ -127,18 +204,14 @@ int figure_command(FigureOptions const& options) {
   if (options.name.empty()) return list_figures(file);
   auto const figure = read_checked(file, options.name, options.quick);
   fs::path const out = options.folder.empty() ? fs::path("results/figures") : options.folder;
+  DataFolder const data{options.data.empty() ? out / "data" : options.data, !options.data.empty()};
   int status = 0;
-  for (auto const& data : figure.data) {
-    SweepOptions sweep;
-    sweep.sweep_file = file.sweep(data);
-    sweep.folder = out / "data" / data;
-    sweep.jobs = options.jobs;
-    sweep.quiet = options.quiet;
-    int const done = sweep_command(sweep);
-    if (done > 128) return done;
-    status = std::max(status, done);
-  }
-  FigureMaker maker(figure, out);
+  if (data.tables)
+    check_tables(figure, data);
+  else
+    status = run_sweeps(file, figure, data, options);
+  if (status > 128) return status;
+  FigureMaker maker(figure, out, data);
   auto const recipe = maker.write_recipe();
   auto const picture = out / (figure.name + (options.quick ? "-quick.png" : ".png"));
   auto const stated = maker.compare_stated();

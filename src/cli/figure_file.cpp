@@ -41,12 +41,23 @@ json filled(json const& node, json const& values) {
 
 bool kept(json const& entry, bool quick) { return !quick || entry.value("quick", true); }
 
-/// The data set of a panel; in the quick version what stands for it.
-std::string data_of(json const& entry, json const& figure, bool quick) {
-  auto const data = entry.value("data", figure.value("data", ""));
-  if (!quick) return data;
-  auto const& instead = figure.at("quick").at("data");
-  return instead.is_string() ? instead.get<std::string>() : instead.value(data, "");
+/// The data sets of a panel, one or several; in the quick version what stands for them.
+std::vector<std::string> data_of(json const& entry, json const& figure, bool quick) {
+  json const given = entry.value("data", figure.value("data", json::array()));
+  std::vector<std::string> out;
+  auto const take = [&](std::string const& name) {
+    if (!name.empty() && std::ranges::find(out, name) == out.end()) out.push_back(name);
+  };
+  for (auto const& name : given.is_array() ? given : json::array({given})) {
+    if (!quick) {
+      take(name);
+      continue;
+    }
+    auto const& instead = figure.at("quick").at("data");
+    take(instead.is_string() ? instead.get<std::string>()
+                             : instead.value(name.get<std::string>(), ""));
+  }
+  return out;
 }
 
 /// "P2-8" before "P2-10".
@@ -97,7 +108,8 @@ Figure FigureFile::read(std::string const& name, bool quick) const try {
         throw InputError(fmt::format("{}: a {} has no data; name a sweep file", name, key));
       to.push_back(filled(entry, values));
       to.back()["data"] = data;
-      if (std::ranges::find(figure.data, data) == figure.data.end()) figure.data.push_back(data);
+      for (auto const& name : data)
+        if (std::ranges::find(figure.data, name) == figure.data.end()) figure.data.push_back(name);
     }
   };
   take("panel", figure.panels);

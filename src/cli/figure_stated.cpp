@@ -104,6 +104,7 @@ std::vector<Comparison> compare(json const& entry, analysis::Rows const& results
         }))
       chosen.push_back(k);
   std::vector<Comparison> out;
+  if (chosen.empty()) out.push_back(compared(entry, Row({}, {})));
   for (auto const k : chosen) {
     out.push_back(compared(entry, Row(results, results.rows[k])));
     out.back().what += differences(results, chosen, k);

@@ -17,7 +17,8 @@ struct Comparison {
                           ///< stated with "about" in per cent
 };
 
-/// The rows of an analysis that the entry of a figure names, each against what is stated.
+/// The rows of an analysis that the entry of a figure names, each against what is stated; one that
+/// says so where there is none.
 ///
 /// entry: what, source, column (of the analysis), `stated` (a number, or [low, high]), perhaps
 /// `error` of it or `about` = true, and perhaps `row` = {KEY = VALUE}: the rows to look at.

@@ -74,6 +74,8 @@ void add_figure(CLI::App& command, bagnold::FigureOptions& options) {
   command.add_flag("--quick", options.quick, "a small version, of minutes, where there is one");
   command.add_option("--out", options.folder,
                      "folder for pictures, and for data that figures share [results/figures]");
+  command.add_option("--data", options.data,
+                     "draw from the tables in this folder, docs/data/figures; run nothing");
   command.add_option("--figures", options.figures, "file of figures [inputs/figures/figures.toml]");
   command.add_option("--jobs", options.jobs, "runs at a time [default: cores]")
       ->check(CLI::Range(1, 4096));

@@ -5,6 +5,7 @@ import csv
 import json
 import re
 import struct
+import subprocess
 import sys
 import tomllib
 import unittest
@@ -132,6 +133,54 @@ class FigureTest(CliTest):
         for path, stamp in stamps.items():
             self.assertEqual(path.stat().st_mtime_ns, stamp)
 
+    def test_tables_draw_the_same_without_the_sweep(self):
+        """Also from a sweep of which half is done."""
+        text = ONE.replace("panel = [", """panel = [
+  { histogram = "theta", where = { "disks.elasticity" = 10 } }, { profile = "phi_aligned" },""")
+        sweep = SWEEP.replace("[output]", "[measure]\ncontacts = true\nprofiles = true\n[output]")
+        own = self.own(text, sweep.replace("count = 32", "count = 64"))
+        self.figure("P9-1", "--figures", own, "--out", "run")
+
+        def redrawn(out):
+            subprocess.run(["/usr/bin/python3", SOURCE / "scripts/figure_tables.py", self.folder / "run/data",
+                            self.folder / "tables", "--figures", own], check=True, capture_output=True)
+            self.figure("P9-1", "--figures", own, "--data", "tables", "--out", out)
+            size_of(self.folder / out / "P9-1.png")
+            with open(self.folder / out / "P9-1/panel3.drawn.csv", newline="") as file:
+                return list(csv.DictReader(file))
+
+        with open(self.folder / "run/P9-1/panel3.drawn.csv", newline="") as file:
+            before = list(csv.DictReader(file))
+        after = redrawn("again")
+        self.assertEqual(len(after), 2)
+        for one, other in zip(before, after):
+            for name, digits in (("x", 1e-12), ("y", 1e-5), ("y_error", 1e-2)):
+                self.assertLess(abs(float(one[name]) - float(other[name])), digits * abs(float(one[name])))
+        self.assertFalse((self.folder / "again/data").exists())
+        recipe = json.loads((self.folder / "again/P9-1/recipe.json").read_text())
+        self.assertEqual(recipe["panel"][0]["folder"], ["../../tables/tiny.json"])
+        for folder in (self.folder / "run/data/tiny/points").glob("*=10_*"):
+            (folder / "summary.json").unlink()
+        self.assertEqual(len(redrawn("half")), 1)
+
+    def test_tables_that_are_not_there_are_said(self):
+        own = self.own(ONE.replace("panel = [", 'panel = [{ analyse = "table", data = "other" }, '))
+        (self.folder / "other.toml").write_text(SWEEP)
+        (self.folder / "tables").mkdir()
+        result = self.bagnold("figure", "P9-1", "--figures", own, "--data", "tables", "--out", "out")
+        self.assert_clean_error(result, 2, "tiny.csv", "other.csv", "--data")
+        (self.folder / "tables/tiny.csv").write_text("disks.elasticity,B_p,B_p_error\n1,2,0.1\n10,3,0.1\n")
+        result = self.figure("P9-1", "--figures", own, "--data", "tables", "--out", "out")
+        self.assertIn("other.csv not in tables", result.stderr)
+
+    def test_several_sweeps_are_one_table(self):
+        own = self.own(ONE.replace('data = "tiny"', 'data = ["tiny", "finer"]'))
+        finer = SWEEP.replace("[1, 10]", "[3]").replace('"disks.seed" = [1, 2]', '"disks.seed" = [3]')
+        (self.folder / "finer.toml").write_text(finer)
+        self.figure("P9-1", "--figures", own, "--out", "out")
+        with open(self.folder / "out/P9-1/panel1.drawn.csv", newline="") as file:
+            self.assertEqual([float(row["x"]) for row in csv.DictReader(file)], [1, 3, 10])
+
     def test_kinds_of_panels_that_no_quick_figure_has(self):
         text = """[P9-2]
 title = "of frames and contacts"
@@ -166,7 +215,7 @@ panel = [
         sys.path.insert(0, str(SOURCE / "scripts"))
         import plot_figure
         found = []
-        plot_figure.mark_boundary = lambda axes, name, points, k: found.append((name, points))
+        plot_figure.mark_boundary = lambda axes, name, points, k, panel: found.append((name, points))
         plot_figure.draw(json.loads((self.folder / "recipe.json").read_text()), str(self.folder))
         (name, points), = found
         np.testing.assert_allclose(points[:, 1], rates)
