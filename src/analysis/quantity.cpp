@@ -10,6 +10,7 @@
 #include "src/analysis/fit/chance.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/nearest_word.hpp"
+#include "src/statistics/student.hpp"
 
 namespace bagnold::analysis {
 namespace {
@@ -50,7 +51,9 @@ Value merge_seeds(std::span<double const> means, std::span<double const> errors)
   double const own = std::sqrt(squares) / n;
   if (count == 1) return {mean, own};
   bool const by_chance = scatter / n <= chance_limit(n - 1.0) * own * own;  // NaN compares false
-  return {mean, by_chance ? own : students_factor(n - 1.0) * std::sqrt(scatter / (n * (n - 1.0)))};
+  return {mean, by_chance
+                    ? own
+                    : statistics::student_factor(count - 1) * std::sqrt(scatter / (n * (n - 1.0)))};
 }
 
 Quantity::Quantity(SweepTable const& table, std::string const& name, std::optional<double> phi_j)

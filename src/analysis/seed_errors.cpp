@@ -7,12 +7,14 @@
 
 #include "src/analysis/curves.hpp"
 #include "src/analysis/fit/chance.hpp"
+#include "src/statistics/student.hpp"
 
 namespace bagnold::analysis {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr double least_freedom = 8.0;  ///< a scatter is then known to a quarter
+constexpr double known = 200.0;        ///< of so many Student's factor is 1.01
 
 struct Scatter {
   double chi2, freedom;
@@ -64,7 +66,8 @@ double freedom_of(std::vector<Scatter> const& all) {
 
 /// Errors in units of those that the scatter is measured in, with Student's factor.
 double widening(std::vector<Scatter> const& all) {
-  return students_factor(freedom_of(all)) * std::sqrt(pooled(all));
+  double const freedom = std::min(freedom_of(all), known);
+  return statistics::student_factor(static_cast<std::size_t>(freedom)) * std::sqrt(pooled(all));
 }
 
 }  // namespace

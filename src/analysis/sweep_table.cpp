@@ -111,7 +111,7 @@ SweepTable read_csv_table(std::filesystem::path const& path) {
     auto const& name = rows.columns[column];
     if (name.find('.') != std::string::npos)
       table.keys[name] = key_column(rows, column);
-    else if (!name.ends_with(error_ending))
+    else if (!name.ends_with(error_ending) && name != "rough_errors")  // names, no numbers
       table.observables[name] = {cells(table, rows, name),
                                  cells(table, rows, name + std::string(error_ending))};
   }

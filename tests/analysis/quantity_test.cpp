@@ -5,8 +5,8 @@
 
 #include <random>
 
-#include "src/analysis/fit/chance.hpp"
 #include "src/config/errors.hpp"
+#include "src/statistics/student.hpp"
 #include "tests/analysis/tables.hpp"
 
 namespace bagnold::analysis {
@@ -16,14 +16,15 @@ TEST(Quantity, SeedsAreMerged) {
   std::vector<double> const means{1, 2, 3, nothing}, small{0.1, 0.1, 0.1, nothing},
       large{3, 3, 3, 3}, unknown{nothing, 0.1, 0.1, 0.1};
   EXPECT_DOUBLE_EQ(merge_seeds(means, small).mean, 2.0);
-  double const of_three = students_factor(2) * std::sqrt(2.0 / 6.0);  // scatter of three seeds
+  double const of_three =
+      statistics::student_factor(2) * std::sqrt(2.0 / 6.0);  // scatter of three seeds
   EXPECT_DOUBLE_EQ(merge_seeds(means, small).error, of_three);
   EXPECT_DOUBLE_EQ(merge_seeds(means, large).error, std::sqrt(27.0) / 3.0);  // their own
   EXPECT_DOUBLE_EQ(merge_seeds(means, unknown).error, of_three);
   // chi2 at 1% is 6.63 for two seeds: a difference of sqrt(2 6.63) = 3.64 errors
   std::vector<double> const near{0, 3.5}, far{0, 3.8}, unit{1, 1};
   EXPECT_DOUBLE_EQ(merge_seeds(near, unit).error, std::sqrt(0.5));
-  EXPECT_DOUBLE_EQ(merge_seeds(far, unit).error, 1.9 * students_factor(1));
+  EXPECT_DOUBLE_EQ(merge_seeds(far, unit).error, 1.9 * statistics::student_factor(1));
   std::vector<double> const one{5}, no_error{nothing}, none{nothing};
   EXPECT_TRUE(std::isnan(merge_seeds(one, no_error).error));
   EXPECT_TRUE(std::isnan(merge_seeds(none, none).mean));

@@ -163,7 +163,8 @@ class CsvTable : public testing::Test {
 
 TEST_F(CsvTable, IsReadAsTheFileIs) {
   auto const found = table(
-      "disks.elasticity,disks.model,p,p_error,mu\n1,CD,0.5,0.1,0.3\r\n10,\"C,\"\"D\",,,0.2\n");
+      "disks.elasticity,disks.model,p,p_error,mu,rough_errors\n1,CD,0.5,0.1,0.3,p mu\r\n"
+      "10,\"C,\"\"D\",,,0.2,\n");
   EXPECT_EQ(found.points, 2u);
   EXPECT_EQ(found.numbers("disks.elasticity"), (std::vector<double>{1, 10}));
   EXPECT_EQ(found.keys.at("disks.model").texts, (std::vector<std::string>{"CD", "C,\"D"}));
