@@ -65,7 +65,11 @@ def draw_analysis(axes, panel, _):
         if name == "phi_J":
             continue
         text = (panel.get("name", "") + (", " if panel.get("name") and name else "") + pretty(name))
-        draw_curve(axes, curve, colour_of(k, len(names)), panel.get("marker", MARKERS[k % len(MARKERS)]),
+        place = k if len(names) > 1 else panel["number"]  # single curves over others are told apart
+        colour = colour_of(place, max(len(names), place + 1))
+        if panel.get("only") == ["fit"]:
+            colour = "black"
+        draw_curve(axes, curve, colour, panel.get("marker", MARKERS[place % len(MARKERS)]),
                    text or None, solid=panel.get("over", False), joined=panel.get("joined", True))
     if panel.get("join"):
         join_marks(axes, rows)
@@ -322,9 +326,10 @@ def load(panel, folder):
 
 
 def height_at(rows, x):
-    """The largest y of points between two x; 1 where there are none."""
-    return max((row["y"] for row in rows if row["what"] == "data" and min(x) <= row["x"] <= max(x)),
-               default=1.0)
+    """The largest y of the points nearest to x; 1 where there are none."""
+    data = [row for row in rows if row["what"] == "data"]
+    nearest = min((row["x"] for row in data), key=lambda at: abs(np.log(at / x)), default=x)
+    return max((row["y"] for row in data if row["x"] == nearest), default=1.0)
 
 
 def finish(axes, panel, rows):
@@ -333,12 +338,15 @@ def finish(axes, panel, rows):
         keep_in_view(axes, rows)
     for x in panel.get("vertical", []):
         axes.axvline(x, color=GREY, lw=0.9, ls=DASHED, zorder=0)
+        low, high = axes.get_xlim()
+        if axes.get_xscale() == "linear" and high < x < high + (high - low) / 2:  # jamming
+            axes.set_xlim(low, x + 0.03 * (high - low))
     for y in panel.get("horizontal", []):
         axes.axhline(y, color=GREY, lw=0.9, ls=DASHED, zorder=0)
     for x0, y0, x1, slope, text in panel.get("slopes", []):
         x = np.array([x0, x1])
         if y0 == "above":
-            y0 = 1.7 * height_at(rows, x)
+            y0 = 1.7 * height_at(rows, x0)
         axes.plot(x, y0 * (x / x0) ** slope, color="black", lw=1.0)
         axes.annotate(text, (x1, y0 * (x1 / x0) ** slope), (3, 2), textcoords="offset points",
                       fontsize=9)
@@ -361,19 +369,21 @@ def draw(recipe, folder):
     width, height = recipe.get("panel_size", [4.6, 3.7])
     figure, grid = plt.subplots(lines, columns, squeeze=False, layout="constrained",
                                 figsize=(width * columns, height * lines + 0.4))
-    places, axes, shown, group = list(grid.flat), None, [], {}
+    places, axes, shown, group, number = list(grid.flat), None, [], {}, 0
     for k, panel in enumerate(recipe["panel"]):
         points = load(panel, folder)
         if not panel.get("over"):
             axes, shown, group = places.pop(0), [], {}
         kind = kind_of(panel)
         group |= panel
-        panel["before"] = shown
+        number = number + 1 if panel.get("over") else 0  # on this axes
+        panel |= {"before": shown, "number": number}
         if points or kind in ("analyse", "at", "arrows"):
             PANELS[kind](axes, panel, points)
         else:
             axes.set_xlabel("no data")
-        shown = shown + (panel.get("rows", []) if kind == "analyse" else [])
+        if kind == "analyse":
+            shown = shown + [row for row in panel["rows"] if row["what"] in panel.get("only", row["what"])]
         if k + 1 == len(recipe["panel"]) or not recipe["panel"][k + 1].get("over"):
             finish(axes, group, shown)
     for axes in places:

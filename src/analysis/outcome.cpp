@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/analysis/fit/chance.hpp"
 #include "src/config/errors.hpp"
 
 namespace bagnold::analysis {
@@ -32,6 +33,9 @@ Outcome carry_out(Task const& task, Request const& request) {
     out.failure = error.what();
     return out;
   }
+  if (out.found.misfit == 0.0 && beyond_chance(out.found))
+    for (double& error : out.found.error)
+      error *= std::sqrt(out.found.chi2 / static_cast<double>(out.found.freedom));
   auto const parameters = out.found.value.size();
   for (std::uint32_t replica = 1; replica <= request.resamples; ++replica) try {
       out.replicas.push_back(task.find(replica).value);
@@ -44,6 +48,11 @@ Outcome carry_out(Task const& task, Request const& request) {
 }
 
 }  // namespace
+
+bool beyond_chance(Found const& found) {
+  return found.weighted && found.freedom != 0 &&
+         found.chi2 > chance_limit(static_cast<double>(found.freedom), once_in_1000);
+}
 
 std::vector<Outcome> carry_out(std::vector<Task> const& tasks, Request const& request) {
   std::vector<Outcome> out;

@@ -24,6 +24,7 @@ struct Found {
   std::size_t points = 0;
   std::vector<Line> lines = {};
   bool weighted = true;  ///< the points had errors
+  double misfit = 0.0;   ///< of the law, relative: added to errors of points, see fit_all
 };
 
 /// Something to find, on the measured points (replica 0) or on resampled ones.
@@ -40,8 +41,13 @@ struct Outcome {
   std::vector<double> bootstrap;  ///< standard deviation over replicas, NaN if over half failed
 };
 
-/// Does all tasks. One that fails does not stop the others; where all fail, throws InputError with
-/// the first reason.
+/// Is chi2 more than chance makes of its degrees of freedom once in a thousand? Without errors of
+/// the points it says nothing.
+bool beyond_chance(Found const& found);
+
+/// Does all tasks. Errors of what was found by a fit with chi2 beyond chance, which no misfit of
+/// the law allows for yet, are widened by (chi2 / freedom)^(1/2). A task that fails does not stop
+/// the others; where all fail, throws InputError with the first reason.
 std::vector<Outcome> carry_out(std::vector<Task> const& tasks, Request const& request);
 
 /// A curve sampled at 200 places between two x, evenly in ln x where asked for.

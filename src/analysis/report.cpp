@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/analysis/fit/chance.hpp"
 #include "src/analysis/panel.hpp"
 
 namespace bagnold::analysis {
@@ -53,6 +52,7 @@ void note_errors(Report& report, std::size_t pooled, std::size_t data, double wi
 void note_fits(Report& report, std::vector<Outcome> const& outcomes,
                std::vector<std::string> const& parameters) {
   std::size_t found = 0, poor = 0;
+  double misfit = 0.0;
   Outcome const* worst = nullptr;
   auto const excess = [](Outcome const& one) {
     return one.found.chi2 / static_cast<double>(one.found.freedom);
@@ -60,10 +60,8 @@ void note_fits(Report& report, std::vector<Outcome> const& outcomes,
   for (auto const& one : outcomes) {
     if (!one.failure.empty()) continue;
     ++found;
-    double const freedom = static_cast<double>(one.found.freedom);
-    if (!one.found.weighted || one.found.freedom == 0 ||
-        !(one.found.chi2 > chance_limit(freedom, once_in_1000)))
-      continue;
+    if (!beyond_chance(one.found)) continue;
+    misfit = std::max(misfit, one.found.misfit);
     ++poor;
     if (!worst || excess(one) > excess(*worst)) worst = &one;
   }
@@ -72,11 +70,12 @@ void note_fits(Report& report, std::vector<Outcome> const& outcomes,
     return name.empty() ? name : ", " + name;
   };
   if (worst)
-    report.notes.push_back(
-        fmt::format("chi2 is beyond chance in {} of {} fits (at worst {:.3g} for {} degrees of "
-                    "freedom{}): the law does not fit, or errors are too small, and those of what "
-                    "is fitted with them",
-                    poor, found, worst->found.chi2, worst->found.freedom, named(*worst)));
+    report.notes.push_back(fmt::format(
+        "chi2 is beyond chance in {} of {} fits (at worst {:.3g} for {} degrees of "
+        "freedom{}): the law is not exact{}, or errors are too small; errors of what is "
+        "fitted allow for it",
+        poor, found, worst->found.chi2, worst->found.freedom, named(*worst),
+        misfit > 0.0 ? fmt::format(" (off by {:.2g}%)", 100.0 * misfit) : ""));
   for (std::size_t k = 0; k < parameters.size(); ++k) {
     std::string list;
     for (auto const& one : outcomes)

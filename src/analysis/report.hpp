@@ -25,9 +25,7 @@ Rows tabulate(std::vector<Outcome> const& outcomes, std::vector<std::string> con
 /// (SeedErrors); none where there is nothing to say.
 void note_errors(Report& report, std::size_t pooled, std::size_t data, double widened);
 
-/// Notes on fits that are not to be trusted: chi2 beyond what chance makes of its degrees of
-/// freedom once in a thousand, errors larger than their values. Those of points without errors say
-/// nothing by their chi2.
+/// Notes on fits that are not to be trusted: chi2 beyond chance, errors larger than their values.
 void note_fits(Report& report, std::vector<Outcome> const& outcomes,
                std::vector<std::string> const& parameters);
 

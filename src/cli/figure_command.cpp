@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "src/analysis/kinds/kinds.hpp"
 #include "src/cli/analyse_options.hpp"
@@ -102,7 +103,7 @@ class FigureMaker {
     if (!is_new) return known->second;
     auto const options = parse_words(words, figure_.name);
     auto const say = [&](std::string const& what) {
-      warn(fmt::format("{}: {}: {}", figure_.name, words, what));
+      if (said_.insert(what).second) warn(fmt::format("{}: {}: {}", figure_.name, words, what));
     };
     try {
       known->second = analysis::kind_of(options.kind).run(table_of(data), options.request);
@@ -115,16 +116,14 @@ class FigureMaker {
 
   /// The tables of those data sets that are there.
   analysis::SweepTable const& table_of(Names const& data) {
-    auto const [known, is_new] = tables_.try_emplace(data);
-    if (!is_new) return known->second;
+    if (auto const known = tables_.find(data); known != tables_.end()) return known->second;
     std::vector<analysis::SweepTable> parts;
     for (auto const& name : data)
       if (auto const path = data_.measured(name); fs::exists(path))
         parts.push_back(analysis::read_sweep_table(path));
-    if (!parts.empty()) known->second = merge_tables(parts);
     if (parts.empty())
       throw InputError(fmt::format("{} is not there", data_.measured(data.front()).string()));
-    return known->second;
+    return tables_.emplace(data, merge_tables(parts)).first->second;
   }
 
   std::string write_drawn(std::string const& stem, std::string const& words, Names const& data) {
@@ -139,6 +138,7 @@ class FigureMaker {
   fs::path folder_;
   std::map<Names, analysis::SweepTable> tables_;
   std::map<std::pair<std::string, Names>, analysis::Report> reports_;
+  std::set<std::string> said_;  ///< each thing once
 };
 
 /// Runs the sweeps of a figure that are not done; their exit code.

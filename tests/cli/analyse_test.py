@@ -226,7 +226,10 @@ class AnalyseTest(CliTest):
         q = points["disks.elasticity"]
         wavy = crossover(q, 5.0) * np.where(points["disks.packing_fraction"] == 0.7, 1 + 0.3 * np.sin(5 * q), 1)
         self.sweep(points, 0.02, B_p_el=wavy)
-        self.analyse("crossover", "--resamples", 0)
+        rows = self.analyse("crossover", "--resamples", 100)
+        self.near(rows[0], "Q_star", 5.0)
+        self.near(rows[1], "Q_star", 5.0)
+        self.assertGreater(float(rows[1]["Q_star_error"]), 4 * float(rows[0]["Q_star_error"]))
         self.assertRegex(self.result.stderr, r"chi2 is beyond chance in 1 of 2 fits \(at worst .* for 12 "
                                              r"degrees of freedom, phi = 0.7\)")
         self.sweep(points, 0.02, B_p_el=crossover(q, 5.0))

@@ -217,6 +217,35 @@ class RecipesTest(CliTest):
                 axes, _ = self.draw(name)
                 self.assertEqual(len(axes), count)
 
+    def test_what_the_papers_draw_over_the_points(self):
+        def black(axes):
+            return [line.get_data() for line in axes.lines if line.get_color() == "black"]
+
+        def upright(axes):
+            return [line.get_xdata()[0] for line in axes.lines if list(line.get_ydata()) == [0, 1]]
+
+        (kinks,), _ = self.draw("P2-22")
+        for (x, _), truth in zip(black(kinks), (made.LOW, made.HIGH), strict=True):
+            np.testing.assert_allclose(x, truth, atol=1e-3)
+        (phases,), _ = self.draw("P2-25")
+        ((x,), (y,)), = [line.get_data() for line in phases.lines if line.get_marker() == "*"]
+        self.assertAlmostEqual(x, (made.LOW + made.HIGH) / 2, 2)
+        self.assertAlmostEqual(y, 1.4e-3)
+        for ramp in self.draw("P2-31")[0]:
+            np.testing.assert_allclose(upright(ramp), [1.1e-5, 6e-5], rtol=0.02)
+        for axes in self.draw("P1-7")[0]:
+            slopes = [np.polyfit(np.log(x), np.log(y), 1)[0] for x, y in black(axes)]
+            self.assertEqual(len(slopes), 2)  # of the smallest and the largest Q
+            self.assertLess(slopes[0], slopes[1])
+        for axes in self.draw("P1-14")[0][1:]:
+            self.assertEqual(len(black(axes)), 2)
+        (against_rate, against_q), _ = self.draw("P1-13")
+        (x, y), = black(against_rate)
+        self.assertAlmostEqual(np.log(y[1] / y[0]) / np.log(x[1] / x[0]), 1.0)
+        arrows = sorted(text.xy[0] for text in against_q.texts)
+        np.testing.assert_allclose(arrows, [made.p1_q_star(phi) for phi in (0.60, 0.70, 0.78, 0.82, 0.835)],
+                                   rtol=0.05)
+
     def test_every_figure_is_looked_at(self):
         wanted = {line.split()[0] for line in
                   self.bagnold("figure", "--figures", FIGURES).stdout.splitlines()}

@@ -2,13 +2,39 @@
 #include "src/analysis/kinds/model_kinds.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "src/analysis/fit/levenberg_marquardt.hpp"
 #include "src/analysis/kinds/kinds.hpp"
+#include "src/config/errors.hpp"
 
 namespace bagnold::analysis {
 namespace {
+
+Points with_misfit(Points points, double misfit) {
+  for (std::size_t k = 0; k < points.error.size(); ++k)
+    points.error[k] = std::hypot(points.error[k], misfit * points.y[k]);
+  return points;
+}
+
+/// m of fit_all; 0 where chi2 is one of chance, or no fit is found on the way.
+double misfit_of(Model const& model, Points const& points, Fixed const& fixed,
+                 Fit const& first) try {
+  Found found{{}, {}, first.chi2, first.freedom};
+  found.weighted = points.weighted();
+  if (!beyond_chance(found)) return 0.0;
+  double low = 1e-4, high = 1.0;
+  constexpr int halvings = 24;  // of ln m: m to a millionth
+  for (int i = 0; i < halvings; ++i) {
+    double const middle = std::sqrt(low * high);
+    auto const fitted = fit_from(model, with_misfit(points, middle), fixed, first.value);
+    (fitted.chi2 > static_cast<double>(first.freedom) ? low : high) = middle;
+  }
+  return high;
+} catch (InputError const&) {
+  return 0.0;
+}
 
 Found found_from(Model const& model, Points const& points, Fit const& fitted, bool log_x) {
   Found out{fitted.value, fitted.error, fitted.chi2, fitted.freedom, points.size()};
@@ -25,15 +51,26 @@ std::vector<Outcome> fit_all(std::vector<Series> const& series, ModelOf const& m
                              Fixed const& fixed, bool log_x, Request const& request) {
   std::vector<Task> tasks;
   for (auto const& one : series) {
-    auto const start = std::make_shared<std::vector<double>>();
+    auto const start = std::make_shared<std::pair<std::vector<double>, double>>();
     tasks.push_back({one.labels, [=, points_of = one.points](std::uint32_t replica) {
                        auto const points = points_of(replica);
                        check_points(points, 2, "fit");  // a model takes its guesses from them
                        auto const curve = model(points);
-                       auto const fitted = replica == 0 ? fit(curve, points, fixed)
-                                                        : fit_from(curve, points, fixed, *start);
-                       if (replica == 0) *start = fitted.value;
-                       return found_from(curve, points, fitted, log_x);
+                       auto& [values, misfit] = *start;
+                       double chi2 = 0.0;
+                       if (replica == 0) {
+                         auto const first = fit(curve, points, fixed);
+                         chi2 = first.chi2;
+                         misfit = misfit_of(curve, points, fixed, first);
+                         values = first.value;
+                       }
+                       auto found = found_from(
+                           curve, points,
+                           fit_from(curve, with_misfit(points, misfit), fixed, values), log_x);
+                       if (replica == 0) values = found.value;
+                       found.chi2 = chi2;
+                       found.misfit = misfit;
+                       return found;
                      }});
   }
   return carry_out(tasks, request);
