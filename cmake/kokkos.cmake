@@ -30,6 +30,8 @@ if(Kokkos_FOUND)
     message(WARNING "Kokkos ${Kokkos_VERSION} is newer than what Bagnold was tested with (3.4 to 5.x).")
   endif()
   include("${CMAKE_CURRENT_LIST_DIR}/kokkos_debian.cmake")
+  include("${CMAKE_CURRENT_LIST_DIR}/kokkos_runs.cmake")
+  bagnold_try_kokkos()
   message(STATUS "Kokkos ${Kokkos_VERSION} with ${Kokkos_DEVICES} in ${Kokkos_DIR}")
 
 elseif(BAGNOLD_FETCH_KOKKOS)

@@ -100,7 +100,10 @@ provide_kokkos() {
   fi
   set_cache
   kokkos_is_found && return 0
-  [ -z "${Kokkos_ROOT:-}" ] || die "the Kokkos in Kokkos_ROOT=$Kokkos_ROOT will not do: 3.4 to 5.x are supported"
+  if [ -n "${Kokkos_ROOT:-}" ]; then
+    sed -n '/^CMake Error/,/^Call Stack/{/^Call Stack/!p}' "$scratch/probe/log" >&2
+    die "the Kokkos in Kokkos_ROOT=$Kokkos_ROOT will not do"
+  fi
   is_debian_12 || return 0 # the configure step will say what is missing
   local prefix
   prefix="$(kokkos_prefix)"
