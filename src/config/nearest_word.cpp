@@ -2,8 +2,9 @@
 #include "src/config/nearest_word.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <numeric>
-#include <utility>
+#include <tuple>
 
 namespace bagnold {
 
@@ -23,11 +24,23 @@ std::size_t edits(std::string const& a, std::string const& b) {
   return row.back();
 }
 
+constexpr std::size_t longest = 100;  ///< the rest tells nothing, and takes long
+
+/// Small letters and digits alone.
+std::string bare(std::string const& word) {
+  std::string letters;
+  for (unsigned char const c : word)
+    if (std::isalnum(c)) letters += static_cast<char>(std::tolower(c));
+  return letters;
+}
+
 }  // namespace
 
-std::string nearest_word(std::string const& word, std::vector<std::string> const& candidates) {
+std::string nearest_word(std::string const& given, std::vector<std::string> const& candidates) {
+  auto const word = given.substr(0, longest);
   auto const cost = [&](std::string const& candidate) {  // of equals, one of the same length
-    return std::pair(edits(word, candidate), candidate.size() != word.size());
+    return std::tuple(edits(bare(word), bare(candidate)), edits(word, candidate),
+                      candidate.size() != word.size());
   };
   return *std::min_element(candidates.begin(), candidates.end(),
                            [&](auto const& a, auto const& b) { return cost(a) < cost(b); });

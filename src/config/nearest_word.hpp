@@ -6,7 +6,8 @@
 
 namespace bagnold {
 
-/// The candidate that takes the fewest edits to become `word` (Levenshtein distance).
-std::string nearest_word(std::string const& word, std::vector<std::string> const& candidates);
+/// The candidate that takes the fewest edits to become `given` (Levenshtein distance), those of
+/// letters and digits before those of case, dots and dashes: Bp is B_p.
+std::string nearest_word(std::string const& given, std::vector<std::string> const& candidates);
 
 }  // namespace bagnold

@@ -7,9 +7,12 @@
 #include <cmath>
 #include <map>
 
+#include "src/config/contradictions.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/keys.hpp"
+#include "src/config/mistakes.hpp"
 #include "src/config/nearest_word.hpp"
+#include "src/config/shown.hpp"
 #include "src/config/toml_table.hpp"
 #include "src/config/toml_text.hpp"
 
@@ -17,27 +20,46 @@ namespace bagnold {
 
 namespace {
 
+/// The key that a wrong one was meant to be. Of one without its table, or in another, the last part
+/// tells most.
+std::string nearest_key(std::string const& wrong, std::vector<std::string> const& keys) {
+  auto const last = [](std::string const& key) { return key.substr(key.rfind('.') + 1); };
+  for (auto const& key : keys)
+    if (last(key) == last(wrong)) return key;
+  if (wrong.find('.') != std::string::npos) return nearest_word(wrong, keys);
+  std::vector<std::string> parts;
+  for (auto const& key : keys) parts.push_back(last(key));
+  auto const part = std::ranges::find(parts, nearest_word(wrong, parts));
+  return keys[static_cast<std::size_t>(part - parts.begin())];
+}
+
 /// One scene text being read into a scene.
 class Reader {
  public:
   /// `overrides`: which keys were put over the text, and where they were given.
   Reader(toml::table const& table, std::string origin,
-         std::map<std::string, std::string> const& overrides)
-      : table_(table), origin_(std::move(origin)), overrides_(overrides) {}
+         std::map<std::string, std::string> const& overrides, Mistakes& mistakes)
+      : table_(table), origin_(std::move(origin)), overrides_(overrides), mistakes_(mistakes) {}
 
   Scene read() {
     Scene scene;
     for_each_key(scene, [&](Key const& key, auto&) { known_.push_back(std::string(key.name)); });
-    for (auto const& [name, node] : table_) refuse_unknown(std::string(name.str()), node);
+    for (auto const& [name, node] : table_) look_at(std::string(name.str()), node);
+    std::vector<std::string> missing;
     for_each_key(scene, [&](Key const& key, auto& member) {
-      if (toml::node const* node = table_.at_path(key.name).node()) {
-        refuse_other_protocol(key, *node, scene.shear.protocol);
-        take(key, *node, member);
-      }
-      else if (key.required)
-        throw InputError(fmt::format("{}: {} is missing ({}); every scene must give it", origin_,
-                                     key.name, key.meaning));
+      bool const protocol_known = !mistakes_.about("shear.protocol");
+      if (toml::node const* node = table_.at_path(key.name).node())
+        mistakes_.collect(std::string(key.name), [&] {
+          if (protocol_known) refuse_other_protocol(key, *node, scene.shear.protocol);
+          take(key, *node, member);
+        });
+      else if (key.required && !mistakes_.about(key.name) &&
+               (protocol_known || !key.name.starts_with("shear.")))
+        missing.push_back(fmt::format("{} is missing ({})", key.name, key.meaning));
     });
+    if (!missing.empty())
+      mistakes_.add("", fmt::format("{}: {}; every scene must give {}", origin_,
+                                    fmt::join(missing, ", "), missing.size() == 1 ? "it" : "them"));
     return scene;
   }
 
@@ -50,25 +72,28 @@ class Reader {
     return fmt::format("{}:{}:{}: ", origin_, begin.line, begin.column);
   }
 
-  void refuse_unknown(std::string const& name, toml::node const& node) {
+  /// Whether a key or table is known, and all that is in it.
+  void look_at(std::string const& name, toml::node const& node) {
     bool const is_table_name =
         std::any_of(known_.begin(), known_.end(),
                     [&](std::string const& k) { return k.starts_with(name + "."); });
     if (is_table_name && node.is_table()) {
       for (auto const& [inner, inner_node] : *node.as_table())
-        refuse_unknown(name + "." + std::string(inner.str()), inner_node);
+        look_at(name + "." + std::string(inner.str()), inner_node);
       return;
     }
     if (is_table_name)
-      throw InputError(fmt::format("{}{} = {} (must be a table); write [{}]", place(name, node), name,
-                                   describe(node), name));
+      return mistakes_.add(name, fmt::format("{}{} = {} (must be a table); write [{}]",
+                                             place(name, node), name, describe(node), name));
     if (std::find(known_.begin(), known_.end(), name) != known_.end()) return;
-    std::vector<std::string> candidates = known_;
-    if (node.is_table() && name.find('.') == std::string::npos)  // a table is most like a table
-      for (auto& key : candidates) key = key.substr(0, key.find('.'));
-    throw InputError(fmt::format("{}unknown {} {}; did you mean {}?", place(name, node),
-                                 node.is_table() ? "table" : "key", name,
-                                 nearest_word(name, candidates)));
+    bool const table = node.is_table() && name.find('.') == std::string::npos;
+    std::vector<std::string> tables;  // a table is most like a table
+    for (auto const& key : known_) tables.push_back(key.substr(0, key.find('.')));
+    auto const meant = table ? nearest_word(name, tables) : nearest_key(name, known_);
+    bool const given = table_.at_path(meant).node() != nullptr;
+    mistakes_.add(given ? "" : meant,
+                  fmt::format("{}unknown {} {}; did you mean {}?", place(name, node),
+                              node.is_table() ? "table" : "key", shown(name), meant));
   }
 
   [[noreturn]] void refuse(Key const& key, toml::node const& node, std::string const& why) const {
@@ -169,21 +194,25 @@ class Reader {
   toml::table const& table_;
   std::string origin_;
   std::map<std::string, std::string> const& overrides_;
+  Mistakes& mistakes_;
   std::vector<std::string> known_;
 };
 
-/// A word that is no TOML value is a string.
+/// What is no TOML value, and does not begin like one, is a string: words, paths.
 void put_override(toml::table& scene, Override const& put) {
   if (put.key.find_first_not_of(
           "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.-") != std::string::npos)
     throw InputError(
-        fmt::format("{}: {} is no key; write --set table.key=value", put.origin, put.key));
+        fmt::format("{}: {} is no key; write --set table.key=value", put.origin, shown(put.key)));
 
   toml::table parsed;
   try {
     parsed = parse_toml("value = " + put.value, put.origin);
   } catch (InputError const&) {
-    if (put.value.empty() || put.value.find_first_of("\"'[]{}#=\n") != std::string::npos) throw;
+    if (put.value.find_first_of("\"'[{") == 0 || put.value.find('\n') != std::string::npos) throw;
+    if (put.value.empty())
+      throw InputError(
+          fmt::format("{}: gives no value; write --set {}=VALUE", put.origin, put.key));
     refuse_strange_bytes("'" + put.value + "'", put.origin);
     parsed.insert("value", put.value);
   }
@@ -204,76 +233,10 @@ void put_override(toml::table& scene, Override const& put) {
 /// "table.key=value" of the command line.
 Override from_command_line(std::string const& text) {
   auto const equals = text.find('=');
-  std::string const origin = fmt::format("--set {}", text);
+  std::string const origin = "--set " + shown(text);
   if (equals == std::string::npos || equals == 0)
     throw InputError(fmt::format("{}: write --set table.key=value", origin));
   return {text.substr(0, equals), text.substr(equals + 1), origin};
-}
-
-constexpr std::int64_t most_trajectories = 256;  // systems often allow 1024 open files
-
-void refuse_bad_protocol(Scene const& scene, auto const& refuse) {
-  auto const& shear = scene.shear;
-  auto const& rates = shear.strain_rates;
-  for (std::size_t k = 1; k < rates.size(); ++k)
-    if (rates[k] >= rates[k - 1])
-      refuse(fmt::format("shear.strain_rates = [{:g}] (each must be below the one before: it starts from "
-                         "the state of the next larger); write the largest first, none twice",
-                         fmt::join(rates, ", ")));
-  if (shear.strain.is_list() && shear.strain.each.size() != rates.size())
-    refuse(fmt::format("shear.strain = [{:g}] has {} numbers, shear.strain_rates has {} (must be as many); "
-                       "give one for each rate, or one number for all",
-                       fmt::join(shear.strain.each, ", "), shear.strain.each.size(), rates.size()));
-  if (shear.protocol == "ramp" && shear.strain_rate_high <= shear.strain_rate)
-    refuse(fmt::format("shear.strain_rate_high = {} (must be more than shear.strain_rate = {}, the lowest); "
-                       "raise it",
-                       shear.strain_rate_high, shear.strain_rate));
-  if (!shear.target_error.empty() &&
-      (scene.measure.profiles || scene.measure.fields || scene.measure.rotation))
-    refuse(
-        "shear.target_error does not go with measure.profiles, measure.fields or measure.rotation "
-        "(where their frames begin depends on where the run ends); give shear.strain alone");
-}
-
-void refuse_contradictions(Scene const& scene, std::string const& origin) {
-  auto const refuse = [&](std::string const& message) {
-    throw InputError(fmt::format("{}: {}", origin, message));
-  };
-  auto const& disks = scene.disks;
-  if (disks.count % 2 != 0)
-    refuse(fmt::format(
-        "disks.count = {} (must be even: half the disks are small, half big); use {} or {}",
-        disks.count, disks.count - 1, disks.count + 1));
-  if (disks.packing_fraction >= 1)
-    refuse("disks.packing_fraction = 1 (must be below 1: disks cannot fill the plane)");
-  if (disks.force_exponent != 2.0 && disks.force_exponent != 2.5)
-    refuse(fmt::format("disks.force_exponent = {} (must be 2, harmonic, or 2.5, Hertz)",
-                       disks.force_exponent));
-  if (disks.model != "general" && (disks.damping_normal != 1 || disks.damping_tangential != 1))
-    refuse(fmt::format("disks.damping_normal and disks.damping_tangential belong to model "
-                       "\"general\", not \"{}\"; change disks.model or leave them out",
-                       disks.model));
-  if (scene.start.kind == "state" && scene.start.file.empty())
-    refuse("start.file is missing: start.kind = \"state\" needs a state file");
-  if (scene.start.kind == "random" && !scene.start.file.empty())
-    refuse(fmt::format("start.file = \"{}\" is not used by start.kind = \"random\"; set "
-                       "start.kind = \"state\" or leave it out",
-                       scene.start.file));
-  refuse_bad_protocol(scene, refuse);
-  if (scene.shear.discard && *scene.shear.discard >= 1)
-    refuse("shear.discard = 1 (must be below 1) would leave nothing to measure");
-  if (scene.output.trajectory_strain > 0 && disks.replicas > most_trajectories)
-    refuse(fmt::format("output.trajectory_strain = {} with disks.replicas = {} (must be at most {}: a "
-                       "file is open for each); run some of the seeds at a time, or set "
-                       "output.trajectory_strain = 0",
-                       scene.output.trajectory_strain, disks.replicas, most_trajectories));
-  if (scene.measure.correlations && !scene.measure.contacts)
-    refuse("measure.correlations = true (looks at contacts, which are not followed); set "
-           "measure.contacts = true, or measure.correlations = false");
-  if (scene.measure.rotation && !scene.rotates())
-    refuse(fmt::format("measure.rotation = true (disks of model \"{}\" do not rotate); use model "
-                       "\"CD_rot\" or \"general\", or measure.rotation = false",
-                       disks.model));
 }
 
 Scene scene_of(toml::table table, std::string const& origin, std::filesystem::path const& folder,
@@ -283,8 +246,10 @@ Scene scene_of(toml::table table, std::string const& origin, std::filesystem::pa
     put_override(table, put);
     set[put.key] = put.origin;
   }
-  Scene scene = Reader(table, origin, set).read();
-  refuse_contradictions(scene, origin);
+  Mistakes mistakes;
+  Scene scene = Reader(table, origin, set, mistakes).read();
+  find_contradictions(scene, origin, mistakes);
+  mistakes.throw_any();
   if (!scene.start.file.empty())
     scene.start.file =
         std::filesystem::absolute(folder / scene.start.file).lexically_normal().string();

@@ -58,7 +58,7 @@ std::size_t character_length(std::string_view text) {
 }  // namespace
 
 void refuse_strange_bytes(std::string_view text, std::string const& origin) {
-  constexpr int most_dots = 100;  // in a line: the parser descends a level for each
+  constexpr int most_dots = 100;  // in a key: the parser descends a level for each
   enum class In { code, comment, string } in = In::code;
   std::string_view closing;  // of the string we are in
   int line = 1, dots = 0;
@@ -83,6 +83,9 @@ void refuse_strange_bytes(std::string_view text, std::string const& origin) {
       if (in == In::comment || (in == In::string && closing.size() == 1)) in = In::code;
     } else if (in == In::code && byte == '.') {
       if (++dots > most_dots) refuse("too deeply nested; keys are table.key");
+    } else if (in == In::code &&
+               std::string_view(",=[]{}").find(text[k]) != std::string_view::npos) {
+      dots = 0;
     } else if (in == In::code && byte == '#') {
       in = In::comment;
     } else if (in == In::code && (byte == '"' || byte == '\'')) {

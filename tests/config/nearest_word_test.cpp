@@ -23,6 +23,16 @@ TEST(NearestWord, FewestEditsWin) {
   EXPECT_EQ(nearest_word("kitten", {"sitting", "kittenxx"}), "kittenxx");
 }
 
+TEST(NearestWord, LettersCountBeforeCaseAndPunctuation) {
+  EXPECT_EQ(nearest_word("Bp", {"p", "Z", "B_p", "B_p_el"}), "B_p");
+  EXPECT_EQ(nearest_word("check_limit", {"check-limit", "checks"}), "check-limit");
+  EXPECT_EQ(nearest_word("cd_N", {"CD", "CD_n", "CD_rot"}), "CD_n");
+}
+
+TEST(NearestWord, TheRestOfALongWordIsLeftOut) {
+  EXPECT_EQ(nearest_word(std::string(100'000'000, 'x'), {"x", "y"}), "x");
+}
+
 TEST(NearestWord, AnythingHasOne) {
   EXPECT_EQ(nearest_word("", {"four", "six"}), "six");
   EXPECT_EQ(nearest_word("x", {""}), "");

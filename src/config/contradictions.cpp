@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/config/contradictions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <initializer_list>
+#include <string_view>
+
+#include "src/config/shown.hpp"
+
+namespace bagnold {
+
+namespace {
+
+constexpr std::int64_t most_trajectories = 256;  // systems often allow 1024 open files
+
+/// Adds a mistake of several keys, unless one of them is a mistake already.
+struct Refusals {
+  std::string const& origin;
+  Mistakes& mistakes;
+
+  void operator()(std::initializer_list<std::string_view> keys, std::string const& message) const {
+    if (std::ranges::none_of(keys, [&](auto const& key) { return mistakes.about(key); }))
+      mistakes.add("", fmt::format("{}: {}", origin, message));
+  }
+};
+
+void look_at_protocol(Scene const& scene, Refusals const& refuse) {
+  auto const& shear = scene.shear;
+  auto const& rates = shear.strain_rates;
+  if (std::ranges::adjacent_find(rates, std::less_equal{}) != rates.end())
+    refuse({"shear.strain_rates"},
+           fmt::format(
+               "shear.strain_rates = [{:g}] (each must be below the one before: it starts from "
+               "the state of the next larger); write the largest first, none twice",
+               fmt::join(rates, ", ")));
+  if (shear.strain.is_list() && shear.strain.each.size() != rates.size())
+    refuse({"shear.strain", "shear.strain_rates"},
+           fmt::format(
+               "shear.strain = [{:g}] has {} numbers, shear.strain_rates has {} (must be as many); "
+               "give one for each rate, or one number for all",
+               fmt::join(shear.strain.each, ", "), shear.strain.each.size(), rates.size()));
+  if (shear.protocol == "ramp" && shear.strain_rate_high <= shear.strain_rate)
+    refuse(
+        {"shear.strain_rate_high", "shear.strain_rate"},
+        fmt::format(
+            "shear.strain_rate_high = {} (must be more than shear.strain_rate = {}, the lowest); "
+            "raise it",
+            shear.strain_rate_high, shear.strain_rate));
+  if (!shear.target_error.empty() &&
+      (scene.measure.profiles || scene.measure.fields || scene.measure.rotation))
+    refuse(
+        {"shear.target_error", "measure.profiles", "measure.fields", "measure.rotation"},
+        "shear.target_error does not go with measure.profiles, measure.fields or measure.rotation "
+        "(where their frames begin depends on where the run ends); give shear.strain alone");
+}
+
+void look_at_others(Scene const& scene, Refusals const& refuse) {
+  auto const& disks = scene.disks;
+  if (disks.count % 2 != 0)
+    refuse({"disks.count"},
+           fmt::format(
+               "disks.count = {} (must be even: half the disks are small, half big); use {} or {}",
+               disks.count, disks.count - 1, disks.count + 1));
+  if (disks.packing_fraction >= 1)
+    refuse({"disks.packing_fraction"},
+           "disks.packing_fraction = 1 (must be below 1: disks cannot fill the plane)");
+  if (disks.force_exponent != 2.0 && disks.force_exponent != 2.5)
+    refuse({"disks.force_exponent"},
+           fmt::format("disks.force_exponent = {} (must be 2, harmonic, or 2.5, Hertz)",
+                       disks.force_exponent));
+  if (disks.model != "general" && (disks.damping_normal != 1 || disks.damping_tangential != 1))
+    refuse({"disks.model", "disks.damping_normal", "disks.damping_tangential"},
+           fmt::format("disks.damping_normal and disks.damping_tangential belong to model "
+                       "\"general\", not \"{}\"; change disks.model or leave them out",
+                       disks.model));
+  if (scene.start.kind == "state" && scene.start.file.empty())
+    refuse({"start.kind", "start.file"},
+           "start.file is missing: start.kind = \"state\" needs a state file");
+  if (scene.start.kind == "random" && !scene.start.file.empty())
+    refuse({"start.kind", "start.file"},
+           fmt::format("start.file = \"{}\" is not used by start.kind = \"random\"; set "
+                       "start.kind = \"state\" or leave it out",
+                       shown(scene.start.file)));
+  if (scene.shear.discard && *scene.shear.discard >= 1)
+    refuse({"shear.discard"}, "shear.discard = 1 (must be below 1) would leave nothing to measure");
+  if (scene.output.trajectory_strain > 0 && disks.replicas > most_trajectories)
+    refuse(
+        {"output.trajectory_strain", "disks.replicas"},
+        fmt::format("output.trajectory_strain = {} with disks.replicas = {} (must be at most {}: a "
+                    "file is open for each); run some of the seeds at a time, or set "
+                    "output.trajectory_strain = 0",
+                    scene.output.trajectory_strain, disks.replicas, most_trajectories));
+  if (scene.measure.correlations && !scene.measure.contacts)
+    refuse({"measure.correlations", "measure.contacts"},
+           "measure.correlations = true (looks at contacts, which are not followed); set "
+           "measure.contacts = true, or measure.correlations = false");
+  if (scene.measure.rotation && !scene.rotates())
+    refuse({"measure.rotation", "disks.model"},
+           fmt::format("measure.rotation = true (disks of model \"{}\" do not rotate); use model "
+                       "\"CD_rot\" or \"general\", or measure.rotation = false",
+                       disks.model));
+}
+
+}  // namespace
+
+void find_contradictions(Scene const& scene, std::string const& origin, Mistakes& mistakes) {
+  Refusals const refuse{origin, mistakes};
+  look_at_others(scene, refuse);
+  if (!mistakes.about("shear.protocol")) look_at_protocol(scene, refuse);
+}
+
+}  // namespace bagnold
