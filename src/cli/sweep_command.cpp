@@ -139,6 +139,7 @@ int run_sweep(sweep::Sweep const& sweep, SweepOptions const& options) {
     auto const folder = sweep::SweepFolder::join(name, sweep);
     return run_chains(sweep, folder, options, {static_cast<std::size_t>(options.chain - 1)});
   }
+  if (options.emit_slurm) sweep::refuse_slurm_name(name);
   auto const folder = sweep::SweepFolder::make(name, sweep);
   if (options.emit_slurm) return emit_slurm(sweep, folder, options);
   if (options.collect) return write_tables(sweep, folder, options.quiet);

@@ -5,6 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+
+#include "src/config/errors.hpp"
+#include "src/config/shown.hpp"
 
 namespace bagnold::sweep {
 
@@ -47,6 +51,19 @@ std::string shell_word(std::string const& word) {
   std::string quoted = "'";
   for (char const c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return quoted + "'";
+}
+
+void refuse_slurm_name(std::filesystem::path const& folder) {
+  auto const name = std::filesystem::absolute(folder).string();
+  auto const strange = [](unsigned char c) {
+    return c < 0x20 || c == 0x7f ||
+           std::string_view("\"\\%").find(static_cast<char>(c)) != std::string_view::npos;
+  };
+  if (std::ranges::any_of(name, strange))
+    throw InputError(
+        fmt::format("--out {} (with --emit-slurm its whole name must be without \", \\, % and "
+                    "control characters, which sbatch reads as its own); choose another",
+                    shown(name)));
 }
 
 std::string slurm_array(Sweep const& sweep, SlurmJob const& job) {

@@ -19,6 +19,10 @@ struct SlurmJob {
   std::vector<double> seconds;   ///< that each point may take on one core at most, [points]
 };
 
+/// Throws InputError for a folder whose name sbatch would not take as it is: it stands in comments
+/// of the scripts, where a new line ends the comment, and letters in it stand for numbers.
+void refuse_slurm_name(std::filesystem::path const& folder);
+
 /// An array of one task a chain (beyond 1000 chains a task does several in turn) that runs
 /// `bagnold sweep FILE --out DIR --chain K`. The wall time asked for is twice that of the longest task,
 /// 10 minutes at least.
