@@ -33,10 +33,12 @@ STYLE = {
 
 
 def save(figure, target, dpi=110, colours=None):
-    """Whole or not at all: a picture that is there is complete. Few colours make a small file."""
+    """Whole or not at all: a picture that is there is complete. Its form is that of the name: .pdf,
+    .svg, else PNG, of which few colours make a small file."""
+    form = os.path.splitext(target)[1][1:].lower() or "png"
     picture = io.BytesIO()
-    figure.savefig(picture, format="png", dpi=dpi)
-    if colours:
+    figure.savefig(picture, format=form, dpi=dpi)
+    if colours and form == "png":
         image = Image.open(picture).convert("RGB").quantize(colours)
         picture = io.BytesIO()
         image.save(picture, format="png", optimize=True)

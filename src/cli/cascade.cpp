@@ -5,10 +5,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "src/cli/messages.hpp"
+#include "src/cli/pictures.hpp"
 #include "src/cli/provenance.hpp"
 #include "src/cli/run_in_folder.hpp"
 #include "src/cli/signals.hpp"
 #include "src/config/cascade.hpp"
+#include "src/config/errors.hpp"
 #include "src/config/scene_file.hpp"
 #include "src/config/toml_text.hpp"
 #include "src/io/atomic_file.hpp"
@@ -20,20 +23,32 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-bool begun(fs::path const& folder) {
-  for (auto const* name : {"checkpoint.h5", "checkpoint.previous.h5", "checkpoint.h5.tmp"})
-    if (fs::exists(folder / name)) return true;
-  return false;
-}
-
-/// Runs a stage, or goes on with it, unless it is finished.
+/// Runs a stage, or goes on with it; of a finished one draws pictures that a kill left out.
 int run_stage(fs::path const& path, Scene const& scene, Machine const& machine, bool quiet) {
-  if (fs::exists(path / "summary.json")) return 0;
+  if (fs::exists(path / "summary.json")) {
+    draw_missing_pictures(RunFolder::open(path), scene);
+    return 0;
+  }
   if (begun(path)) return go_on_in(RunFolder::open(path), machine, quiet);
   auto from_file = states_in_file(scene);
   RunFolder const folder = RunFolder::make(path, /*force=*/true);
   io::replace_text(folder.scene(), write_scene(scene));
   return run_from_start(folder, scene, machine, quiet, std::move(from_file));
+}
+
+/// What a stage found.
+Json point_of(fs::path const& summary, std::string const& name, double strain_rate) try {
+  auto const bytes = io::read_file(summary);
+  auto const* text = reinterpret_cast<char const*>(bytes.data());
+  Json const stage = Json::parse(text, text + bytes.size());
+  return {{"folder", name},
+          {"strain_rate", strain_rate},
+          {"strain", stage.at("strain")},
+          {"warnings", stage.value("warnings", Json::array())},
+          {"observables", stage.at("observables")}};
+} catch (Json::exception const& error) {
+  throw FileError(
+      fmt::format("{}: is damaged ({}); remove it and resume", summary.string(), error.what()));
 }
 
 /// What all stages found, without times.
@@ -44,14 +59,8 @@ void write_summary(RunFolder const& folder, Scene const& cascade) {
                {"points", Json::array()}};
   for (std::size_t k = 0; k < cascade.shear.strain_rates.size(); ++k) {
     auto const name = stage_folder(cascade, k);
-    auto const bytes = io::read_file(folder.path() / name / "summary.json");
-    auto const* text = reinterpret_cast<char const*>(bytes.data());
-    Json const stage = Json::parse(text, text + bytes.size());
-    summary["points"].push_back({{"folder", name},
-                                 {"strain_rate", cascade.shear.strain_rates[k]},
-                                 {"strain", stage.at("strain")},
-                                 {"warnings", stage.value("warnings", Json::array())},
-                                 {"observables", stage.at("observables")}});
+    summary["points"].push_back(
+        point_of(folder.path() / name / "summary.json", name, cascade.shear.strain_rates[k]));
   }
   io::replace_text(folder.summary(), summary.dump(2) + "\n");
 }
@@ -70,13 +79,13 @@ int run_cascade(RunFolder const& folder, Scene const& cascade, Machine const& ma
   std::string before;
   for (std::size_t k = 0; k < stages; ++k) {
     if (stop_signal() != 0) {
-      fmt::print(stderr, "bagnold: stopped before rate {} of {}; `bagnold resume {}` goes on\n",
-                 k + 1, stages, folder.path().string());
+      say(fmt::format("stopped before rate {} of {}; `bagnold resume {}` goes on", k + 1, stages,
+                      folder.path().string()));
       return 128 + stop_signal();
     }
     auto const path = fs::absolute(folder.path()).lexically_normal() / stage_folder(cascade, k);
     if (!quiet)
-      fmt::print("strain rate {}, {} of {}\n", cascade.shear.strain_rates[k], k + 1, stages);
+      put(fmt::format("strain rate {}, {} of {}\n", cascade.shear.strain_rates[k], k + 1, stages));
     int const code = run_stage(path, stage_of(cascade, k, before), machine, quiet);
     if (code != 0) return code;
     before = (path / "state.h5").string();

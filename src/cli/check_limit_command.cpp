@@ -21,6 +21,8 @@ using analysis::AtTwoRates;
 using analysis::WithError;
 using Json = nlohmann::ordered_json;
 
+constexpr char const* compared[] = {"B_p", "B_sigma", "eta_p", "eta_sigma", "p", "sigma"};
+
 sweep::Sweep both_rates(Scene const& scene, RunOptions const& options) {
   if (scene.shear.protocol != "steady")
     throw InputError(
@@ -35,18 +37,25 @@ sweep::Sweep both_rates(Scene const& scene, RunOptions const& options) {
                             point_check(options.allow_unstable));
 }
 
-Json summary_of(fs::path const& point) {
+using Found = std::map<std::string, WithError>;
+
+/// What a run found, by name.
+Found summary_of(fs::path const& point) try {
   auto const bytes = io::read_file(point / "summary.json");
   auto const* text = reinterpret_cast<char const*>(bytes.data());
-  return Json::parse(text, text + bytes.size());
-}
-
-WithError measured(Json const& summary, std::string const& name) {
-  Json const& one = summary.at("observables").at(name);
   auto const number = [](Json const& json, double none) {
     return json.is_number() ? json.get<double>() : none;
   };
-  return {number(one.at("mean"), std::nan("")), number(one.at("error"), INFINITY)};
+  Found found;
+  Json const observables = Json::parse(text, text + bytes.size()).at("observables");
+  for (auto const* name : compared) {
+    Json const& one = observables.at(name);
+    found[name] = {number(one.at("mean"), std::nan("")), number(one.at("error"), INFINITY)};
+  }
+  return found;
+} catch (Json::exception const& error) {
+  throw FileError(fmt::format("{}: is damaged ({}); remove {} to run it again",
+                              (point / "summary.json").string(), error.what(), point.string()));
 }
 
 Json json_of(WithError const& one) {
@@ -115,8 +124,7 @@ int check_limit_command(CheckLimitOptions const& options) {
   auto const whole = summary_of(folder / sweep.points.at(0).folder);
   auto const half = summary_of(folder / sweep.points.at(1).folder);
   std::map<std::string, AtTwoRates> found;
-  for (auto const* name : {"B_p", "B_sigma", "eta_p", "eta_sigma", "p", "sigma"})
-    found[name] = {measured(whole, name), measured(half, name)};
+  for (auto const* name : compared) found[name] = {whole.at(name), half.at(name)};
   auto const limit = analysis::rate_limit(found, options.tolerance);
   io::replace_text(points.folder / "check_limit.json",
                         json_of(limit, scene.shear.strain_rate, options.tolerance).dump(2) + "\n");

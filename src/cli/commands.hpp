@@ -8,6 +8,7 @@
 
 #include "src/analysis/request.hpp"
 #include "src/cli/machine.hpp"
+#include "src/cli/messages.hpp"
 
 namespace bagnold {
 
@@ -66,9 +67,6 @@ struct FigureOptions {
   bool quick = false;
   bool quiet = false;
 };
-
-/// A line on stderr, quiet or not; nothing for no message.
-void warn(std::string const& message);
 
 // Each returns the exit code: 0 done, 130 or 143 interrupted with a checkpoint written. What goes
 // wrong is thrown: InputError, NumericalError, FileError.

@@ -199,7 +199,7 @@ int list_figures(FigureFile const& file) {
 
 }  // namespace
 
-int figure_command(FigureOptions const& options) {
+int figure_command(FigureOptions const& options) try {
   FigureFile const file(find_figure_file(options.figures));
   if (options.name.empty()) return list_figures(file);
   auto const figure = read_checked(file, options.name, options.quick);
@@ -223,6 +223,9 @@ int figure_command(FigureOptions const& options) {
   warn(wrong);
   if (wrong.empty() && !options.quiet) fmt::print("\npicture in {}\n", picture.string());
   return std::max(status, wrong.empty() ? 0 : 1);
+} catch (json::exception const& error) {  // of a key of another type, or one that is missing
+  throw InputError(
+      fmt::format("the file of figures: {} {}; see docs/figures.md", options.name, error.what()));
 }
 
 }  // namespace bagnold

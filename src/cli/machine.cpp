@@ -4,8 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <thread>
+#ifdef _OPENMP
+#include <omp.h>
+#endif
 
+#include "src/cli/messages.hpp"
 #include "src/config/errors.hpp"
 #include "src/simulation/make_simulation.hpp"
 
@@ -19,6 +24,25 @@ bool has(std::string const& backend) {
 }
 
 std::int64_t cores() { return std::max(1u, std::thread::hardware_concurrency()); }
+
+constexpr int most_kokkos_threads = 512;  ///< the length of its pool, which it does not check
+
+int most_openmp_threads() {
+#ifdef _OPENMP
+  return std::min(most_kokkos_threads, omp_get_thread_limit());
+#else
+  return most_kokkos_threads;
+#endif
+}
+
+void leave_out_threads(int& threads) {
+  int const most = most_openmp_threads();
+  if (threads <= most) return;
+  warn(fmt::format("--threads {} (must be at most {}, which {}): {} used", threads, most,
+                   most < most_kokkos_threads ? "OMP_THREAD_LIMIT allows" : "Kokkos bears",
+                   most == 1 ? "1 is" : fmt::format("{} are", most)));
+  threads = most;
+}
 
 Machine choose_for_replicas(Machine machine, Scene const& scene) {
   auto const replicas = scene.disks.replicas;
@@ -46,6 +70,14 @@ Machine choose_for_replicas(Machine machine, Scene const& scene) {
 
 }  // namespace
 
+void free_from_environment() {
+  for (auto const* name : {"KOKKOS_NUM_THREADS", "KOKKOS_DISABLE_WARNINGS"}) unsetenv(name);
+#ifdef _OPENMP
+  omp_set_dynamic(0);
+  omp_set_max_active_levels(std::max(1, omp_get_max_active_levels()));
+#endif
+}
+
 Machine choose(Machine machine, Scene const& scene) {
   if (!machine.backend.empty() && !has(machine.backend))
     throw InputError(fmt::format("--backend {}: not in this build (has: {})", machine.backend,
@@ -57,8 +89,9 @@ Machine choose(Machine machine, Scene const& scene) {
         why));
   if (scene.disks.replicas > 1) return choose_for_replicas(machine, scene);
   if (machine.threads == 0)
-    machine.threads =
-        static_cast<int>(std::clamp<std::int64_t>(scene.disks.count / 4096, 1, cores()));
+    machine.threads = static_cast<int>(std::clamp<std::int64_t>(
+        scene.disks.count / 4096, 1, std::min<std::int64_t>(cores(), most_openmp_threads())));
+  if (machine.backend != "serial") leave_out_threads(machine.threads);
   if (machine.backend.empty())
     machine.backend = machine.threads > 1 && has("openmp") ? "openmp" : backend_names().front();
   if (machine.backend == "serial") machine.threads = 1;

@@ -16,16 +16,22 @@ struct Machine {
 
 /// Threads and backend where the user left them open. One system: a thread for every 4096 disks, as
 /// far as there are cores (fewer wait for each other more than they work); one thread runs on
-/// Serial. Replicas: one a thread on Serial, as many threads as there are cores; on a device all at
-/// once, where threads only relax their starts. Throws InputError for a backend that the build does
-/// not have or that cannot run replicas, and where Kokkos cannot start.
+/// Serial. Threads that Kokkos or OMP_THREAD_LIMIT do not allow are left out, with a warning.
+/// Replicas: one a thread on Serial, as many threads as there are cores; on a device all at once,
+/// where threads only relax their starts. Throws InputError for a backend that the build does not
+/// have or that cannot run replicas, and where Kokkos cannot start.
 Machine choose(Machine machine, Scene const& scene);
+
+/// What of the environment would give Kokkos other threads than it is asked for is put aside.
+void free_from_environment();
 
 /// Kokkos, running. Replicas bring their own threads, each a system's only one.
 class KokkosScope {
  public:
   KokkosScope(Machine const& machine, Scene const& scene) : outermost_(!Kokkos::is_initialized()) {
-    if (outermost_) initialize_kokkos(scene.disks.replicas > 1 ? 1 : machine.threads);
+    if (!outermost_) return;
+    free_from_environment();
+    initialize_kokkos(scene.disks.replicas > 1 ? 1 : machine.threads);
   }
   ~KokkosScope() {
     if (outermost_) Kokkos::finalize();

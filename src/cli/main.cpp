@@ -2,29 +2,31 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <new>
+#include <algorithm>
+#include <string_view>
+#include <vector>
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
 
 #include "src/cli/analyse_options.hpp"
 #include "src/cli/commands.hpp"
+#include "src/cli/exit_code.hpp"
+#include "src/cli/provenance.hpp"
+#include "src/cli/signals.hpp"
+#include "src/cli/standard_streams.hpp"
 #include "src/config/errors.hpp"
+#include "src/config/nearest_word.hpp"
+#include "src/config/shown.hpp"
 
 namespace {
 
 constexpr char const* units =
-    "Units: length d_s (small diameter), time tau_e (elastic time), so that k_e = 1; strain rates in\n"
-    "1/tau_e, stresses in m/tau_e^2.\n"
-    "Exit codes: 0 done, 1 a sweep with failed points, 2 bad input, 3 numerical failure, 4 input/output failure, 130 or 143\n"
-    "interrupted with a checkpoint written.";
-
-enum ExitCode { done = 0, bad_input = 2, numerical_failure = 3, file_failure = 4 };
-
-int say(char const* message, ExitCode code) {
-  fmt::print(stderr, "bagnold: {}\n", message);
-  return code;
-}
+    "Units: length d_s (small diameter), time tau_e (elastic time), so that k_e = 1; strain\n"
+    "rates in 1/tau_e, stresses in m/tau_e^2.\n"
+    "Exit codes: 0 done, 1 a sweep with failed points, 2 bad input, 3 numerical failure,\n"
+    "4 input/output failure, 5 internal error, 129, 130 or 143 interrupted with a checkpoint\n"
+    "written.";
 
 /// Large arrays go back to the system as soon as they are freed: what comes after them needs the room.
 void give_back_large_arrays() {
@@ -82,13 +84,38 @@ void add_figure(CLI::App& command, bagnold::FigureOptions& options) {
   command.add_flag("--quiet", options.quiet, "no progress and no table; errors are still shown");
 }
 
-}  // namespace
+/// The words of the command line, the first one last, as CLI11 wants them; `help COMMAND` becomes
+/// `COMMAND --help`.
+std::vector<std::string> words_of(int argc, char** argv) {
+  std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  if (!words.empty() && words.front() == "help") {
+    words.erase(words.begin());
+    words.resize(std::min<std::size_t>(words.size(), 1));
+    words.emplace_back("--help");
+  }
+  std::ranges::reverse(words);
+  return words;
+}
 
-int main(int argc, char** argv) try {
-  give_back_large_arrays();
+/// CLI11 would complain of the words behind it.
+void refuse_unknown_command(CLI::App const& app, std::vector<std::string> const& words) {
+  if (words.empty() || words.back().starts_with("-")) return;
+  std::vector<std::string> names;
+  for (auto const* command : app.get_subcommands({})) names.push_back(command->get_name());
+  if (std::ranges::count(names, words.back()) == 0)
+    throw bagnold::InputError(fmt::format("unknown command {}; did you mean {}? See bagnold --help",
+                                          bagnold::shown(words.back()),
+                                          bagnold::nearest_word(words.back(), names)));
+}
+
+int run(int argc, char** argv) {
   CLI::App app("Bagnold: dense granular flow of soft disks at vanishing shear rate");
   app.footer(units);
   app.require_subcommand(1);
+  app.set_version_flag("--version", [] {
+    auto const made = bagnold::provenance();
+    return fmt::format("bagnold {} ({})", made.version, made.git);
+  });
 
   bagnold::RunOptions run;
   auto* run_command = app.add_subcommand("run", "run a scene");
@@ -144,11 +171,13 @@ int main(int argc, char** argv) try {
   auto* info_command = app.add_subcommand("info", "version, git hash, Kokkos, backends, CPU");
   info_command->footer(units);
 
+  auto const words = words_of(argc, argv);
+  refuse_unknown_command(app, words);
   try {
-    app.parse(argc, argv);
+    app.parse(std::vector(words));
   } catch (CLI::ParseError const& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
-    return say(fmt::format("{}; see bagnold --help", error.what()).c_str(), bad_input);
+    throw bagnold::InputError(fmt::format("{}; see bagnold --help", error.what()));
   }
   if (*run_command) return bagnold::run_command(run);
   if (*validate_command) return bagnold::validate_command(validate);
@@ -157,16 +186,23 @@ int main(int argc, char** argv) try {
   if (*analyse_command) return bagnold::analyse_command(analyse);
   if (*limit_command) return bagnold::check_limit_command(limit);
   if (*figure_command) return bagnold::figure_command(figure);
-  if (*info_command) return bagnold::info_command();
-  return bad_input;
-} catch (bagnold::InputError const& error) {
-  return say(error.what(), bad_input);
-} catch (bagnold::NumericalError const& error) {
-  return say(error.what(), numerical_failure);
-} catch (bagnold::FileError const& error) {
-  return say(error.what(), file_failure);
-} catch (std::bad_alloc const&) {
-  return say("out of memory; use fewer disks or a machine with more", bad_input);
-} catch (std::exception const& error) {
-  return say(error.what(), file_failure);
+  return bagnold::info_command();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  bagnold::catch_checkpoint_signal();
+  bagnold::open_standard_streams();
+  give_back_large_arrays();
+  int code = bagnold::internal_error;
+  try {
+    code = run(argc, argv);
+  } catch (...) {
+    code = bagnold::exit_code_of(std::current_exception());
+  }
+  auto const unwritten = bagnold::finish_output();
+  if (code != bagnold::done || unwritten.empty()) return code;
+  bagnold::say(unwritten);
+  return bagnold::file_failure;
 }

@@ -7,8 +7,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
-#include <cstdlib>
 #include <utility>
 #include <vector>
 
@@ -18,8 +18,11 @@
 #include "plot_frames_script.hpp"
 #include "plot_script.hpp"
 #include "plotting_script.hpp"
+#include "src/cli/pythons.hpp"
 
 namespace bagnold {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -41,10 +44,12 @@ std::string whole(Script const& script) {
   return text + script.text;
 }
 
-/// Runs `python - data target` with the text on its standard input, its output thrown away, its
-/// errors too if `quiet`. Returns its exit code; 127 if it cannot be started.
-int run_script(std::string const& python, std::string const& text, std::string const& data,
-               std::string const& target, bool quiet) {
+/// Runs `python -I - data target` with the text on its standard input, its output thrown away, its
+/// errors too if `quiet`. Returns its exit code; 127 if it cannot be started. -I, and a folder that
+/// only the system's owner writes to, so that neither Python nor matplotlib takes code or settings
+/// from where the user stands.
+int run_script(fs::path const& python, std::string const& text, fs::path const& data,
+               fs::path const& target, bool quiet) {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) return 127;
   pid_t const child = fork();
@@ -55,8 +60,9 @@ int run_script(std::string const& python, std::string const& text, std::string c
     dup2(ends[0], STDIN_FILENO);
     dup2(nowhere, STDOUT_FILENO);
     if (quiet) dup2(nowhere, STDERR_FILENO);
-    execlp(python.c_str(), python.c_str(), "-", data.c_str(), target.c_str(),
-           static_cast<char*>(nullptr));
+    if (chdir("/") == 0)
+      execl(python.c_str(), python.c_str(), "-I", "-", data.c_str(), target.c_str(),
+            static_cast<char*>(nullptr));
     _exit(127);
   }
   close(ends[0]);
@@ -73,17 +79,16 @@ int run_script(std::string const& python, std::string const& text, std::string c
 }
 
 /// Tries the Pythons there are; what went wrong, or "".
-std::string draw(Script const& script, std::filesystem::path const& data,
-                 std::filesystem::path const& target, bool quiet = true) {
-  std::vector<std::string> pythons{"/usr/bin/python3", "python3"};
-  if (char const* chosen = std::getenv("BAGNOLD_PYTHON")) pythons = {chosen};
+std::string draw(Script const& script, fs::path const& data, fs::path const& target,
+                 bool quiet = true) {
   auto const text = whole(script);
-  for (auto const& python : pythons) {
-    int const code = run_script(python, text, data.string(), target.string(), quiet);
+  for (auto const& python : pythons()) {
+    int const code = run_script(python, text, fs::absolute(data), fs::absolute(target), quiet);
     if (code == 0) return "";
     if (!quiet && code != 127) return "no picture drawn, see above";
   }
-  return fmt::format("no picture drawn: {} with h5py and matplotlib is needed", pythons.front());
+  return "no picture drawn: python3 with h5py and matplotlib is needed (BAGNOLD_PYTHON may name "
+         "one, by its absolute path; PYTHONPATH and packages of a user alone are not looked at)";
 }
 
 std::pair<char const*, char const*> const plotting{"plotting", plotting_script};

@@ -4,8 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdio>
-
+#include "src/cli/messages.hpp"
 #include "src/config/run_time.hpp"
 #include "src/sweep/report.hpp"
 
@@ -39,7 +38,7 @@ void Progress::show(std::int64_t steps) {
 void Progress::finish(std::int64_t steps) {
   if (quiet_) return;
   print(steps, Clock::now());
-  if (terminal_) std::fputc('\n', stdout);
+  if (terminal_) put("\n");
 }
 
 void Progress::report(std::int64_t steps) const {
@@ -56,11 +55,7 @@ void Progress::print(std::int64_t steps, Clock::time_point now) {
       fmt::format("strain {:.4g} of {:.4g} ({:.0f}%)  {:.3g} million disk-steps/s  {}",
                   share * strain_, strain_, 100 * share, done * disks_ / seconds / 1e6,
                   steps < steps_ ? time_text(left) + " left" : time_text(seconds));
-  if (terminal_)
-    fmt::print("\r{:<78}", line);
-  else
-    fmt::print("{}\n", line);
-  std::fflush(stdout);
+  put(terminal_ ? fmt::format("\r{:<78}", line) : line + "\n");
 }
 
 }  // namespace bagnold

@@ -4,18 +4,16 @@
 #include "src/cli/cascade.hpp"
 #include "src/cli/checked_scene.hpp"
 #include "src/cli/commands.hpp"
+#include "src/cli/pictures.hpp"
 #include "src/cli/run_in_folder.hpp"
 #include "src/cli/signals.hpp"
 #include "src/config/cascade.hpp"
+#include "src/config/errors.hpp"
 #include "src/config/scene_file.hpp"
 #include "src/config/time_step.hpp"
 #include "src/io/atomic_file.hpp"
 
 namespace bagnold {
-
-void warn(std::string const& message) {
-  if (!message.empty()) fmt::print(stderr, "bagnold: warning: {}\n", message);
-}
 
 int run_command(RunOptions const& options) {
   Scene scene = read_scene(options.scene_file, options.overrides);
@@ -34,11 +32,26 @@ int run_command(RunOptions const& options) {
   return run_from_start(folder, scene, machine, options.quiet, std::move(from_file));
 }
 
+namespace {
+
+void refuse_sweep(std::filesystem::path const& folder) {
+  if (std::filesystem::exists(folder / "points.json"))
+    throw InputError(
+        fmt::format("{}: holds a sweep; the command that began it goes on with it: `bagnold "
+                    "sweep FILE --out {}`",
+                    folder.string(), folder.string()));
+}
+
+}  // namespace
+
 int resume_command(ResumeOptions const& options) {
   catch_signals();
+  refuse_sweep(options.folder);
   RunFolder const folder = RunFolder::open(options.folder);
   if (std::filesystem::exists(folder.summary())) {
     folder.remove_trajectory_parts();
+    if (std::filesystem::exists(folder.scene()) && !cascade_in(folder))
+      draw_missing_pictures(folder, read_scene(folder.scene()));
     fmt::print("{} is finished: nothing to resume\n", options.folder.string());
     return 0;
   }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "src/cli/messages.hpp"
 #include "src/cli/runner.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/scene_file.hpp"
@@ -49,8 +50,8 @@ int run_from_checkpoint(RunFolder const& folder, io::Checkpoint checkpoint, Mach
   Run run = run_of(scene, plan, machine);
   run.wall_seconds = checkpoint.wall_seconds;
   if (!quiet)
-    fmt::print("going on from step {} of {}\n", checkpoint.steps(),
-               plan.steps * scene.disks.replicas);
+    put(fmt::format("going on from step {} of {}\n", checkpoint.steps(),
+                    plan.steps * scene.disks.replicas));
   std::vector<std::optional<Snapshot>> snapshots;
   for (auto& system : checkpoint.systems) {
     run.replicas.push_back(replica_of(system));
@@ -68,6 +69,12 @@ std::vector<StartedState> states_in_file(Scene const& scene) {
   return fit_to_scene(io::read_states(scene.start.file), scene);
 }
 
+bool begun(std::filesystem::path const& folder) {
+  for (auto const* name : {"checkpoint.h5", "checkpoint.previous.h5", "checkpoint.h5.tmp"})
+    if (std::filesystem::exists(folder / name)) return true;
+  return false;
+}
+
 int run_from_start(RunFolder const& folder, Scene const& scene, Machine const& machine, bool quiet,
                    std::vector<StartedState> started) {
   KokkosScope const kokkos(machine, scene);
@@ -75,16 +82,15 @@ int run_from_start(RunFolder const& folder, Scene const& scene, Machine const& m
   auto const replicas = static_cast<std::size_t>(scene.disks.replicas);
   Run run = run_of(scene, plan, machine);
   run.replicas.resize(replicas);
-  if (!quiet)
-    fmt::print("{}, a step of {:.6g} tau_e\n", scheme_of(scene), plan.time_step);
+  if (!quiet) put(fmt::format("{}, a step of {:.6g} tau_e\n", scheme_of(scene), plan.time_step));
   std::vector<std::optional<Snapshot>> snapshots(replicas);
   for (std::size_t r = 0; r < started.size(); ++r) {
     run.replicas[r].start_record = std::move(started[r].record);
     snapshots[r] = first_snapshot(std::move(started[r].state));
   }
   if (started.empty() && !quiet)
-    fmt::print("relaxing the overlaps of {} random disks{}\n", scene.disks.count,
-               replicas > 1 ? fmt::format(", {} times", replicas) : "");
+    put(fmt::format("relaxing the overlaps of {} random disks{}\n", scene.disks.count,
+                    replicas > 1 ? fmt::format(", {} times", replicas) : ""));
   Runner runner(folder, std::move(run), machine, quiet);
   runner.start(std::move(snapshots));
   return runner.run();
@@ -93,7 +99,7 @@ int run_from_start(RunFolder const& folder, Scene const& scene, Machine const& m
 int go_on_in(RunFolder const& folder, Machine const& machine, bool quiet) {
   std::vector<std::string> remarks;
   auto checkpoint = io::newest_checkpoint(folder.path(), &remarks);
-  for (auto const& remark : remarks) fmt::print(stderr, "bagnold: {}\n", remark);
+  for (auto const& remark : remarks) say(remark);
   if (checkpoint && std::filesystem::exists(folder.scene()) &&
       read_text(folder.scene()) != checkpoint->scene)
     throw InputError(
@@ -102,9 +108,9 @@ int go_on_in(RunFolder const& folder, Machine const& machine, bool quiet) {
                     folder.scene().string()));
   if (checkpoint) return run_from_checkpoint(folder, std::move(*checkpoint), machine, quiet);
 
-  fmt::print(stderr,
-             "bagnold: no checkpoint in {} can be used: starting again from its scene.toml\n",
-             folder.path().string());
+  if (begun(folder.path()))
+    say(fmt::format("no checkpoint in {} can be used: starting again from its scene.toml",
+                    folder.path().string()));
   Scene const scene = read_scene(folder.scene());
   return run_from_start(folder, scene, choose(machine, scene), quiet, states_in_file(scene));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <filesystem>
 #include <vector>
 
 #include "src/cli/machine.hpp"
@@ -13,6 +14,9 @@ namespace bagnold {
 /// The first states of a scene that has them in a file, [R]; none: random starts are yet to be
 /// made.
 std::vector<StartedState> states_in_file(Scene const& scene);
+
+/// Whether a run in a folder has written a checkpoint, whole or not.
+bool begun(std::filesystem::path const& folder);
 
 /// Runs a resolved scene of one run from its beginning, in a folder made for it. Returns the exit
 /// code.

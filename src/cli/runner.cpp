@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <utility>
 
-#include "src/cli/commands.hpp"
-#include "src/cli/plot.hpp"
+#include "src/cli/messages.hpp"
+#include "src/cli/pictures.hpp"
 #include "src/cli/progress.hpp"
 #include "src/cli/provenance.hpp"
 #include "src/cli/signals.hpp"
@@ -256,9 +256,10 @@ void Runner::checkpoint() {
 }
 
 int Runner::interrupted() const {
-  fmt::print(stderr, "bagnold: stopped at step {} of {}{}; `bagnold resume {}` goes on\n", steps(),
-             whole_.steps * run_.scene.disks.replicas,
-             simulations_.size() > 1 ? ", all replicas together" : "", folder_.path().string());
+  say(fmt::format("stopped at step {} of {}{}; `bagnold resume {}` goes on", steps(),
+                  whole_.steps * run_.scene.disks.replicas,
+                  simulations_.size() > 1 ? ", all replicas together" : "",
+                  folder_.path().string()));
   return 128 + stop_signal();
 }
 
@@ -274,11 +275,7 @@ void Runner::finish() {
   auto const suspect = warnings({run_, list});
   write_summary(folder_, run_, list, suspect);
   for (auto& replica : run_.replicas) replica.measurement.frames.tidy();
-  if (run_.scene.output.plot) {  // shows the summary's errors
-    warn(draw_plot(folder_.result(), folder_.picture()));
-    if (run_.scene.measure.profiles || run_.scene.measure.fields)
-      warn(draw_frames(folder_.result(), folder_.path()));
-  }
+  draw_missing_pictures(folder_, run_.scene);  // they show the summary's errors
   if (quiet_) return;
   print_table(run_, list);
   fmt::print("\nresults in {}\n", folder_.path().string());

@@ -3,8 +3,12 @@
 
 namespace bagnold {
 
-/// SIGUSR1 asks for a checkpoint; SIGINT and SIGTERM ask to stop with one; a second of these quits
-/// at once with 128 + its number, except in a point of a sweep.
+/// SIGUSR1 asks for a checkpoint; before there is a run it changes nothing. To be called first of
+/// all: it would end a program that does not know it.
+void catch_checkpoint_signal();
+
+/// SIGINT, SIGTERM and, unless it is ignored (nohup), SIGHUP ask to stop with a checkpoint. A
+/// second SIGINT or SIGTERM quits at once with 128 + its number, except in a point of a sweep.
 void catch_signals();
 
 /// Was a checkpoint asked for since the last call?

@@ -52,11 +52,10 @@ int run_chains(sweep::Sweep const& sweep, sweep::SweepFolder const& folder,
       }};
   auto const failures = sweep::Scheduler(sweep, folder, work, line).run(chains);
   for (auto const& failure : failures)
-    fmt::print(stderr, "bagnold: {} failed with exit code {}: {}; see {}\n",
-               sweep.points[failure.point].name, failure.exit_code, failure.reason,
-               folder.log(failure.point).string());
+    say(fmt::format("{} failed with exit code {}: {}; see {}", sweep.points[failure.point].name,
+                    failure.exit_code, failure.reason, folder.log(failure.point).string()));
   if (stop_signal() == 0) return failures.empty() ? 0 : 1;
-  fmt::print(stderr, "bagnold: sweep stopped; the same command goes on\n");
+  say("sweep stopped; the same command goes on");
   return 128 + stop_signal();
 }
 
@@ -90,10 +89,10 @@ int write_tables(sweep::Sweep const& sweep, sweep::SweepFolder const& folder, bo
   if (!quiet)
     fmt::print("table of {} points in {}\n", points, (folder.path() / "sweep.csv").string());
   if (done == points) return 0;
-  fmt::print(stderr,
-             "bagnold: {} of {} points have no result: their rows are empty; the same sweep "
-             "without --collect tries them again\n",
-             points - done, points);
+  say(
+      fmt::format("{} of {} points have no result: their rows are empty; the same sweep "
+                  "without --collect tries them again",
+                  points - done, points));
   return 1;
 }
 

@@ -70,10 +70,7 @@ void ProgressLine::print(Clock::time_point now) {
       "{} of {} points done, {} running, {} failed  strain {:.0f}%  {}", finished_, points_.size(),
       running_, failed_, 100 * strain / all_strain,
       done > 0 && left > 0 ? time_text(seconds * left / done) + " left" : time_text(seconds));
-  if (terminal_)
-    fmt::print("\r{:<78}", line);
-  else
-    fmt::print("{}\n", line);
+  std::fputs((terminal_ ? fmt::format("\r{:<78}", line) : line + "\n").c_str(), stdout);
   std::fflush(stdout);
 }
 

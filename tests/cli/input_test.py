@@ -200,7 +200,108 @@ class BadFiles(CliTest):
                 self.refused(self.text(text))
 
 
+class Messages(CliTest):
+    """Short, and all that is wrong in one go."""
+
+    def text(self, text):
+        path = self.folder / "bad.toml"
+        path.write_text(text)
+        return path
+
+    def said(self, *arguments):
+        result = self.bagnold(*arguments)
+        self.assertEqual(result.returncode, 2, result.stderr)
+        return result.stderr
+
+    def test_all_mistakes_in_one_go(self):
+        path = self.scene(disks__model="CD_x", disks__count=63, disks__cuont=64, shear__strain=-1.0,
+                          output__plot="yes", shear__strain_rate=None)
+        said = self.said("validate", path)
+        for word in ("disks.model", "must be even", "disks.cuont", "shear.strain = -1", "output.plot",
+                     "shear.strain_rate is missing"):
+            self.assertIn(word, said)
+        self.assertEqual(len(said.splitlines()), 6, said)
+
+    def test_one_mistake_is_told_once(self):
+        for changes in ({"disks__cuont": 64, "disks__count": None}, {"shear__protocol": "shaken"},
+                        {"start__kind": "lattice", "start__file": "x.h5"}):
+            said = self.said("validate", self.scene(**changes))
+            self.assertEqual(len(said.splitlines()), 1, said)
+
+    def test_very_many_mistakes(self):
+        lines = "".join(f"wrong{k} = 1\n" for k in range(10000))
+        said = self.said("validate", self.text(lines + scene_text(SCENE)))
+        self.assertLess(len(said), 4000)
+        self.assertIn("and 9980 more", said)
+
+    def test_words_of_a_megabyte(self):
+        long = "x" * 900000
+        valid = scene_text(SCENE)
+        for text in (f"{long} = 1\n" + valid, f"[{long}]\n" + valid, f'title = 3\n{long}.y = 1\n' + valid,
+                     valid.replace('"CD_rot"', f'"{long}"'), f'title = "{long}" x\n' + valid,
+                     f"{long} = 1\n{long} = 2\n" + valid, f"title = {long}\n" + valid,
+                     valid + f'[start]\nfile = "{long}"\n', valid + f'[sweep]\n{long} = 1\n',
+                     valid + f'[sweep]\ngrid = {{ "{long}" = [1] }}\n',
+                     valid + f'[sweep]\ngrid = {{ "disks.model" = ["{long}", "CD"] }}\n',
+                     valid + f'[sweep]\nchain = "{long}"\ngrid = {{ "disks.count" = [64] }}\n'):
+            with self.subTest(text=text[:20]):
+                self.assertLess(len(self.said("validate", self.text(text))), 2000)
+        for word in (long[:100000], long[:100000] + "=1", "disks." + long[:100000] + "=1"):
+            self.assertLess(len(self.said("validate", self.text(valid), "--set", word)), 2000)
+        self.assertLess(len(self.said(long[:100000])), 2000)
+
+    def test_letters_that_a_terminal_obeys(self):
+        path = self.text(scene_text(SCENE).replace('"CD_rot"', '"\\u001b[31m"'))
+        self.assert_clean_error(self.bagnold("validate", path), 2, "disks.model")
+
+    def test_texts_stand_in_quotes(self):
+        valid = scene_text(SCENE)
+        for text in (valid.replace('"CD_rot"', "CD_rot"), valid.replace('"CD_rot"', '"CD_rot'),
+                     valid + "[start]\nfile = /tmp/state.h5\n", valid + "[start]\nfile = states/a.h5\n",
+                     valid + '[sweep]\ngrid = { "disks.model" = [CD, CD_n] }\n'):
+            self.assertIn("texts stand in quotes", self.said("validate", self.text(text)))
+        self.assertNotIn("quotes", self.said("validate", self.text(valid + "[start]\noverlap = 1e-\n")))
+
+    def test_a_long_list_is_not_deeply_nested(self):
+        rates = ", ".join(f"{0.5 * 0.99**k:.9f}" for k in range(300))
+        path = self.scene(shear__protocol="cascade", shear__strain_rate=None,
+                          shear__strain_rates=Raw(f"[{rates}]"), integration__time_step=2.0**-7)
+        self.assertEqual(self.bagnold("validate", path).returncode, 0)
+
+    def test_less_than_a_window_is_refused(self):
+        path = self.scene(shear__strain=2.0**-7)
+        self.refused(path, "shear.strain", "output.sample_strain")
+        self.assertEqual(self.bagnold("validate", self.scene(shear__strain=2.0**-6)).returncode, 0)
+
+    def test_the_nearest_command(self):
+        for word, meant in (("rum", "run"), ("resmue", "resume"), ("analyze", "analyse"),
+                            ("check_limit", "check-limit"), ("Sweep", "sweep")):
+            self.assertIn(f"did you mean {meant}?", self.said(word, "scene.toml"))
+
+
 class CommandLine(CliTest):
+    def test_version_and_help(self):
+        self.assertRegex(self.bagnold("--version").stdout, r"^bagnold \d+\.\d+")
+        for arguments, words in ((("help",), ("run", "sweep", "Exit codes")), (("help", "sweep"), ("--jobs",)),
+                                 (("--help",), ("run",)), (("run", "--help"), ("--force",))):
+            result = self.bagnold(*arguments)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            for word in words:
+                self.assertIn(word, result.stdout)
+
+    def test_set_proposes_the_key(self):
+        path = self.scene()
+        for text, meant in (("count=64", "disks.count"), ("strainrate=1", "shear.strain_rate"),
+                            ("disks.strain=1", "shear.strain"), ("shear.target_error={ Bp = 0.1 }", "B_p")):
+            said = self.bagnold("validate", path, "--set", text).stderr
+            self.assertIn(f"did you mean {meant}?", said)
+
+    def test_set_takes_a_path_as_it_is(self):
+        """A cascade's own folders have a = in their names."""
+        for name in ("0002_strain_rate=0.0001/state.h5", "a [1]/state.h5", "a#b/state.h5"):
+            path = self.scene(start__kind="state")
+            self.refused(path, f"{name} is not there", arguments=("--set", f"start.file={name}"))
+
     def test_set_with_bad_key_or_value(self):
         path = self.scene()
         for text, *words in (
@@ -222,7 +323,7 @@ class CommandLine(CliTest):
     def test_set_is_toml_and_a_bare_word_is_a_string(self):
         path, out = self.scene(), self.folder / "out"
         self.run_scene(path, out, "--set", "disks.model=CD_n", "--set", "disks.count=128",
-                       "--set", "shear.strain=1e-2", "--set", 'disks.mass="area"',
+                       "--set", "shear.strain=2e-2", "--set", 'disks.mass="area"',
                        "--set", "title=bare")
         scene = read_summary(out)["scene"]
         self.assertEqual(scene["disks"]["model"], "CD_n")

@@ -292,10 +292,33 @@ class Collect(SweepTest):
         self.assertEqual(tables(out), tables(whole))
 
     def test_scripts_are_bash(self):
-        out = self.folder / "it's a \"folder\""
+        out = self.folder / "it's a folder"
         self.sweep(self.sweep_file(grid=SEEDS), out, "--emit-slurm")
         for name in ("points.slurm", "collect.slurm"):
             self.assertEqual(os.spawnlp(os.P_WAIT, "bash", "bash", "-n", str(out / name)), 0)
+
+
+class Folders(SweepTest):
+    def test_resume_names_the_sweep(self):
+        path, out = self.sweep_file(grid=SEEDS), self.folder / "out"
+        self.sweep(path, out, "--quiet")
+        self.assert_clean_error(self.bagnold("resume", out), 2, "bagnold sweep", str(out))
+
+    def test_fresh_points_say_nothing_of_checkpoints(self):
+        out = self.folder / "out"
+        self.sweep(self.sweep_file(grid=SEEDS), out)
+        for log in out.glob("points/*/log.txt"):
+            self.assertNotIn("checkpoint", log.read_text())
+
+    def test_names_that_slurm_would_take_as_its_own(self):
+        """They stand in comments of a script: a new line would make a command of the rest."""
+        path = self.sweep_file(grid=SEEDS)
+        for name in ('a"b', "a%b", "a\\b", "a\ntouch mark\n", "a\rb"):
+            out = self.folder / name
+            self.assert_clean_error(self.bagnold("sweep", path, "--out", out, "--emit-slurm"), 2, "--out")
+            self.assertFalse(out.exists())
+        out = self.folder / "it's $(fine) & good"
+        self.sweep(path, out, "--emit-slurm")
 
 
 if __name__ == "__main__":

@@ -3,7 +3,7 @@
 
 import unittest
 
-from bagnold import LAWS, CliTest
+from bagnold import LAWS, CliTest, environment
 
 WAYS = [("openmp", 1), ("openmp", 2), ("openmp", 3), ("serial", 1)]
 
@@ -58,6 +58,43 @@ class SameBits(CliTest):
         self.run_scene(scene, outs[0])
         self.run_scene(scene, outs[1], "--quiet")
         self.assert_same_results(*outs)
+
+
+class OtherThreads(CliTest):
+    """What the environment or an option says of threads is borne or told, and changes no bit."""
+
+    def few(self, name, *arguments, **variables):
+        out = self.folder / name
+        result = self.run_scene(self.scene(), out, "--backend", "openmp", *arguments,
+                                env=environment(**variables))
+        return out, [line for line in result.stderr.splitlines() if "--threads" in line]
+
+    def test_the_environment(self):
+        plain, said = self.few("plain", "--threads", 2)
+        self.assertEqual(said, [])
+        for variables in ({"OMP_DYNAMIC": "true"}, {"OMP_MAX_ACTIVE_LEVELS": "0"}, {"OMP_NUM_THREADS": "1"},
+                          {"KOKKOS_NUM_THREADS": "3"}, {"KOKKOS_NUM_THREADS": "x"},
+                          {"KOKKOS_DISABLE_WARNINGS": "x"}, {"OMP_THREAD_LIMIT": "2"}):
+            name = "-".join(variables)
+            with self.subTest(variables=variables):
+                out, said = self.few(name + "".join(variables.values()), "--threads", 2, **variables)
+                self.assertEqual(said, [])
+                self.assert_same_results(plain, out)
+
+    def test_a_limit_of_openmp(self):
+        plain, _ = self.few("plain", "--threads", 2)
+        out, said = self.few("limited", "--threads", 3, OMP_THREAD_LIMIT="1")
+        self.assertEqual(len(said), 1, said)
+        for word in ("--threads 3", "OMP_THREAD_LIMIT", "1"):
+            self.assertIn(word, said[0])
+        self.assert_same_results(plain, out)
+
+    def test_more_than_kokkos_bears(self):
+        out = self.folder / "many"
+        result = self.run_scene(self.scene(shear__strain=2.0**-6, disks__count=64), out, "--threads", 600)
+        (said,) = [line for line in result.stderr.splitlines() if "--threads" in line]
+        for word in ("600", "512"):
+            self.assertIn(word, said)
 
 
 if __name__ == "__main__":

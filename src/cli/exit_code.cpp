@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/cli/exit_code.hpp"
+
+#include <new>
+#include <sstream>
+#include <string>
+#include <system_error>
+
+#include "src/cli/messages.hpp"
+#include "src/config/errors.hpp"
+
+namespace bagnold {
+
+namespace {
+
+/// Lines of which nobody reads the middle, as where a file has a word of a megabyte.
+std::string with_short_lines(std::string const& message) {
+  constexpr std::size_t head = 1000, tail = 300;
+  std::string out;
+  std::istringstream lines(message);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.size() > head + tail)
+      line = line.substr(0, head) + " ... " + line.substr(line.size() - tail);
+    out += (out.empty() ? "" : "\n") + line;
+  }
+  return out;
+}
+
+ExitCode told(std::string const& message, ExitCode code) {
+  say(with_short_lines(message));
+  return code;
+}
+
+}  // namespace
+
+ExitCode exit_code_of(std::exception_ptr const& failure) {
+  try {
+    std::rethrow_exception(failure);
+  } catch (InputError const& error) {
+    return told(error.what(), bad_input);
+  } catch (NumericalError const& error) {
+    return told(error.what(), numerical_failure);
+  } catch (FileError const& error) {
+    return told(error.what(), file_failure);
+  } catch (std::system_error const& error) {
+    return told(error.what(), file_failure);
+  } catch (std::bad_alloc const&) {
+    return told("out of memory; use fewer disks or a machine with more", bad_input);
+  } catch (std::exception const& error) {
+    return told(
+        std::string("internal error (") + error.what() + "); please report it, with the scene",
+        internal_error);
+  } catch (...) {
+    return told("internal error; please report it, with the scene", internal_error);
+  }
+}
+
+}  // namespace bagnold

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <exception>
+
+namespace bagnold {
+
+/// How the program ends where it is not stopped by a signal; README.md tells users.
+enum ExitCode {
+  done = 0,
+  points_failed = 1,  ///< of a sweep
+  bad_input = 2,
+  numerical_failure = 3,
+  file_failure = 4,
+  internal_error = 5
+};
+
+/// Says what went wrong, and with which code that ends the program.
+ExitCode exit_code_of(std::exception_ptr const& failure);
+
+}  // namespace bagnold
