@@ -83,12 +83,16 @@ Comparison compared(json const& entry, Row const& row) {
                  std::isfinite(ours) ? with_error(ours, own) : "not found", "-"};
   bool const roughly = entry.value("about", false);
   if (roughly) out.stated = "about " + out.stated;
-  if (roughly && std::isfinite(ours))
+  if (!std::isfinite(ours)) return out;
+  if (roughly) {
     out.deviation = fmt::format("{:+.0f}%", 100 * off / std::abs(low));
-  else if (std::isfinite(ours) && off == 0 && is_range)
+    if (off != 0 && std::isfinite(off / own))
+      out.deviation += fmt::format(" ({:+.1f} of our errors)", off / own);
+  } else if (off == 0 && is_range) {
     out.deviation = "inside";
-  else if (std::isfinite(off / error))
+  } else if (std::isfinite(off / error)) {
     out.deviation = fmt::format("{:+.1f} standard errors", off / error);
+  }
   return out;
 }
 

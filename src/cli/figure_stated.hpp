@@ -14,7 +14,7 @@ struct Comparison {
   std::string what, source;
   std::string stated, ours;
   std::string deviation;  ///< in standard errors of both, "-" where none is known; of what is
-                          ///< stated with "about" in per cent
+                          ///< stated with "about" in per cent, and in our errors
 };
 
 /// The rows of an analysis that the entry of a figure names, each against what is stated; one that
