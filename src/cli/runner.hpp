@@ -20,7 +20,8 @@ namespace bagnold {
 /// results.
 ///
 /// Where the scene has a target error, all replicas are taken to the same number of windows, from a
-/// grid that depends on nothing else (target_error.hpp), before it is seen whether that is enough.
+/// grid that depends on nothing else (src/statistics/stopping.hpp), before it is seen whether that
+/// is enough.
 class Runner {
  public:
   Runner(RunFolder const& folder, Run run, Machine const& machine, bool quiet);
