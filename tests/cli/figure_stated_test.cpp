@@ -47,8 +47,7 @@ TEST(Stated, SaysWhatIsNotFound) {
   EXPECT_EQ(compare(entry(nlohmann::json::object()), rows)[1].what,
             "x, Q = 10");  // rows told apart
   EXPECT_EQ(compare(entry({{"about", true}}), rows)[0].stated, "about 1");
-  EXPECT_EQ(compare(entry({{"about", true}}), rows)[0].deviation,
-            "+50% (+1.7 of our errors)");
+  EXPECT_EQ(compare(entry({{"about", true}}), rows)[0].deviation, "+50% (+1.7 of our errors)");
 }
 
 }  // namespace bagnold::test
