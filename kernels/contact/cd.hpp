@@ -13,6 +13,8 @@ namespace bagnold {
 struct CD {
   static constexpr std::string_view name = "CD";
   static constexpr bool rotates = false;  ///< translation does not feel the rotation
+  static constexpr bool linear = true;
+  static constexpr bool one_constant = true;  ///< k_t = k_n
   Real damping;                           ///< k_d, [m / tau_e]; 1/Q in reduced units
 
   Real normal_damping() const { return damping; }

@@ -13,6 +13,8 @@ namespace bagnold {
 struct CDn {
   static constexpr std::string_view name = "CD_n";
   static constexpr bool rotates = false;  ///< a central force exerts no torque
+  static constexpr bool linear = true;
+  static constexpr bool one_constant = true;  ///< k_t = 0
   Real damping;                           ///< k_d, [m_0 / tau_e]; 1/Q in reduced units
 
   Real normal_damping() const { return damping; }

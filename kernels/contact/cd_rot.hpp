@@ -13,6 +13,8 @@ namespace bagnold {
 struct CDrot {
   static constexpr std::string_view name = "CD_rot";
   static constexpr bool rotates = true;
+  static constexpr bool linear = true;
+  static constexpr bool one_constant = true;  ///< k_t = k_n
   Real damping;  ///< k_d, [m / tau_e]; 1/Q in reduced units
 
   Real normal_damping() const { return damping; }

@@ -21,12 +21,28 @@ struct Contact {
 /// Largest relative overlap at which a soft disk is still taken for a grain.
 inline constexpr Real largest_relative_overlap = 0.2;
 
-/// A dissipative contact law: name, whether it needs spins, and the force on i from j.
+/// What a law whose force is linear in the velocity says of it: f_dis = -k_n v_n n - k_t v_t.
+template <class Law>
+concept DampingConstants = requires(Law const law) {
+  { law.normal_damping() } -> std::same_as<Real>;      // k_n, [m / tau_e]
+  { law.tangential_damping() } -> std::same_as<Real>;  // k_t, [m / tau_e]
+  { Law::one_constant } -> std::convertible_to<bool>;  // k_t is k_n, or 0, whatever the parameters
+};
+
+/// A dissipative contact law: name, whether it needs spins, the force on i from j, whether that is
+/// linear in the velocity, and its constants if it is.
 template <class Law>
 concept ContactLaw = requires(Law const law, Contact<Real> const contact) {
   { Law::name } -> std::convertible_to<std::string_view>;
   { Law::rotates } -> std::convertible_to<bool>;
+  { Law::linear } -> std::convertible_to<bool>;
   { law.dissipative_force(contact) } -> std::same_as<Vec2<Real>>;
-};
+} && (!Law::linear || DampingConstants<Law>);
+
+/// A law for two-stage damping, whose second look acts on weighed changes of the velocity
+/// (kernels/dynamics/second_look.hpp): linear in them and, without spins, with one weight for both
+/// directions.
+template <class Law>
+concept TwoStageLaw = ContactLaw<Law> && Law::linear && (Law::rotates || Law::one_constant);
 
 }  // namespace bagnold

@@ -13,6 +13,8 @@ namespace bagnold {
 struct General {
   static constexpr std::string_view name = "general";
   static constexpr bool rotates = true;
+  static constexpr bool linear = true;
+  static constexpr bool one_constant = false;
   Real damping_normal;      ///< k_d^(n), [m / tau_e]
   Real damping_tangential;  ///< k_d^(t), [m / tau_e]
 

@@ -11,6 +11,11 @@ namespace bagnold {
 struct NoDissipation {
   static constexpr std::string_view name = "none";
   static constexpr bool rotates = false;
+  static constexpr bool linear = true;
+  static constexpr bool one_constant = true;
+
+  Real normal_damping() const { return 0; }
+  Real tangential_damping() const { return 0; }
 
   template <class T>
   KOKKOS_FUNCTION Vec2<T> dissipative_force(Contact<T> const&) const {

@@ -25,8 +25,7 @@ struct SecondLook {
 
   SecondLook() = default;
 
-  /// The law is linear in the velocity, with these constants along the normal and the tangent.
-  template <ContactLaw Law>
+  template <TwoStageLaw Law>
   SecondLook(Law const& law, SpeciesTable const& table, Real time_step) {
     for (int c = 0; c < classes; ++c) {
       Species const a = c == 2, b = c != 0;
@@ -52,7 +51,7 @@ struct SecondLook {
 
 /// The velocity at a contact whose damping the second look adds. change: of v_i - v_j, at the point of
 /// contact if the law rotates.
-template <ContactLaw Law, class T>
+template <TwoStageLaw Law, class T>
 KOKKOS_FUNCTION Vec2<T> looked_at(Vec2<T> const& change, Vec2<T> const& normal, T const& share_normal,
                                   T const& share_tangential) {
   if constexpr (Law::rotates)

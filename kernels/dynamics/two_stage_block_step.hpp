@@ -10,7 +10,7 @@ namespace bagnold {
 /// TwoStageLeapfrog (two_stage_leapfrog.hpp) on a block. `trial` holds what the first look changes: as
 /// a record {v_x, v_y, thetadot, contacts} a disk. The first look lists the pairs that touch for the
 /// second one.
-template <ContactLaw Law, class Repulsion>
+template <TwoStageLaw Law, class Repulsion>
 struct TwoStageBlockStep : BlockSystem<Law, Repulsion, true> {
   using System = BlockSystem<Law, Repulsion, true>;
   using typename System::Force;

@@ -6,11 +6,11 @@
 #include <memory>
 
 #include "kernels/dynamics/two_stage_block_step.hpp"
-#include "src/config/time_step.hpp"
 #include "src/simulation/backends.hpp"
 #include "src/simulation/block_engine.hpp"
 #include "src/simulation/laws.hpp"
 #include "src/simulation/reference_engine.hpp"
+#include "src/simulation/with_scheme.hpp"
 
 namespace bagnold {
 
@@ -61,9 +61,12 @@ std::unique_ptr<Simulation> make_for_law(Scene const& scene, Snapshot& snapshot,
                                      scene.integration.engine, backend, make);
   };
   auto const make_with = [&]<class Repulsion>(Repulsion) {
-    if (scheme_of(scene) == two_stage_scheme)
-      return make_step(std::type_identity<TwoStageBlockStep<Law, Repulsion>>{});
-    return make_step(std::type_identity<BlockStep<Law, Repulsion>>{});
+    return with_scheme<Law>(scene, [&]<Scheme stepped>(std::integral_constant<Scheme, stepped>) {
+      if constexpr (stepped == Scheme::two_stage_leapfrog)
+        return make_step(std::type_identity<TwoStageBlockStep<Law, Repulsion>>{});
+      else
+        return make_step(std::type_identity<BlockStep<Law, Repulsion>>{});
+    });
   };
   return with_repulsion(scene.disks, make_with);
 }

@@ -5,6 +5,7 @@
 #include "src/simulation/backends.hpp"
 #include "src/simulation/ensemble_engine.hpp"
 #include "src/simulation/laws.hpp"
+#include "src/simulation/with_scheme.hpp"
 
 namespace bagnold {
 
@@ -26,11 +27,9 @@ std::shared_ptr<Ensemble> make_together_on(Scene const& scene,
         scene.shear.strain_rate, time_step(scene), scene.integration.skin, snapshots);
   };
   auto const make_with = [&]<class Repulsion>(Repulsion) {
-    if (scheme_of(scene) == two_stage_scheme)
-      return make(
-          std::type_identity<EnsembleEngine<Law, Repulsion, Space, Scheme::two_stage_leapfrog>>{});
-    return make(std::type_identity<
-                EnsembleEngine<Law, Repulsion, Space, Scheme::modified_velocity_verlet>>{});
+    return with_scheme<Law>(scene, [&]<Scheme stepped>(std::integral_constant<Scheme, stepped>) {
+      return make(std::type_identity<EnsembleEngine<Law, Repulsion, Space, stepped>>{});
+    });
   };
   return with_repulsion(scene.disks, make_with);
 }

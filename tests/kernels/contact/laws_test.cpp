@@ -112,11 +112,15 @@ TYPED_TEST(LawOn, TakesEnergyAndIsLinearInTheVelocity) {
   }
 }
 
-/// CD_n along the normal; CD and CD_rot along the velocity; at k_d = 1/Q times the part they damp.
+/// CD_n along the normal; CD and CD_rot along the velocity; at k_d = 1/Q times the part they damp. The
+/// law says so.
 TYPED_TEST(LawOn, PointsAgainstWhatItDamps) {
   using Law = typename TypeParam::Law;
   auto const contacts = random_contacts();
-  auto const force = this->forces(law_at<Law>(4.0), contacts);
+  auto const law = law_at<Law>(4.0);
+  auto const force = this->forces(law, contacts);
+  EXPECT_TRUE(Law::linear);
+  EXPECT_EQ(Law::one_constant, !(std::is_same_v<Law, General>));
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     auto const& c = contacts[k];
     Vec2<Real> const tangent{-c.normal.y, c.normal.x};
@@ -128,6 +132,8 @@ TYPED_TEST(LawOn, PointsAgainstWhatItDamps) {
     double const damped_t = std::is_same_v<Law, CDn>       ? 0.0
                             : std::is_same_v<Law, General> ? 1.6
                                                            : 1.0;
+    EXPECT_EQ(4 * law.normal_damping(), damped_n);
+    EXPECT_EQ(4 * law.tangential_damping(), damped_t);
     EXPECT_NEAR(along_normal, damped_n, rounding_n);
     EXPECT_NEAR(-4.0 * tangential, damped_t * sliding, 10 * rounding(c));
   }
