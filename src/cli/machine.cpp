@@ -70,10 +70,11 @@ Machine choose_for_replicas(Machine machine, Scene const& scene) {
 
 }  // namespace
 
-void free_from_environment() {
+void free_from_environment([[maybe_unused]] int threads) {
   for (auto const* name : {"KOKKOS_NUM_THREADS", "KOKKOS_DISABLE_WARNINGS"}) unsetenv(name);
 #ifdef _OPENMP
   omp_set_dynamic(0);
+  omp_set_num_threads(threads);  // Kokkos starts as many as the environment says, to count them
   omp_set_max_active_levels(std::max(1, omp_get_max_active_levels()));
 #endif
 }

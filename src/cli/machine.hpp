@@ -22,16 +22,17 @@ struct Machine {
 /// have or that cannot run replicas, and where Kokkos cannot start.
 Machine choose(Machine machine, Scene const& scene);
 
-/// What of the environment would give Kokkos other threads than it is asked for is put aside.
-void free_from_environment();
+/// What of the environment would give Kokkos other threads than these is put aside.
+void free_from_environment(int threads);
 
 /// Kokkos, running. Replicas bring their own threads, each a system's only one.
 class KokkosScope {
  public:
   KokkosScope(Machine const& machine, Scene const& scene) : outermost_(!Kokkos::is_initialized()) {
     if (!outermost_) return;
-    free_from_environment();
-    initialize_kokkos(scene.disks.replicas > 1 ? 1 : machine.threads);
+    int const threads = scene.disks.replicas > 1 ? 1 : machine.threads;
+    free_from_environment(threads);
+    initialize_kokkos(threads);
   }
   ~KokkosScope() {
     if (outermost_) Kokkos::finalize();

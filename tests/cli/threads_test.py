@@ -73,6 +73,7 @@ class OtherThreads(CliTest):
         plain, said = self.few("plain", "--threads", 2)
         self.assertEqual(said, [])
         for variables in ({"OMP_DYNAMIC": "true"}, {"OMP_MAX_ACTIVE_LEVELS": "0"}, {"OMP_NUM_THREADS": "1"},
+                          {"OMP_NUM_THREADS": "100000"},
                           {"KOKKOS_NUM_THREADS": "3"}, {"KOKKOS_NUM_THREADS": "x"},
                           {"KOKKOS_DISABLE_WARNINGS": "x"}, {"OMP_THREAD_LIMIT": "2"}):
             name = "-".join(variables)
