@@ -46,10 +46,11 @@ struct BlockStep : BlockSystem<Law, Repulsion, false> {
     return {};
   }
 
-  /// Second half: the state at t + dt from forces at the trial state. seen(slot, records): called
-  /// with the new motion of each pack of disks.
+  /// Second half: the state at t + dt from forces at the trial state, observed or not. seen(slot,
+  /// records): called with the new motion of each pack of disks.
   template <class Watch>
-  BlockReport correct(std::uint32_t b, ShearedBox const& box, Force* force, Watch&& seen) const {
+  BlockReport correct(std::uint32_t b, ShearedBox const& box, Force* force, bool,
+                      Watch&& seen) const {
     using simd::Pack;
     Block const& block = blocks.block(b);
     refresh_halo(blocks, block, trial, box);
@@ -83,10 +84,22 @@ struct BlockStep : BlockSystem<Law, Repulsion, false> {
     return {simd::largest(fastest2), simd::largest(watch.largest), watch.touching, simd::sum(poison)};
   }
 
-  /// Sees all pairs of the inner list as they are between the two halves of a step. force: scratch.
+  static constexpr int observed_forces = 1;
+
+  /// Sees all pairs of the inner list as they are between the two halves of a step. force:
+  /// [most_local], out: all forces.
   template <class Observer>
   void observe(Block const& block, Force* force, Observer&& observer) const {
     this->evaluate(block, now, force, observer);
+  }
+
+  /// Of eight disks from i on, after observe(). spin: theirs.
+  PackPower observed_power(Force const* force, std::uint32_t i, simd::Mask big,
+                           simd::Pack spin) const {
+    PackPower power;
+    if constexpr (rotates)
+      power.torque = System::diameter_of(big) * simd::load_forces(force + i).turn * spin;
+    return power;
   }
 };
 

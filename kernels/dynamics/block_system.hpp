@@ -89,6 +89,11 @@ struct OverlapWatch {
   }
 };
 
+/// DiskPower of eight disks.
+struct PackPower {
+  simd::Pack dissipation = 0.0, torque = 0.0;
+};
+
 /// All blocks, and what a step of a scheme needs of them. The scheme has two halves with a barrier between
 /// them, as `trial` of a block is read by its neighbours: see BlockStep, TwoStageBlockStep.
 template <ContactLaw L, class R, bool Counting>
@@ -161,6 +166,10 @@ struct BlockSystem {
     double const* spins = nullptr;
     if constexpr (rotates) spins = state.spin.data() + block.first;
     forces(pair_class, blocks, block, list, state.record.data() + block.first, spins, force, observe);
+  }
+
+  static simd::Pack diameter_of(simd::Mask big) {
+    return select(big, simd::Pack(big_diameter), simd::Pack(small_diameter));
   }
 
   /// What turns forces on eight disks into changes of motion, by species.

@@ -14,6 +14,12 @@ struct NoObserver {
   KOKKOS_FUNCTION void operator()(PairForce<Real> const&) const {}
 };
 
+/// Powers of what acts on one disk in a step, beyond those that its pairs show, [m d_s^2 / tau_e^3].
+struct DiskPower {
+  Real dissipation = 0;  ///< leaves the motion
+  Real torque = 0;       ///< goes into the rotation
+};
+
 /// The force on one disk from all disks it touches: images, cutoff, repulsion, torque and sum are
 /// here and nowhere else; the law and the repulsion say only what they differ in.
 ///
@@ -46,6 +52,15 @@ struct ContactForces {
       observe(pair);
     });
     return total;
+  }
+
+  /// Of i, whose pairs the observer sees.
+  template <class Observer>
+  KOKKOS_FUNCTION DiskPower power(std::uint32_t i, Observer&& observe) const {
+    auto const action = (*this)(i, observe);
+    DiskPower power;
+    if constexpr (rotates) power.torque = action.torque * motion(i).spin;
+    return power;
   }
 
   /// The configuration.

@@ -54,9 +54,9 @@ struct DenseStep {
     return {};
   }
 
-  /// Second half: the state at t + dt from forces at the trial state. moved: scratch, [most_local].
-  /// The report's speed is that of the disks that touch.
-  BlockReport correct(Step const& step, std::uint32_t b, ShearedBox const& box, Force* force,
+  /// Second half: the state at t + dt from forces at the trial state, observed or not. moved: scratch,
+  /// [most_local]. The report's speed is that of the disks that touch.
+  BlockReport correct(Step const& step, std::uint32_t b, ShearedBox const& box, Force* force, bool,
                       simd::Record* moved) const {
     using simd::Pack;
     Block const& block = step.blocks.block(b);

@@ -20,8 +20,6 @@ struct SecondLook {
   static constexpr int classes = 3;  ///< small-small, small-big, big-big
   Real normal[classes][most];      ///< by N mod 8
   Real tangential[classes][most];  ///< by N mod 8
-  Real per_force[classes];  ///< dt (1/m_i + 1/m_j)
-  Real per_turn[classes];   ///< dt (d_i^2/I_i + d_j^2/I_j)
 
   SecondLook() = default;
 
@@ -29,13 +27,9 @@ struct SecondLook {
   SecondLook(Law const& law, SpeciesTable const& table, Real time_step) {
     for (int c = 0; c < classes; ++c) {
       Species const a = c == 2, b = c != 0;
-      auto const spun = [&](Species s) {
-        return table.diameter[s] * table.diameter[s] * table.inverse_inertia[s];
-      };
-      per_force[c] = time_step * (table.inverse_mass[a] + table.inverse_mass[b]);
-      per_turn[c] = time_step * (spun(a) + spun(b));
+      Real const per_force = time_step * (table.inverse_mass[a] + table.inverse_mass[b]);
       for (int n = 1; n <= most; ++n) {
-        Real const z = n * per_force[c];
+        Real const z = n * per_force;
         normal[c][n % most] = share(law.normal_damping() * z);
         tangential[c][n % most] = share(law.tangential_damping() * z * (Law::rotates ? 3 : 1));
       }

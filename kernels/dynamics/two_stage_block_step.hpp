@@ -56,14 +56,19 @@ struct TwoStageBlockStep : BlockSystem<Law, Repulsion, true> {
     return report;
   }
 
-  /// Second half: the damping of the changes, and the state at t + dt. seen(slot, records): called with
-  /// the new motion of each pack of disks.
+  /// Second half: the damping of the changes, and the state at t + dt. observed: force is as observe()
+  /// left it. seen(slot, records): called with the new motion of each pack of disks.
   template <class Watch>
-  BlockReport correct(std::uint32_t b, ShearedBox const& box, Force* force, Watch&& seen) const {
+  BlockReport correct(std::uint32_t b, ShearedBox const& box, Force* force, bool observed,
+                      Watch&& seen) const {
     using simd::Pack;
     Block const& block = blocks.block(b);
-    this->clear(block, force);
-    add_second(block, force);
+    if (observed) {
+      force += blocks.most_local;
+    } else {
+      this->clear(block, force);
+      add_second(block, force);
+    }
     Kick const kick(table, time_step);
     Pack fastest2 = 0.0, poison = 0.0;
     for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
@@ -88,11 +93,32 @@ struct TwoStageBlockStep : BlockSystem<Law, Repulsion, true> {
     return {simd::largest(fastest2), 0, 0, simd::sum(poison)};
   }
 
-  /// Sees the pairs that touch, both looks together; between the two halves of a step. force: not used.
+  static constexpr int observed_forces = 2;
+
+  /// Sees the pairs that touch, both looks together; between the two halves of a step. force:
+  /// [2][most_local], out: the damping of both looks, and that of the second one.
   template <class Observer>
   void observe(Block const& block, Force* force, Observer&& observer) const {
     copy_halo(block);
+    this->clear(block, force);
+    this->clear(block, force + blocks.most_local);
     look<true>(block, force, observer);
+  }
+
+  /// Of eight disks from i on, after observe(), as ChangeForces has it. spin: theirs.
+  PackPower observed_power(Force const* force, std::uint32_t i, simd::Mask big,
+                           simd::Pack spin) const {
+    auto const both = simd::load_forces(force + i);
+    auto const second = simd::load_forces(force + blocks.most_local + i);
+    Kick const half(table, time_step / 2);
+    PackPower power;
+    power.dissipation = -(half.per_mass(big) * fma(both.x, second.x, both.y * second.y));
+    if constexpr (rotates) {
+      Pack const torque = System::diameter_of(big) * both.turn, per_inertia = half.per_inertia(big);
+      power.dissipation = fnma(per_inertia * second.turn, torque, power.dissipation);
+      power.torque = torque * fma(per_inertia, both.turn, spin);
+    }
+    return power;
   }
 
   /// Adds what the second look exerts to force, which is cleared where pairs touch.
@@ -164,7 +190,15 @@ struct TwoStageBlockStep : BlockSystem<Law, Repulsion, true> {
     return {simd::load_differences(records, pairs), simd::load_combined(changes, pairs, weight)};
   }
 
-  /// Adds the forces of the second look, or shows those of both looks together.
+  BAGNOLD_INLINE static void scatter(Force* force, simd::LocalPair const* pairs, simd::Mask touching,
+                                     PairForce<Pack> const& f, Pack const& inverse_distance) {
+    Pack turn = 0.0;
+    if constexpr (rotates) turn = zero_unless(touching, f.turn(inverse_distance));
+    simd::scatter(force, pairs, zero_unless(touching, f.dissipative.x),
+                  zero_unless(touching, f.dissipative.y), turn);
+  }
+
+  /// Adds the forces of the second look, or shows those of both looks together and adds both.
   template <bool Whole, class Observer>
   void look_at_class(int pair_class, Block const& block, simd::LocalPair const* pairs,
                      std::uint32_t count, Force* force, Observer& observe) const {
@@ -202,25 +236,21 @@ struct TwoStageBlockStep : BlockSystem<Law, Repulsion, true> {
       contact.velocity = looked_at<Law>(change, contact.normal, normal, tangential);
       PairForce<Pack> f{separation, {}, law.dissipative_force(contact), {}, {}};
       if constexpr (Whole) {
+        scatter(force + blocks.most_local, pairs + k, touching, f, inverse_distance);
         Vec2<Pack> velocity{d.vx, d.vy};
         if constexpr (rotates)
           velocity = velocity -
                      turned(diameter_a * simd::load_sums(now.spin.data() + block.first, pairs + k,
                                                          diameter_b / diameter_a));
-        f.velocity =
-            velocity + Pack(0.5) * (change + own_change<Law>(f, inverse_distance,
-                                                             Pack(shares.per_force[pair_class]),
-                                                             Pack(shares.per_turn[pair_class])));
+        f.velocity = velocity + Pack(0.5) * change;
         contact.velocity = contact.velocity + velocity;
         f.elastic = repulsion.magnitude(contact) * contact.normal;
         f.dissipative = law.dissipative_force(contact);
         f.relative_overlap = contact.relative_overlap;
+        scatter(force, pairs + k, touching, f, inverse_distance);
         observe(PackOfPairs{pairs + k, touching, f});
       } else {
-        Pack turn = 0.0;
-        if constexpr (rotates) turn = zero_unless(touching, f.turn(inverse_distance));
-        simd::scatter(force, pairs + k, zero_unless(touching, f.dissipative.x),
-                      zero_unless(touching, f.dissipative.y), turn);
+        scatter(force, pairs + k, touching, f, inverse_distance);
       }
     }
   }

@@ -45,20 +45,20 @@ struct TwoStageDenseStep {
     return {0, simd::largest(watch.largest), watch.touching, 0};
   }
 
-  /// Second half: the damping of the changes, and the state at t + dt. The report's speed is that of
-  /// the disks that touch.
+  /// Second half: the damping of the changes, and the state at t + dt. observed: force is as
+  /// Step::observe() left it. The report's speed is that of the disks that touch.
   BlockReport correct(Step const& step, std::uint32_t b, ShearedBox const& box, Force* force,
-                      simd::Record*) const {
+                      bool observed, simd::Record*) const {
     using simd::Pack;
     Block const& block = step.blocks.block(b);
     auto* const now = step.now.record.data() + block.first;
     auto* const change = step.trial.record.data() + block.first;
-    for (int c = 0; c < pair_classes; ++c) {
-      auto const* pairs = step.blocks.near[contact_list].data() + block.pairs[c];
-      for (std::uint32_t k = 0; k < simd::round_up(block.near[contact_list][c]); ++k)
-        simd::at(force, pairs[k].a4) = simd::at(force, pairs[k].b4) = Force{};
+    if (observed) {
+      force += step.blocks.most_local;
+    } else {
+      clear_touching(step, block, force);
+      step.add_second(block, force);
     }
-    step.add_second(block, force);
     typename Step::Kick const kick(step.table, step.time_step);
     Pack fastest2 = 0.0, poison = 0.0;
     auto const* const list = active.list.data() + block.first;
@@ -83,6 +83,15 @@ struct TwoStageDenseStep {
     for (std::uint32_t k = 0; k < active.count(b); ++k)
       active.is_active(block.first + list[k] / 4u) = 0;
     return {simd::largest(fastest2), 0, 0, simd::sum(poison)};
+  }
+
+ private:
+  static void clear_touching(Step const& step, Block const& block, Force* force) {
+    for (int c = 0; c < pair_classes; ++c) {
+      auto const* pairs = step.blocks.near[contact_list].data() + block.pairs[c];
+      for (std::uint32_t k = 0; k < simd::round_up(block.near[contact_list][c]); ++k)
+        simd::at(force, pairs[k].a4) = simd::at(force, pairs[k].b4) = Force{};
+    }
   }
 };
 

@@ -46,7 +46,11 @@ struct FirstLook {
 };
 
 /// The damping of the changes. Observers see the forces of both looks together, and the velocity halfway
-/// through the step, but for what the second looks at other pairs change.
+/// through the step, but for what second looks change of it, which power() adds up disk by disk:
+///
+///     sum_pairs f_ij . (b_i - b_j) = sum_i f_i . b_i,   f: the damping of both looks
+///
+/// and the same with torques and spins.
 template <ContactLaw Law, class Repulsion, class Space>
 struct ChangeForces {
   static constexpr bool rotates = Law::rotates;
@@ -54,12 +58,39 @@ struct ChangeForces {
   Kokkos::View<Motion<rotates> const*, Space> change;
   Kokkos::View<int const*, Space> contacts;
   Kokkos::View<SecondLook const*, Space> shares;  ///< [1]: looked up by index, so in memory
+  Real time_step;                                 ///< dt, [tau_e]
 
   KOKKOS_FUNCTION ContactForces<Law, Repulsion, Space> const& now() const { return forces; }
 
   template <class Observer>
   KOKKOS_FUNCTION Action<rotates> operator()(std::uint32_t i, Observer&& observe) const {
-    Action<rotates> total;
+    return damping(i, observe).second;
+  }
+
+  /// As ContactForces has it, of the whole step.
+  template <class Observer>
+  KOKKOS_FUNCTION DiskPower power(std::uint32_t i, Observer&& observe) const {
+    auto const [second, both] = damping(i, observe);
+    auto const species = forces.species(i);
+    Real const half_per_mass = time_step / 2 * forces.table.inverse_mass[species];
+    DiskPower power{-half_per_mass * dot(both.force, second.force), 0};
+    if constexpr (rotates) {
+      Real const half_per_inertia = time_step / 2 * forces.table.inverse_inertia[species];
+      power.dissipation -= half_per_inertia * both.torque * second.torque;
+      power.torque = both.torque * (forces.motion(i).spin + half_per_inertia * both.torque);
+    }
+    return power;
+  }
+
+ private:
+  /// On one disk, of the second look and of both.
+  struct Damping {
+    Action<rotates> second, both;
+  };
+
+  template <class Observer>
+  KOKKOS_FUNCTION Damping damping(std::uint32_t i, Observer&& observe) const {
+    Damping total;
     Real const diameter_i = forces.table.diameter[forces.species(i)];
     forces.each_contact(i, [&](std::uint32_t j, Vec2<Real> const& separation, Real distance2,
                                Real inverse_distance, Vec2<Real> const& velocity, Real spins) {
@@ -85,14 +116,16 @@ struct ChangeForces {
       contact.velocity = looked_at<Law>(changed, contact.normal, share.normal[c][n],
                                         share.tangential[c][n]);
       PairForce<Real> pair{separation, forces.repulsion.magnitude(contact) * contact.normal,
-                           forces.law.dissipative_force(contact), contact.relative_overlap, {}};
-      total.force += pair.dissipative;
-      if constexpr (rotates) total.torque += diameter_i * pair.turn(inverse_distance);
-      pair.velocity = at_contact + Real(0.5) * (changed + own_change<Law>(pair, inverse_distance,
-                                                                          share.per_force[c],
-                                                                          share.per_turn[c]));
+                           forces.law.dissipative_force(contact), contact.relative_overlap,
+                           at_contact + Real(0.5) * changed};
+      auto const add = [&](Action<rotates>& to) {
+        to.force += pair.dissipative;
+        if constexpr (rotates) to.torque += diameter_i * pair.turn(inverse_distance);
+      };
+      add(total.second);
       contact.velocity = contact.velocity + at_contact;
       pair.dissipative = forces.law.dissipative_force(contact);
+      add(total.both);
       observe(pair);
     });
     return total;

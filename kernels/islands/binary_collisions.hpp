@@ -77,7 +77,7 @@ struct BinaryCollisions {
         for (auto lanes = sampled.lanes(); lanes != 0; lanes &= lanes - 1) {
           int const k = __builtin_ctz(lanes);
           add_sample(sums[static_cast<std::size_t>(k) * times.bins() + times.bin(sample[k])], f, p,
-                     q, k, step.v[k]);
+                     q, touch, k, step.v[k]);
           watch.sample(k, times.bin(sample[k]), times.step(sample[k]), f.force.separation, velocity,
                        {p.spin, q.spin});
           due.v[k] = due_step(times, ++sample[k]);
@@ -318,8 +318,8 @@ struct BinaryCollisions {
   }
 
   /// One evaluated configuration of one pair, less that of its straight flights.
-  void add_sample(Sums<rotates>& sums, Felt const& f, Lanes const& p, Lanes const& q, int k,
-                  Real step) const {
+  void add_sample(Sums<rotates>& sums, Felt const& f, Lanes const& p, Lanes const& q,
+                  Touch const& touch, int k, Real step) const {
     using C = SumColumns;
     auto* const to = sums.value;
     if (f.touching.lanes() >> k & 1) {
@@ -333,6 +333,12 @@ struct BinaryCollisions {
       to[C::dissipative_yy] += dissipative.y.v[k] * r.y.v[k];
       to[C::dissipation] -= dissipative.x.v[k] * velocity.x.v[k] + dissipative.y.v[k] * velocity.y.v[k];
       to[C::contacts] += 2;
+      if constexpr (rotates) {
+        Real const turn = f.turn.v[k], half = two_stage ? time_step / 2 : 0;
+        to[C::torque_power] +=
+            touch.diameter_a.v[k] * turn * (p.spin.v[k] + half * p.turn_to_spin.v[k] * turn) +
+            touch.diameter_b.v[k] * turn * (q.spin.v[k] + half * q.turn_to_spin.v[k] * turn);
+      }
     }
     Real const time = time_step * step;
     SampleTimes::Powers const now{1, time, time * time};

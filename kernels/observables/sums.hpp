@@ -28,6 +28,8 @@ struct SumColumns {
     count,           ///< columns of a law that does not rotate
     spin = count,    ///< sum thetadot, [1 / tau_e]
     spin2,           ///< sum thetadot^2, P2 Eq. (29)
+    torque_power,    ///< sum of torque times thetadot = -k_t sum v^C_T v^R over pairs, P2 Eqs. (32)-(33):
+                     ///< power that goes into the rotation, [m d_s^2 / tau_e^3]
     count_rotating
   };
 };
@@ -63,6 +65,14 @@ struct PairSums {
   }
 };
 
+/// Adds one disk's part of the sums over pairs, and of their power.
+template <class Forces, bool Rotates>
+KOKKOS_FUNCTION void add_pairs(Forces const& forces, std::uint32_t i, Sums<Rotates>& sums) {
+  auto const power = forces.power(i, PairSums<Rotates>{sums});
+  sums.value[SumColumns::dissipation] += power.dissipation;
+  if constexpr (Rotates) sums.value[SumColumns::torque_power] += power.torque;
+}
+
 /// One disk's part of the sums. Forces: ContactForces, or what stands for them in a scheme's step.
 template <class Forces>
 struct MeasureDisk {
@@ -71,7 +81,7 @@ struct MeasureDisk {
   KOKKOS_FUNCTION auto operator()(std::uint32_t i) const {
     auto const& now = forces.now();
     Sums<Forces::rotates> sums;
-    forces(i, PairSums<Forces::rotates>{sums});
+    add_pairs(forces, i, sums);
     Real* const s = sums.value;
     Real const mass = 1 / now.table.inverse_mass[now.species(i)];
     auto const motion = now.motion(i);

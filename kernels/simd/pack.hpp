@@ -241,4 +241,31 @@ struct CountPairs {
 #endif
 };
 
+/// Rows of an 8 x 8 matrix to its columns.
+BAGNOLD_INLINE void transpose(Pack (&m)[width]) {
+#if BAGNOLD_AVX512
+  __m512d pairs[width];  // even and odd columns of two rows, side by side
+  for (int k = 0; k < width; k += 2) {
+    pairs[k] = _mm512_unpacklo_pd((__m512d)m[k].v, (__m512d)m[k + 1].v);
+    pairs[k + 1] = _mm512_unpackhi_pd((__m512d)m[k].v, (__m512d)m[k + 1].v);
+  }
+  for (int odd = 0; odd < 2; ++odd) {
+    __m512d const* const p = pairs + odd;
+    __m512d const a = _mm512_shuffle_f64x2(p[0], p[2], 0x88), b = _mm512_shuffle_f64x2(p[4], p[6], 0x88);
+    __m512d const c = _mm512_shuffle_f64x2(p[0], p[2], 0xdd), d = _mm512_shuffle_f64x2(p[4], p[6], 0xdd);
+    m[odd] = (Lanes)_mm512_shuffle_f64x2(a, b, 0x88);
+    m[odd + 4] = (Lanes)_mm512_shuffle_f64x2(a, b, 0xdd);
+    m[odd + 2] = (Lanes)_mm512_shuffle_f64x2(c, d, 0x88);
+    m[odd + 6] = (Lanes)_mm512_shuffle_f64x2(c, d, 0xdd);
+  }
+#else
+  for (int i = 0; i < width; ++i)
+    for (int j = 0; j < i; ++j) {
+      double const moved = m[i].v[j];
+      m[i].v[j] = m[j].v[i];
+      m[j].v[i] = moved;
+    }
+#endif
+}
+
 }  // namespace bagnold::simd

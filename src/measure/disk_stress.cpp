@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "kernels/dynamics/two_stage_leapfrog.hpp"
+#include "src/config/time_step.hpp"
 #include "src/measure/disk_search.hpp"
 #include "src/simulation/laws.hpp"
 
@@ -10,10 +12,18 @@ namespace bagnold {
 
 namespace {
 
+template <class Forces>
+std::vector<Sums<false>> sums_of(Forces const& forces, std::size_t count) {
+  std::vector<Sums<false>> of(count);
+  for (std::uint32_t i = 0; i < count; ++i) add_pairs(forces, i, of[i]);
+  return of;
+}
+
 template <ContactLaw Law, class Repulsion>
 std::vector<Sums<false>> stress_under(Law const& law, Repulsion const& repulsion,
                                       Scene const& scene, State const& state) {
   auto const search = disk_search(state, 0.0);
+  auto const count = state.count();
   ContactForces<Law, Repulsion, FrameSpace> const forces{
       search.position,
       to_device<FrameSpace>("measure::motion", motions<Law::rotates>(state)),
@@ -23,9 +33,19 @@ std::vector<Sums<false>> stress_under(Law const& law, Repulsion const& repulsion
       search.box,
       law,
       repulsion};
-  std::vector<Sums<false>> of(state.count());
-  for (std::uint32_t i = 0; i < of.size(); ++i) forces(i, PairSums<false>{of[i]});
-  return of;
+  if (scheme_of(scene) != two_stage_scheme) return sums_of(forces, count);
+
+  double const dt = time_step(scene);
+  FirstLook<Law, Repulsion, FrameSpace> const first{
+      forces, dt, Kokkos::View<Motion<Law::rotates>*, FrameSpace>("measure::change", count),
+      Kokkos::View<int*, FrameSpace>("measure::contacts", count)};
+  Real too_deep = 0;  // what engines stop for
+  for (std::uint32_t i = 0; i < count; ++i) first(i, too_deep);
+  auto const shares =
+      to_device<FrameSpace>("measure::second_look", std::vector{SecondLook(law, forces.table, dt)});
+  return sums_of(
+      ChangeForces<Law, Repulsion, FrameSpace>{forces, first.change, first.contacts, shares, dt},
+      count);
 }
 
 }  // namespace

@@ -279,23 +279,24 @@ class BlockEngine final : public Simulation {
     if (begin == end) return;
     auto const next_box = box_at(step_ + 1);
     auto const most_local = kernels_.blocks.most_local;
+    std::size_t const room = most_local * std::size_t{Step::observed_forces};
     auto const of_block = [&](std::uint32_t k, Force* force, auto const& correct) {
       auto const b = wavefront_.second_half[begin + k];
       if (sampled) sums_(b) = measure_block(kernels_, b, clock_.strain_rate, force);
       reports_(b) += correct(b);
     };
     if (!dense_)
-      loop_->with_scratch<Force>(end - begin, most_local, [&](std::uint32_t k, Force* force) {
+      loop_->with_scratch<Force>(end - begin, room, [&](std::uint32_t k, Force* force) {
         of_block(k, force, [&](std::uint32_t b) {
-          return kernels_.correct(b, next_box, force, [](auto&&...) {});
+          return kernels_.correct(b, next_box, force, sampled, [](auto&&...) {});
         });
       });
     else
-      loop_->with_scratch<DenseScratch>(end - begin, most_local, [&](std::uint32_t k, DenseScratch* scratch) {
+      loop_->with_scratch<DenseScratch>(end - begin, room, [&](std::uint32_t k, DenseScratch* scratch) {
         auto* const moved = reinterpret_cast<simd::Record*>(scratch);
         auto* const force = reinterpret_cast<Force*>(moved + most_local);
         of_block(k, force, [&](std::uint32_t b) {
-          return dense_step_.correct(kernels_, b, next_box, force, moved);
+          return dense_step_.correct(kernels_, b, next_box, force, sampled, moved);
         });
       });
   }

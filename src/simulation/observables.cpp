@@ -141,6 +141,9 @@ std::vector<Observable> observables(Scene const& scene, double box_length) {
        [=](Averages a) { return a[C::velocity_x2] / a[C::velocity_y2]; }},
       {"energy_gap", "1", "1 - dissipated power/(sigma gammadot L^2): 0 if no energy is lost or made", [=](Averages a) {
          return 1 - a[C::dissipation] / (shear_stress(a) * rate);
+       }},
+      {"p_dis_share", "1", "p_dis/p: 0 over whole contacts", [=](Averages a) {
+         return pressure(a, dissipative) / pressure(a);
        }}};
   if (scene.rotates()) {
     list.push_back({"spin_mean", "1", "<thetadot>/gammadot",
@@ -149,6 +152,9 @@ std::vector<Observable> observables(Scene const& scene, double box_length) {
                       double const mean = a[C::spin] / (n * rate);
                       return a[C::spin2] / (n * rate * rate) - mean * mean;
                     }});
+    list.push_back({"torque_power", "1",
+                    "power of the torques/(sigma gammadot L^2): 0 if <V^C_T V^R> = 0",
+                    [=](Averages a) { return a[C::torque_power] / (shear_stress(a) * rate); }});
   }
   if (scene.measure.contacts) add_contacts(scene, list);
   return list;

@@ -118,7 +118,8 @@ class ReferenceEngine final : public Simulation {
   }
 
   ChangeForces<Law, Repulsion, Space> change_forces() const {
-    return {forces_at(step_, position_, motion_), trial_motion_, contacts_, shares_};
+    return {forces_at(step_, position_, motion_), trial_motion_, contacts_, shares_,
+            clock_.time_step};
   }
 
   void do_step() {

@@ -83,7 +83,8 @@ class SystemRun {
   KOKKOS_FUNCTION Forces forces_now() const { return forces(box_, views_.position, views_.motion); }
 
   KOKKOS_FUNCTION ChangeForces<Law, Repulsion, Space> change_forces() const {
-    return {forces_now(), views_.trial_motion, views_.step.contacts, views_.step.shares};
+    return {forces_now(), views_.trial_motion, views_.step.contacts, views_.step.shares,
+            constants_.clock.time_step};
   }
 
   /// The first look of a two-stage step; the changes are in the trial motions.

@@ -320,7 +320,8 @@ class WindowedSteps {
     if (contacts_) contacts_.list_batches(step.blocks, slot);
     ShearedBox const box{clock.box_length, 0, clock.strain_rate};
     loop.with_scratch<typename Step::Force>(
-        count, step.blocks.most_local, [&](std::uint32_t b, typename Step::Force* force) {
+        count, step.blocks.most_local * std::size_t{Step::observed_forces},
+        [&](std::uint32_t b, typename Step::Force* force) {
           DeviationWatch watch{batches_.origin.data(), batches_.deviation2.data(), 0,
                                clock.time_step};
           std::size_t sample = 0;
@@ -336,7 +337,8 @@ class WindowedSteps {
               look(b, s);
             }
             auto report = step.predict(b, box, force);
-            if (sample < times_.size() && s == times_.step(sample)) {
+            bool const sampled = sample < times_.size() && s == times_.step(sample);
+            if (sampled) {
               auto& sums = sums_[units_[first_unit + b].sums + times_.bin(sample)];
               auto const here = measure_block(step, b, clock.strain_rate, force);
               for (int c = 0; c < Sums<rotates>::columns; ++c) sums.value[c] += here.value[c];
@@ -345,7 +347,7 @@ class WindowedSteps {
               ++sample;
             }
             watch.time = static_cast<Real>(s + 1) * clock.time_step;
-            report += step.correct(b, box, force, watch);
+            report += step.correct(b, box, force, sampled, watch);
             idle = report.touching == 0;
             outcome_[b].touching += report.touching;
             outcome_[b].bad = outcome_[b].bad || report.poison != 0 ||

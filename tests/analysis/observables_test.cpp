@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <random>
+#include <set>
 #include <string>
 
 #include "kernels/observables/sums.hpp"
@@ -23,6 +24,7 @@ struct Means {
   double contacts;                              ///< of a disk
   double dvx2, vy2;                             ///< P2 Eqs. (35), (36)
   double dissipation;                           ///< of an area, [m / tau_e^3]
+  double torque_power;                          ///< of an area, [m / tau_e^3]
   double spin, spin2;                           ///< thetadot/gammadot and its square, P2 Eq. (29)
 };
 
@@ -43,6 +45,7 @@ Means random_means(std::uint64_t seed) {
   m.dvx2 = positive(random);
   m.vy2 = positive(random);
   m.dissipation = positive(random);
+  m.torque_power = some(random);
   m.spin = -0.5 + some(random);
   m.spin2 = 0.7;
   return m;
@@ -70,6 +73,7 @@ std::vector<double> columns(Scene const& scene, double length, Means const& m) {
   if (scene.rotates()) {
     a[C::spin] = m.spin * rate * n;
     a[C::spin2] = m.spin2 * rate * rate * n;
+    a[C::torque_power] = m.torque_power * area;
   }
   return a;
 }
@@ -107,10 +111,12 @@ Values by_the_papers(Scene const& scene, double length, Means const& m) {
       v["p_kin"] / (static_cast<double>(scene.disks.count) / (length * length));  // p_kin = n T_g
   v["Z"] = m.contacts;
   v["R_v"] = m.dvx2 / m.vy2;  // P2 Eq. (37)
+  v["p_dis_share"] = v["p_dis"] / v["p"];
   v["energy_gap"] = (v["sigma"] * rate - m.dissipation) / (v["sigma"] * rate);
   if (scene.rotates()) {
     v["spin_mean"] = m.spin;
     v["spin_var"] = m.spin2 - m.spin * m.spin;  // P2 Eq. (28)
+    v["torque_power"] = m.torque_power / (v["sigma"] * rate);
   }
   return v;
 }
@@ -151,11 +157,11 @@ TEST(Observables, NamesAndOrderAreThoseOfTheContract) {
       "B_p_dis",     "B_p_kin",     "B_sigma",   "B_sigma_el", "B_sigma_dis",
       "B_sigma_kin", "eta_p",       "eta_p_el",  "eta_sigma",  "eta_sigma_el",
       "mu",          "I",           "T_g",       "Z",          "R_v",
-      "energy_gap",  "spin_mean",   "spin_var"};
+      "energy_gap",  "p_dis_share", "spin_mean", "spin_var",   "torque_power"};
   for (auto const* model : {"CD", "CD_rot"}) {
     Scene const scene = scene_of(model, 1.0);
     auto expected = names;
-    if (!scene.rotates()) expected.resize(names.size() - 2);
+    if (!scene.rotates()) expected.resize(names.size() - 3);
     std::vector<std::string> found;
     for (auto const& observable : observables(scene, 10.0)) {
       found.emplace_back(observable.name);
@@ -185,7 +191,8 @@ TEST(Observables, AreUndefinedWithoutMotion) {
   std::vector<double> const nothing(C::count_rotating, 0.0);
   for (auto const& observable : observables(scene, 10.0)) {
     double const value = observable.value(nothing);
-    if (observable.name == "mu" || observable.name == "R_v" || observable.name == "energy_gap")
+    if (std::set<std::string_view>{"mu", "R_v", "energy_gap", "p_dis_share", "torque_power"}
+            .contains(observable.name))
       EXPECT_TRUE(std::isnan(value)) << observable.name;
     else if (observable.name == "I")
       EXPECT_FALSE(std::isfinite(value));

@@ -27,9 +27,9 @@ STRESSES = "p p_el p_dis p_kin sigma sigma_el sigma_dis sigma_kin"
 NAMES = (
     f"{STRESSES} delta_p delta_p_el delta_p_dis delta_p_kin sigma_dev "
     + " ".join("B_" + name for name in STRESSES.split())
-    + " eta_p eta_p_el eta_sigma eta_sigma_el mu I T_g Z R_v energy_gap"
+    + " eta_p eta_p_el eta_sigma eta_sigma_el mu I T_g Z R_v energy_gap p_dis_share"
 ).split()
-SPIN_NAMES = ["spin_mean", "spin_var"]
+SPIN_NAMES = ["spin_mean", "spin_var", "torque_power"]
 PAPERS, TWO_STAGE = "modified-velocity-verlet", "two-stage-leapfrog"
 LAWS = ("CD", "CD_n", "CD_rot", "general")
 

@@ -18,11 +18,14 @@ using C = SumColumns;
 
 /// What a made-up run is like in each window.
 struct Flow {
-  double overlap = 1e-5;    ///< mean, relative
-  double contacts = 2.0;    ///< Z
-  double friction = 0.2;    ///< mu
-  double gap = 0.0;         ///< energy_gap
-  double anisotropy = 1.0;  ///< R_v
+  double overlap = 1e-5;     ///< mean, relative
+  double contacts = 2.0;     ///< Z
+  double friction = 0.2;     ///< mu
+  double gap = 0.0;          ///< energy_gap
+  double anisotropy = 1.0;   ///< R_v
+  double dissipative = 0.0;  ///< p_dis_share, beside an elastic pressure
+  double torque = 0.0;       ///< torque_power
+  double spin2 = 0.5;        ///< <(thetadot/gammadot)^2>
 };
 
 /// A run whose windows are flow(window) with noise of 5%, so that what is to be found is known.
@@ -50,6 +53,10 @@ class Checks : public testing::Test {
     row[C::elastic_xy] = -flow.friction * pressure * area;
     row[C::dissipation] =
         flow.friction * pressure * scene.shear.strain_rate * area * (1 - flow.gap);
+    row[C::dissipative_xx] = row[C::dissipative_yy] =
+        pressure * area * flow.dissipative / (1 - flow.dissipative);
+    row[C::torque_power] = flow.torque * flow.friction * pressure * scene.shear.strain_rate * area;
+    row[C::spin2] = n * flow.spin2 * scene.shear.strain_rate * scene.shear.strain_rate;
     row[C::contacts] = flow.contacts * n;
     row[C::velocity_x2] = flow.anisotropy;
     row[C::velocity_y2] = 1.0;
@@ -129,6 +136,38 @@ TEST_F(Checks, EnergyThatIsMadeOrLost) {
     EXPECT_NEAR(number(list[0], "energy_gap"), gap, 1e-9);
   }
   for (double const gap : {0.015, -0.015}) EXPECT_EQ(names(warnings_of(Flow{.gap = gap})), "");
+}
+
+/// Over whole contacts the dissipative pressure is 0, and so is what torques do to a steady
+/// rotation.
+TEST_F(Checks, WholeContactsAndSteadyRotationAddUpToNothing) {
+  for (double const sign : {1, -1}) {
+    auto const pressure = warnings_of(Flow{.dissipative = sign * 0.06});
+    ASSERT_EQ(names(pressure), "dissipative_pressure");
+    EXPECT_NEAR(number(pressure[0], "p_dis_share"), sign * 0.06, 1e-9);
+    auto const rotation = warnings_of(Flow{.torque = sign * 0.012});
+    ASSERT_EQ(names(rotation), "rotation_balance");
+    EXPECT_NEAR(number(rotation[0], "torque_power"), sign * 0.012, 1e-9);
+    EXPECT_LT(number(rotation[0], "stored"), 1e-6);
+    EXPECT_EQ(names(warnings_of(Flow{.dissipative = sign * 0.045, .torque = sign * 0.009})), "");
+  }
+}
+
+/// What a rotation that speeds up keeps is not lost: 1.4^2/16 thetadot^2 of each disk at most.
+TEST_F(Checks, ARotationThatSpeedsUpKeepsItsPower) {
+  Flow const flow{.torque = 0.1};
+  double const rate = scene.shear.strain_rate, strain = 10;
+  double const work = flow.friction * flow.overlap * flow.contacts / 4 * strain;  // of a disk
+  for (double const stored : {0.05, 0.2}) {
+    double const gain = stored * work / (1.96 / 16 * rate * rate);
+    auto const list = warnings_of([&](std::int64_t w) {
+      Flow faster = flow;
+      faster.spin2 = gain * static_cast<double>(w - 1000) / 999;
+      return faster;
+    });
+    ASSERT_EQ(names(list), stored < flow.torque ? "rotation_balance" : "");
+    for (auto const& warning : list) EXPECT_NEAR(number(warning, "stored"), stored, 1e-3);
+  }
 }
 
 /// CD_rot, Q = 1: two stages bear 7/18.8 in a packing of Z = 3.5, the papers' scheme 2/18.8.

@@ -265,7 +265,8 @@ class Relations(CliTest):
         series, first = read_series(out), discarded_windows(out)
         observables = read_summary(out)["observables"]
         mean = {name: float(np.mean(values[first:])) for name, values in series.items()}
-        linear = set(observables) - {"sigma_dev", "mu", "I", "R_v", "energy_gap", "spin_var"}
+        linear = set(observables) - {"sigma_dev", "mu", "I", "R_v", "energy_gap", "p_dis_share", "spin_var",
+                                     "torque_power"}
         for name in linear:
             scale = float(np.max(np.abs(series[name][first:])))
             self.assert_near(observables[name]["mean"], mean[name], name, scale=scale)
@@ -327,6 +328,7 @@ def observe(state, model, mass, rate, damping=1.0):
     if model == "CD_rot":  # arms s_ji = r_ji d_i / (d_i + d_j), P2 Eq. 6
         turn = (state["spin"][i] * d[i] + state["spin"][j] * d[j]) / (d[i] + d[j])
         v_x, v_y = v_x + turn * y, v_y - turn * x
+        torque_power = damping * np.sum((v_y * x - v_x * y) * turn)  # P2 Eq. 7
     f = (1 - distance / contact) / contact
     dv = v - rate * r[:, 1:] * [1, 0]
     result = {
@@ -343,6 +345,8 @@ def observe(state, model, mass, rate, damping=1.0):
     if model == "CD_rot":
         result["spin_mean"] = np.mean(state["spin"]) / rate
         result["spin_var"] = np.var(state["spin"]) / rate**2
+        sigma = result["sigma_el"] + result["sigma_dis"] + result["sigma_kin"]
+        result["torque_power"] = torque_power / (sigma * rate * area)
     return result
 
 

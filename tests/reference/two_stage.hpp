@@ -49,12 +49,15 @@ inline std::array<double, 2> damped_velocity(Parameters p, State const& s, Conta
   return {-f.dissipative_x, -f.dissipative_y};
 }
 
+/// What the damping of a step does, [m d_s^2 / tau_e^3].
+struct StepPower {
+  double dissipation = 0.0;  ///< -sum f . v over pairs, v halfway through the step
+  double torque = 0.0;       ///< that the rotation gains
+};
+
 /// One step of the two-stage leapfrog: all forces with the velocities of half a step before, then the
 /// damping of the changes that they make, then positions. dissipative: out, sum f_a r_b of both.
-///
-/// Returns what the damping of both takes out, -sum f . v, with v halfway through the step, as far as
-/// the first forces on all and the second one on the pair itself change it.
-inline double two_stage_step(System& system, double (&dissipative)[2][2]) {
+inline StepPower two_stage_step(System& system, double (&dissipative)[2][2]) {
   Parameters const& p = system.p;
   State& s = system.s;
   double const dt = p.time_step;
@@ -62,11 +65,10 @@ inline double two_stage_step(System& system, double (&dissipative)[2][2]) {
   State change = s;
   for (auto& v : change.velocity) v = {0.0, 0.0};
   for (auto& spin : change.spin) spin = 0.0;
-  State const rest = change;
-  State more = change;
+  State all = change;
   std::vector<int> count(s.count(), 0);
   for (auto& row : dissipative) row[0] = row[1] = 0.0;
-  auto const kick = [&](Contact const& c, double x, double y, PairForce const& f, State& on) {
+  auto const exert = [&](Contact const& c, double x, double y, PairForce const& f, State& on) {
     for (auto const& [disk, sign, torque] :
          {std::tuple{c.i, 1.0, f.torque_i}, std::tuple{c.j, -1.0, f.torque_j}}) {
       double const m = mass(p, s.diameter[disk]);
@@ -74,12 +76,14 @@ inline double two_stage_step(System& system, double (&dissipative)[2][2]) {
       on.velocity[disk][1] += sign * y * dt / m;
       if (rotates(p)) on.spin[disk] += torque * dt / moment_of_inertia(p, s.diameter[disk]);
     }
-  };
-  auto const exert = [&](Contact const& c, double x, double y, PairForce const& f, State& on) {
-    kick(c, x, y, f, on);
     double const force[2] = {f.dissipative_x, f.dissipative_y}, r[2] = {c.x, c.y};
     for (int a = 0; a < 2; ++a)
       for (int b = 0; b < 2; ++b) dissipative[a][b] += force[a] * r[b];
+  };
+  auto const changed = [](Contact c, State const& by) {
+    c.velocity_x = by.velocity[c.i][0] - by.velocity[c.j][0];
+    c.velocity_y = by.velocity[c.i][1] - by.velocity[c.j][1];
+    return c;
   };
   for (Contact const& c : found) {
     PairForce const f = pair_force(p, s, c);
@@ -87,30 +91,33 @@ inline double two_stage_step(System& system, double (&dissipative)[2][2]) {
     ++count[c.i];
     ++count[c.j];
   }
-  double power = 0.0;
-  for (Contact c : found) {
+  all = change;
+  std::vector<PairForce> second;
+  for (Contact const& contact : found) {
+    Contact const c = changed(contact, change);
+    second.push_back(pair_force(second_law(p, s, c, std::max(count[c.i], count[c.j])), change, c));
+    exert(c, second.back().dissipative_x, second.back().dissipative_y, second.back(), all);
+  }
+  StepPower power;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    Contact const& c = found[k];
     PairForce const first = pair_force(p, s, c);
     auto const before = damped_velocity(p, s, c);
-    c.velocity_x = change.velocity[c.i][0] - change.velocity[c.j][0];
-    c.velocity_y = change.velocity[c.i][1] - change.velocity[c.j][1];
-    PairForce const f =
-        pair_force(second_law(p, s, c, std::max(count[c.i], count[c.j])), change, c);
-    exert(c, f.dissipative_x, f.dissipative_y, f, more);
-    auto const changed = damped_velocity(p, change, c);
-    State own = rest;
-    kick(c, f.dissipative_x, f.dissipative_y, f, own);
-    c.velocity_x = own.velocity[c.i][0] - own.velocity[c.j][0];
-    c.velocity_y = own.velocity[c.i][1] - own.velocity[c.j][1];
-    auto const by_itself = damped_velocity(p, own, c);
-    double const force[2] = {first.dissipative_x + f.dissipative_x, first.dissipative_y + f.dissipative_y};
-    for (int a = 0; a < 2; ++a) power -= force[a] * (before[a] + 0.5 * (changed[a] + by_itself[a]));
+    auto const gained = damped_velocity(p, all, changed(c, all));
+    double const force[2] = {first.dissipative_x + second[k].dissipative_x,
+                             first.dissipative_y + second[k].dissipative_y};
+    for (int a = 0; a < 2; ++a) power.dissipation -= force[a] * (before[a] + 0.5 * gained[a]);
   }
   for (std::size_t i = 0; i < s.count(); ++i) {
     for (int a = 0; a < 2; ++a) {
-      s.velocity[i][a] += change.velocity[i][a] + more.velocity[i][a];
+      s.velocity[i][a] += all.velocity[i][a];
       s.position[i][a] += s.velocity[i][a] * dt;
     }
-    if (rotates(p)) s.spin[i] += change.spin[i] + more.spin[i];
+    if (!rotates(p)) continue;
+    double const before = s.spin[i];
+    s.spin[i] += all.spin[i];
+    power.torque += 0.5 * moment_of_inertia(p, s.diameter[i]) *
+                    (s.spin[i] * s.spin[i] - before * before) / dt;
   }
   ++system.step;
   wrap(p, s, strain(system));

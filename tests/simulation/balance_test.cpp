@@ -112,6 +112,31 @@ TEST_P(Balance, EnergyIsAccountedFor) {
   }
 }
 
+/// What torques put into the rotation is what it gains, up to the square of the step.
+TEST_P(Balance, RotationIsAccountedFor) {
+  Scene scene = small_scene(0.84);
+  if (!scene.rotates()) GTEST_SKIP() << "has no rotation";
+  State const start_state = shaken_start(scene);
+  auto const p = reference_parameters(scene);
+  auto const energy = [&](State const& s) {
+    double sum = 0;
+    for (std::size_t i = 0; i < s.count(); ++i)
+      sum += 0.5 * reference::moment_of_inertia(p, s.diameter[i]) * s.spin[i] * s.spin[i];
+    return sum;
+  };
+  auto const open_share = [&](double time_step) {
+    scene.integration.time_step = time_step;
+    auto const simulation = simulate(scene, start_state, backend());
+    auto const sums = advance(*simulation, std::llround(20 / time_step), 1).sums;
+    double const gained = energy(simulation->state()) - energy(start_state);
+    return std::abs(time_step * sums[SumColumns::torque_power] - gained) /
+           (time_step * sums[SumColumns::dissipation]);
+  };
+  double const coarse = open_share(0.02), fine = open_share(0.01);
+  EXPECT_LT(coarse, 0.01);
+  EXPECT_LT(fine, 0.6 * coarse);
+}
+
 BAGNOLD_FOR_EVERY_SIMULATION(Balance);
 
 }  // namespace bagnold::test

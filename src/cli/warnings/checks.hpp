@@ -21,6 +21,12 @@ Check large_overlap;
 /// Work is done on the disks that is neither dissipated nor kept: the time step is too coarse.
 Check energy_balance;
 
+/// Whole contacts have a dissipative pressure: the time step is too coarse for them.
+Check dissipative_pressure;
+
+/// Torques put energy into the rotation that it does not keep: the time step is too coarse.
+Check rotation_balance;
+
 /// A time step with which a collision loses another energy than it should.
 Check collision_loss;
 

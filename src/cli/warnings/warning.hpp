@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -31,6 +32,17 @@ struct Finished {
   double mean(std::string_view name) const;
 
   double measured_strain() const;  ///< of each replica
+
+  /// What a name of /series was in a window, mean over replicas.
+  double in_window(std::string_view name, std::size_t window) const;
+
+  /// Change of a function of the window from the first to the last of those measured, without sign.
+  template <class Function>
+  double change(Function const& function) const {
+    auto const first = static_cast<std::size_t>(run.plan.discarded_windows);
+    auto const last = static_cast<std::size_t>(run.plan.windows) - 1;
+    return std::abs(function(last) - function(first));
+  }
 };
 
 /// All that is to be warned of, in a fixed order; none where all is well.

@@ -27,9 +27,17 @@ double Finished::measured_strain() const {
   return plan.strain(plan.steps) - first;
 }
 
+double Finished::in_window(std::string_view name, std::size_t window) const {
+  double sum = 0;
+  for (auto const& replica : run.replicas)
+    sum += of(name)->observable.value(replica.measurement.windows.mean(window, window + 1));
+  return sum / static_cast<double>(run.replicas.size());
+}
+
 std::vector<Warning> warnings(Finished const& finished) {
   static constexpr Check* all[] = {above_jamming, hard_core_limit, large_overlap,
-                                   energy_balance, collision_loss, contact_network,
+                                   energy_balance, dissipative_pressure, rotation_balance,
+                                   collision_loss, contact_network,
                                    steady_state, error_bar, few_collisions,
                                    box_size, contact_durations};
   std::vector<Warning> list;

@@ -111,6 +111,15 @@ TEST(Records, AreMovedAsByPlainLoops) {
   }
 }
 
+TEST(Pack, RowsBecomeColumns) {
+  Pack matrix[width];
+  for (int i = 0; i < width; ++i)
+    for (int j = 0; j < width; ++j) matrix[i].v[j] = 10 * i + j;
+  transpose(matrix);
+  for (int i = 0; i < width; ++i)
+    for (int j = 0; j < width; ++j) EXPECT_EQ(matrix[i].v[j], 10 * j + i);
+}
+
 TEST(Records, AppendKeepsTheOrder) {
   LocalPair pairs[width], kept[width];
   for (std::uint32_t k = 0; k < width; ++k) pairs[k] = LocalPair::make(k, 100 + k);
