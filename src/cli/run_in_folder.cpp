@@ -11,6 +11,7 @@
 #include "src/config/toml_text.hpp"
 #include "src/io/checkpoint.hpp"
 #include "src/io/state_file.hpp"
+#include "src/start/deep_overlaps.hpp"
 
 namespace bagnold {
 
@@ -66,7 +67,9 @@ int run_from_checkpoint(RunFolder const& folder, io::Checkpoint checkpoint, Mach
 
 std::vector<StartedState> states_in_file(Scene const& scene) {
   if (scene.start.kind != "state") return {};
-  return fit_to_scene(io::read_states(scene.start.file), scene);
+  auto started = fit_to_scene(io::read_states(scene.start.file), scene);
+  for (auto const& one : started) warn(deep_overlap_warning(one.state, scene.start.file));
+  return started;
 }
 
 bool begun(std::filesystem::path const& folder) {

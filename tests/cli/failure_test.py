@@ -3,6 +3,7 @@
 
 import os
 import re
+import shutil
 import unittest
 
 import h5py
@@ -50,11 +51,27 @@ class Failure(CliTest):
         result, out = self.state_run(state)
         self.assert_failed(result, out)
         self.assertIn("overlap", result.stderr.lower())
+        self.assert_told(result, "1 pair of disks overlaps by more than 20%", "0 and 1", "by 30%")
+        state["position"][1, 0] += 0.101  # 19.9%
+        shutil.rmtree(out)
+        result, _ = self.state_run(state)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertNotIn("overlap", result.stderr)
+
+    def assert_told(self, result, *words):
+        """Before the run began, and by `validate` too."""
+        scene = self.folder / f"scene{self.written}.toml"
+        for told in (result.stderr, self.bagnold("validate", scene).stderr):
+            first = told.splitlines()[0]
+            for word in ("warning", "start.h5", "push them apart", *words):
+                self.assertIn(word, first)
 
     def test_coinciding_disks(self):
         state = lattice_state()
         state["position"][1] = state["position"][0]
-        self.assert_failed(*self.state_run(state))
+        result, out = self.state_run(state)
+        self.assert_failed(result, out)
+        self.assert_told(result, "1 pair of disks", "by 100%")
 
     def test_a_disk_too_fast(self):
         for speed in (1e3, 1e100):

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/start/deep_overlaps.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "kernels/contact/contact.hpp"
+#include "kernels/core/species.hpp"
+
+namespace bagnold {
+
+namespace {
+
+struct Placed {
+  double x, y;  ///< in the box
+  std::size_t disk;
+};
+
+/// In [0, length); 0 for numbers so large that nothing is left of it.
+double modulo(double x, double length) {
+  double const rest = x - length * std::floor(x / length);
+  return rest >= 0 && rest < length ? rest : 0;
+}
+
+/// Disks in rows that are at least a big diameter high, each in the order of x.
+class Rows {
+ public:
+  explicit Rows(State const& state)
+      : length_(state.box_length),
+        offset_(state.offset),
+        rows_(static_cast<std::size_t>(std::max(1.0, std::floor(length_ / big_diameter)))) {
+    for (std::size_t disk = 0; disk < state.count(); ++disk) {
+      auto const [x, y] = state.position[disk];
+      double const image = std::floor(y / length_);
+      Placed const placed{modulo(x - image * offset_, length_), modulo(y, length_), disk};
+      auto const row =
+          static_cast<std::size_t>(placed.y / length_ * static_cast<double>(rows_.size()));
+      rows_[std::min(row, rows_.size() - 1)].push_back(placed);
+    }
+    for (auto& row : rows_) std::ranges::sort(row, {}, &Placed::x);
+  }
+
+  /// see(one, other, distance) for each pair that may touch, once; until it says false.
+  template <class See>
+  void for_each_pair(See const& see) const {
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+      bool const top = r + 1 == rows_.size();
+      for (Placed const& one : rows_[r]) {
+        if (!in_row(one, rows_[r], 0, 0, /*later_only=*/true, see)) return;
+        if (!in_row(one, rows_[top ? 0 : r + 1], top ? offset_ : 0, top ? length_ : 0,
+                    /*later_only=*/false, see))
+          return;
+      }
+    }
+  }
+
+ private:
+  /// The disks of a row, shifted, that are within a big diameter of one in x.
+  template <class See>
+  bool in_row(Placed const& one, std::vector<Placed> const& row, double x_shift, double y_shift,
+              bool later_only, See const& see) const {
+    double const from = modulo(one.x - x_shift - big_diameter, length_);
+    auto next = std::ranges::lower_bound(row, from, {}, &Placed::x);
+    for (std::size_t seen = 0; seen < row.size(); ++seen, ++next) {
+      if (next == row.end()) next = row.begin();
+      if (modulo(next->x - from, length_) > 2 * big_diameter) return true;
+      double dx = next->x + x_shift - one.x;
+      dx -= length_ * std::round(dx / length_);
+      if (later_only ? next->disk > one.disk : next->disk != one.disk)
+        if (!see(one.disk, next->disk, std::hypot(dx, next->y + y_shift - one.y))) return false;
+    }
+    return true;
+  }
+
+  double length_, offset_;
+  std::vector<std::vector<Placed>> rows_;
+};
+
+}  // namespace
+
+DeepOverlaps deep_overlaps(State const& state, double limit) {
+  DeepOverlaps found;
+  Rows(state).for_each_pair([&](std::size_t i, std::size_t j, double distance) {
+    double const overlap = 1 - 2 * distance / (state.diameter[i] + state.diameter[j]);
+    if (!(overlap > limit)) return true;
+    if (overlap > found.deepest) {
+      found.deepest = overlap;
+      found.disk = std::min(i, j);
+      found.neighbour = std::max(i, j);
+    }
+    return ++found.pairs < DeepOverlaps::most_pairs;
+  });
+  return found;
+}
+
+std::string deep_overlap_warning(State const& state, std::string const& file) {
+  auto const found = deep_overlaps(state, largest_relative_overlap);
+  if (found.pairs == 0) return {};
+  return fmt::format(
+      "{}: {}{} pair{} of disks overlap{} by more than {:.0f}%, disks {} and {} (from 0) by "
+      "{:.3g}%: "
+      "the run stops there; push them apart, or let start.kind = \"random\" make a state",
+      file, found.pairs == DeepOverlaps::most_pairs ? "at least " : "", found.pairs,
+      found.pairs == 1 ? "" : "s", found.pairs == 1 ? "s" : "", 100 * largest_relative_overlap,
+      found.disk, found.neighbour, 100 * found.deepest);
+}
+
+}  // namespace bagnold

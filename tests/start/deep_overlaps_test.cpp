@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/start/deep_overlaps.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace bagnold {
+namespace {
+
+State some_state(std::size_t count, double length, unsigned seed) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> number(-3 * length, 3 * length);
+  State state;
+  state.box_length = length;
+  state.offset = 0.3 * length;
+  for (std::size_t disk = 0; disk < count; ++disk) {
+    state.position.push_back({number(random), number(random)});
+    state.diameter.push_back(disk % 2 == 0 ? 1.0 : 1.4);
+  }
+  return state;
+}
+
+/// All pairs, all images.
+DeepOverlaps by_all_pairs(State const& s, double limit) {
+  DeepOverlaps found;
+  for (std::size_t i = 0; i < s.count(); ++i)
+    for (std::size_t j = i + 1; j < s.count(); ++j)
+      for (int row = -8; row <= 8; ++row)
+        for (int column = -12; column <= 12; ++column) {
+          double const x =
+              s.position[i][0] - s.position[j][0] + row * s.offset + column * s.box_length;
+          double const y = s.position[i][1] - s.position[j][1] + row * s.box_length;
+          double const overlap = 1 - 2 * std::hypot(x, y) / (s.diameter[i] + s.diameter[j]);
+          if (!(overlap > limit)) continue;
+          ++found.pairs;
+          if (overlap > found.deepest) found.deepest = overlap, found.disk = i, found.neighbour = j;
+        }
+  return found;
+}
+
+TEST(DeepOverlaps, AreThoseOfAllPairs) {
+  std::int64_t pairs = 0;
+  for (double const length : {3.0, 5.7, 12.0, 40.0})
+    for (unsigned seed = 1; seed <= 5; ++seed) {
+      State const state = some_state(60, length, seed);
+      auto const expected = by_all_pairs(state, 0.2), found = deep_overlaps(state, 0.2);
+      EXPECT_EQ(found.pairs, expected.pairs) << length;
+      EXPECT_NEAR(found.deepest, expected.deepest, 1e-12) << length;
+      EXPECT_EQ(found.disk, expected.disk) << length;
+      EXPECT_EQ(found.neighbour, expected.neighbour) << length;
+      pairs += found.pairs;
+    }
+  EXPECT_GT(pairs, 1000);
+}
+
+TEST(DeepOverlaps, NeitherHeapsNorWildNumbersHoldItUp) {
+  State state = some_state(200'000, 700.0, 1);
+  for (auto& position : state.position) position = {1.0, 2.0};
+  EXPECT_EQ(deep_overlaps(state, 0.2).pairs, DeepOverlaps::most_pairs);
+  for (auto& position : state.position) position = {1.7e308, -1.7e308};
+  state.offset = 1e308;
+  EXPECT_GT(deep_overlaps(state, 0.2).pairs, 0);
+}
+
+}  // namespace
+}  // namespace bagnold
