@@ -15,6 +15,7 @@
 #include "src/config/scene_file.hpp"
 #include "src/config/toml_text.hpp"
 #include "src/io/atomic_file.hpp"
+#include "src/io/trajectory_parts.hpp"
 
 namespace bagnold {
 
@@ -25,8 +26,10 @@ using Json = nlohmann::ordered_json;
 
 /// Runs a stage, or goes on with it; of a finished one draws pictures that a kill left out.
 int run_stage(fs::path const& path, Scene const& scene, Machine const& machine, bool quiet) {
-  if (fs::exists(path / "summary.json")) {
-    draw_missing_pictures(RunFolder::open(path), scene);
+  if (io::run_finished(path)) {
+    auto const folder = RunFolder::open(path);
+    folder.remove_trajectory_parts();
+    draw_missing_pictures(folder, scene);
     return 0;
   }
   if (begun(path)) return go_on_in(RunFolder::open(path), machine, quiet);

@@ -12,6 +12,7 @@
 #include "src/config/scene_file.hpp"
 #include "src/config/time_step.hpp"
 #include "src/io/atomic_file.hpp"
+#include "src/io/trajectory_parts.hpp"
 
 namespace bagnold {
 
@@ -48,7 +49,7 @@ int resume_command(ResumeOptions const& options) {
   catch_signals();
   refuse_sweep(options.folder);
   RunFolder const folder = RunFolder::open(options.folder);
-  if (std::filesystem::exists(folder.summary())) {
+  if (io::run_finished(folder.path())) {
     folder.remove_trajectory_parts();
     if (std::filesystem::exists(folder.scene()) && !cascade_in(folder))
       draw_missing_pictures(folder, read_scene(folder.scene()));

@@ -9,9 +9,11 @@
 #include <string_view>
 #include <vector>
 
+#include "src/cli/messages.hpp"
 #include "src/config/errors.hpp"
 #include "src/io/atomic_file.hpp"
 #include "src/io/checkpoint.hpp"
+#include "src/io/trajectory_parts.hpp"
 
 namespace bagnold {
 
@@ -66,7 +68,9 @@ bool holds_run(fs::path const& folder) { return !files_of_run(folder).empty(); }
 }  // namespace
 
 RunFolder::RunFolder(fs::path folder)
-    : path_(std::move(folder)), lock_(std::make_unique<io::RunLock>(path_)) {}
+    : path_(std::move(folder)), lock_(std::make_unique<io::RunLock>(path_)) {
+  warn(lock_->remark());
+}
 
 RunFolder RunFolder::make(fs::path const& folder, bool force) {
   auto const refuse_old = [&] {
@@ -107,7 +111,7 @@ RunFolder RunFolder::open(fs::path const& folder) {
 }
 
 void RunFolder::remove_trajectory_parts() const {
-  for (auto const& parts : trajectories(path_, {".parts"})) {
+  for (auto const& parts : io::trajectory_parts(path_)) {
     std::error_code error;
     fs::remove_all(parts, error);
     if (error)

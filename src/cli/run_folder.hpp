@@ -30,6 +30,9 @@ class RunFolder {
   /// Of the replica of this seed; none: of the only system.
   std::filesystem::path trajectory(std::optional<std::int64_t> seed) const;
 
+  /// FileError where the folder was moved or removed since: nothing may be written any more.
+  void check() const { lock_->check_folder(); }
+
   /// Of a finished run: those that a kill right at its end left. Throws FileError.
   void remove_trajectory_parts() const;
 

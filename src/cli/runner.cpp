@@ -129,10 +129,9 @@ void Runner::watch(std::size_t r) {
         watch_contacts(run_.scene, run_.plan, columns, seed(r), frames);
     replica.measurement.windows.columns += ContactColumns::count;
   }
-  if (replica.saved_frames)
-    frames.load(*std::exchange(replica.saved_frames, {}));
-  else
-    frames.begin();
+  if (!replica.saved_frames) return frames.begin();
+  frames.load(*std::exchange(replica.saved_frames, {}));
+  for (auto const& lost : frames.lost()) warn(lost);
 }
 
 std::int64_t Runner::seed(std::size_t r) const {
@@ -243,6 +242,7 @@ io::SystemCheckpoint Runner::checkpoint_of(std::size_t r) {
 }
 
 void Runner::checkpoint() {
+  folder_.check();
   discard_transient(run_);
   std::chrono::duration<double> const stepping = SteadyClock::now() - started_;
   run_.wall_seconds = wall_before_ + stepping.count();
@@ -263,8 +263,18 @@ int Runner::interrupted() const {
   return 128 + stop_signal();
 }
 
+std::string Runner::join_trajectories() {
+  std::string failure;
+  for (auto& replica : run_.replicas) try {
+      replica.measurement.frames.finish();
+      replica.measurement.frames.tidy();
+    } catch (FileError const& error) {
+      if (failure.empty()) failure = error.what();
+    }
+  return failure;
+}
+
 void Runner::finish() {
-  for (auto& replica : run_.replicas) replica.measurement.frames.finish();
   std::vector<State> states;
   for (auto const& simulation : simulations_) {
     simulation->give_back_scratch();
@@ -274,13 +284,16 @@ void Runner::finish() {
   auto const list = estimates(run_);
   auto const suspect = warnings({run_, list});
   write_summary(folder_, run_, list, suspect);
-  for (auto& replica : run_.replicas) replica.measurement.frames.tidy();
+  auto const not_joined = join_trajectories();
   draw_missing_pictures(folder_, run_.scene);  // they show the summary's errors
-  if (quiet_) return;
-  print_table(run_, list);
-  fmt::print("\nresults in {}\n", folder_.path().string());
-  std::fflush(stdout);  // before stderr
-  for (auto const& warning : suspect) warn(text_of(warning));
+  if (!quiet_) {
+    print_table(run_, list);
+    fmt::print("\nresults in {}\n", folder_.path().string());
+    std::fflush(stdout);  // before stderr
+    for (auto const& warning : suspect) warn(text_of(warning));
+  }
+  if (!not_joined.empty())
+    throw FileError(fmt::format("all results are written but the trajectory: {}", not_joined));
 }
 
 }  // namespace bagnold

@@ -52,6 +52,8 @@ class Runner {
   void checkpoint();
   int interrupted() const;
   void finish();
+  /// Those that can be; the first failure, or nothing.
+  std::string join_trajectories();
 
   using SteadyClock = std::chrono::steady_clock;
 

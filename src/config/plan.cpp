@@ -22,6 +22,16 @@ constexpr double big_diameter = 1.4;  // [d_s]
 /// A quotient rounded up, but not for the sake of the rounding of the quotient itself.
 double round_up(double quotient) { return std::ceil(quotient * (1 - 1e-12)); }
 
+/// Of the trajectory of one replica, [bytes]: the part that is not written yet, with a frame beyond
+/// its length and what is the same in all, copies of a frame on its way, HDF5's cache of each dataset.
+double memory_of_trajectory(Scene const& scene, Plan const& plan) {
+  auto const count = static_cast<double>(scene.disks.count);
+  double const frame = count * (scene.rotates() ? 7 : 6) * 8;
+  double const frames = 1 + static_cast<double>(plan.steps) / static_cast<double>(plan.trajectory_steps);
+  double const part = std::min(frames * frame, trajectory_memory / static_cast<double>(scene.disks.replicas));
+  return part + 2 * frame + count * (48 + 20) + 6 * 1024 * 1024;
+}
+
 /// Of what is kept of frames, [bytes]: of each slice 1.5 d_s thick about 20 sums, twice; of fields the
 /// last one. All of it also in a checkpoint and in its image.
 double memory_of_frames(Scene const& scene, Plan const& plan) {
@@ -31,7 +41,7 @@ double memory_of_frames(Scene const& scene, Plan const& plan) {
   double bytes = 0;
   if (scene.measure.profiles) bytes += frames * (8 + scene.box_length() / 1.5) * 2 * 21 * 8 * 5;
   if (scene.measure.fields) bytes += static_cast<double>(scene.disks.count) * 7 * 8 * 3;
-  if (plan.trajectory_steps > 0) bytes += 6 * 1024 * 1024;  // HDF5's cache of each dataset of its file
+  if (plan.trajectory_steps > 0) bytes += memory_of_trajectory(scene, plan);
   return bytes;
 }
 

@@ -44,6 +44,9 @@ Plan make_plan(Scene const& scene);
 /// The same, ending after so many windows.
 Plan shortened(Scene const& scene, Plan plan, std::int64_t windows);
 
+/// Room for frames of a trajectory that wait to be written, of all replicas together, [bytes].
+inline constexpr double trajectory_memory = 64 << 20;
+
 /// Memory a run needs, all in, [bytes].
 double memory_needed(Scene const& scene, Plan const& plan);
 

@@ -25,7 +25,9 @@ std::string read_text(std::filesystem::path const& file) {
   std::string text(most + 1, '\0');
   in.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(in.gcount()));
-  if (in.bad()) throw InputError(fmt::format("{}: reading failed", file.string()));
+  if (in.bad())
+    throw FileError(fmt::format("{}: reading failed ({}); check the disk", file.string(),
+                                std::strerror(errno)));
   if (text.size() > most)
     throw InputError(fmt::format("{}: over 1 MiB; a scene file is a few lines", file.string()));
   return text;

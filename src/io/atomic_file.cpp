@@ -13,7 +13,6 @@
 #include <cstring>
 
 #include "src/config/errors.hpp"
-#include "src/io/descriptor.hpp"
 
 namespace bagnold::io {
 namespace {
@@ -99,15 +98,10 @@ void write_and_compare(std::filesystem::path const& path, std::span<std::byte co
   if (!file.open()) fail_on("create", path, errno);
   write_all(file, path, content);
   write_all(file, path, tail);
-  if (sync_failed(file.get())) fail_on("bring to the disk", path, errno);
-  // a hint to read from the disk below, not from memory; its failure means nothing
-  (void)::posix_fadvise(file.get(), 0, 0, POSIX_FADV_DONTNEED);
+  sync_file(file, path);
   close_checked(std::move(file), path);
 
-  if (!holds(path, content, tail))
-    throw FileError(fmt::format(
-        "{} reads back different from what was written: check the disk, or use another folder",
-        path.string()));
+  if (!holds(path, content, tail)) fail_different(path);
 }
 
 }  // namespace
@@ -117,9 +111,25 @@ std::filesystem::path temporary_of(std::filesystem::path const& path) {
   return temporary += ".tmp";
 }
 
+void remove_file(std::filesystem::path const& path) {
+  if (::unlink(path.c_str()) != 0 && errno != ENOENT) fail_on("remove the old", path, errno);
+}
+
+void sync_file(Descriptor const& file, std::filesystem::path const& path) {
+  if (sync_failed(file.get())) fail_on("bring to the disk", path, errno);
+  // a hint to read from the disk from now on, not from memory; its failure means nothing
+  (void)::posix_fadvise(file.get(), 0, 0, POSIX_FADV_DONTNEED);
+}
+
+void fail_different(std::filesystem::path const& path) {
+  throw FileError(fmt::format(
+      "{} reads back different from what was written: check the disk, or use another folder",
+      path.string()));
+}
+
 void write_verified(std::filesystem::path const& path, std::span<std::byte const> content,
                     std::span<std::byte const> tail) {
-  if (::unlink(path.c_str()) != 0 && errno != ENOENT) fail_on("remove the old", path, errno);
+  remove_file(path);
   try {
     write_and_compare(path, content, tail);
   } catch (...) {
@@ -140,9 +150,10 @@ void sync_folder(std::filesystem::path const& folder) {
   if (sync_failed(file.get())) fail_on("bring to the disk the folder", name, errno);
 }
 
-void replace_file(std::filesystem::path const& path, std::span<std::byte const> content) {
+void replace_file(std::filesystem::path const& path, std::span<std::byte const> content,
+                  std::span<std::byte const> tail) {
   auto const temporary = temporary_of(path);
-  write_verified(temporary, content);
+  write_verified(temporary, content, tail);
   try {
     rename_file(temporary, path);
   } catch (...) {

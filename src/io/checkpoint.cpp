@@ -213,6 +213,7 @@ void write_checkpoint(std::filesystem::path const& folder, Checkpoint checkpoint
 std::optional<Checkpoint> newest_checkpoint(std::filesystem::path const& folder,
                                             std::vector<std::string>* remarks) {
   std::optional<Checkpoint> best;
+  std::exception_ptr unreadable;
   for (auto const& path :
        {newest_of(folder), temporary_of(newest_of(folder)), previous_of(folder)}) {
     std::error_code ignored;
@@ -222,8 +223,10 @@ std::optional<Checkpoint> newest_checkpoint(std::filesystem::path const& folder,
       if (!best || steps_in(file) > best->steps()) best = get_checkpoint(file);
     } catch (std::exception const& error) {
       if (remarks != nullptr) remarks->push_back(error.what());
+      if (dynamic_cast<FileError const*>(&error) != nullptr) unreadable = std::current_exception();
     }
   }
+  if (!best && unreadable) std::rethrow_exception(unreadable);
   return best;
 }
 

@@ -12,8 +12,15 @@
 namespace bagnold::io {
 namespace {
 
+/// Of the run that a file belongs to; parts of a trajectory lie in a folder within it.
+std::filesystem::path folder_of(std::filesystem::path const& path) {
+  auto const folder = path.parent_path();
+  auto const of_run = folder.extension() == ".parts" ? folder.parent_path() : folder;
+  return of_run.empty() ? std::filesystem::path(".") : of_run;
+}
+
 std::string remedy(std::filesystem::path const& path, int error) {
-  auto const folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+  auto const folder = folder_of(path);
   auto const again = fmt::format("then `bagnold resume {}`", folder.string());
   switch (error) {
     case ENOSPC:

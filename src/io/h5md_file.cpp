@@ -1,41 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/io/h5md_file.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "src/config/errors.hpp"
-#include "src/io/atomic_file.hpp"
 
 namespace bagnold::io {
 namespace {
 
 constexpr char const* group = "/particles/trajectory";
 
-/// What the system said, where HDF5 hands it on among much else.
-std::string reason() {
-  auto const all = hdf5_reason();
-  std::string const before = "error message = '";
-  auto const begin = all.find(before);
-  if (begin == std::string::npos) return all;
-  auto const text = all.substr(begin + before.size());
-  return text.substr(0, text.find('\''));
-}
-
-void require(bool good, std::string const& name) {
+/// at: an open file, or what lies in it.
+void require(bool good, Handle const& at) {
   if (good) return;
-  throw FileError(fmt::format("cannot write {}: {}; free space on the disk, then `bagnold resume`",
-                              name, reason()));
-}
-
-Handle without_times(hid_t kind) {
-  Handle made(H5Pcreate(kind), H5Pclose);
-  H5Pset_obj_track_times(made.get(), false);
-  return made;
+  auto const why = hdf5_reason();
+  std::string name(4096, '\0');
+  auto const length = H5Fget_name(at.get(), name.data(), name.size());
+  name.resize(static_cast<std::size_t>(std::clamp<ssize_t>(length, 0, 4095)));
+  throw FileError(fmt::format(
+      "cannot write {}: {}; check the disk and its space, then `bagnold resume`", name, why));
 }
 
 Handle text_type(std::size_t length) {
@@ -47,7 +33,7 @@ Handle text_type(std::size_t length) {
 void attribute(Handle const& at, char const* name, hid_t type, Handle const& space,
                void const* value) {
   Handle made(H5Acreate2(at.get(), name, type, space.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-  require(made.valid() && H5Awrite(made.get(), type, value) >= 0, name);
+  require(made.valid() && H5Awrite(made.get(), type, value) >= 0 && made.close(), at);
 }
 
 void words(Handle const& at, char const* name, std::string const& value) {
@@ -58,7 +44,7 @@ void words(Handle const& at, char const* name, std::string const& value) {
 Handle make_group(Handle const& file, char const* path) {
   auto const creation = without_times(H5P_GROUP_CREATE);
   Handle made(H5Gcreate2(file.get(), path, H5P_DEFAULT, creation.get(), H5P_DEFAULT), H5Gclose);
-  require(made.valid(), path);
+  require(made.valid(), file);
   return made;
 }
 
@@ -66,11 +52,12 @@ void fixed(Handle const& file, std::string const& path, hid_t stored, hid_t type
            void const* values) {
   auto const creation = without_times(H5P_DATASET_CREATE);
   Handle const space(H5Screate_simple(1, &count, nullptr), H5Sclose);
-  Handle const set(H5Dcreate2(file.get(), path.c_str(), stored, space.get(), H5P_DEFAULT,
-                              creation.get(), H5P_DEFAULT),
-                   H5Dclose);
-  require(set.valid() && H5Dwrite(set.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0,
-          path);
+  Handle set(H5Dcreate2(file.get(), path.c_str(), stored, space.get(), H5P_DEFAULT, creation.get(),
+                        H5P_DEFAULT),
+             H5Dclose);
+  require(set.valid() && H5Dwrite(set.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0 &&
+              set.close(),
+          file);
 }
 
 /// No unit attributes: reduced units have none in H5MD, and readers refuse those they do not know.
@@ -110,23 +97,15 @@ std::vector<double> with_third_axis(std::vector<std::array<double, 2>> const& ro
 
 }  // namespace
 
-H5mdFile::H5mdFile(std::filesystem::path path, TrajectoryHeader const& header)
-    : path_(std::move(path)),
-      name_(temporary_of(path_).string()),
-      count_(header.diameter.size()),
-      file_(-1, H5Fclose),
+H5mdFile::H5mdFile(Handle file, TrajectoryHeader const& header)
+    : count_(header.diameter.size()),
+      file_(std::move(file)),
       step_(-1, H5Dclose),
       time_(-1, H5Dclose),
       edges_(-1, H5Dclose),
       position_(-1, H5Dclose),
       velocity_(-1, H5Dclose),
       spin_(-1, H5Dclose) {
-  quiet_hdf5();
-  Handle const access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  H5Pset_libver_bounds(access.get(), H5F_LIBVER_EARLIEST, H5F_LIBVER_V18);
-  auto const creation = without_times(H5P_FILE_CREATE);
-  file_ = Handle(H5Fcreate(name_.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose);
-  require(file_.valid(), name_);
   describe(file_, header.version);
   make_group(file_, "/particles");
   make_group(file_, group);
@@ -163,7 +142,7 @@ Handle H5mdFile::series(std::string const& name, hid_t type, Shape const& frame_
     Handle set(H5Dcreate2(file_.get(), path.c_str(), stored, space.get(), H5P_DEFAULT,
                           creation.get(), H5P_DEFAULT),
                H5Dclose);
-    require(set.valid(), path);
+    require(set.valid(), file_);
     return set;
   };
   if (!step_.valid()) {
@@ -173,7 +152,7 @@ Handle H5mdFile::series(std::string const& name, hid_t type, Shape const& frame_
     for (auto const* what : {"/step", "/time"})
       require(H5Lcreate_hard(file_.get(), fmt::format("{}/position{}", group, what).c_str(),
                              file_.get(), (at + what).c_str(), H5P_DEFAULT, H5P_DEFAULT) >= 0,
-              name_);
+              file_);
   }
   return make(at + "/value", type, frame_shape, 1);
 }
@@ -184,7 +163,7 @@ void H5mdFile::put(Handle const& set, hid_t type, void const* values) {
   Shape shape(static_cast<std::size_t>(H5Sget_simple_extent_ndims(old.get())));
   H5Sget_simple_extent_dims(old.get(), shape.data(), nullptr);
   shape.front() = frames_ + 1;
-  require(H5Dset_extent(set.get(), shape.data()) >= 0, name_);
+  require(H5Dset_extent(set.get(), shape.data()) >= 0, file_);
   Shape start(shape.size(), 0);
   start.front() = frames_;
   shape.front() = 1;
@@ -192,7 +171,7 @@ void H5mdFile::put(Handle const& set, hid_t type, void const* values) {
   H5Sselect_hyperslab(there.get(), H5S_SELECT_SET, start.data(), nullptr, shape.data(), nullptr);
   Handle const here(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
                     H5Sclose);
-  require(H5Dwrite(set.get(), type, here.get(), there.get(), H5P_DEFAULT, values) >= 0, name_);
+  require(H5Dwrite(set.get(), type, here.get(), there.get(), H5P_DEFAULT, values) >= 0, file_);
 }
 
 void H5mdFile::append(State const& state, std::int64_t step) {
@@ -210,18 +189,18 @@ void H5mdFile::append(State const& state, std::int64_t step) {
   ++frames_;
 }
 
-void H5mdFile::close() {
+std::size_t H5mdFile::bytes() const {
+  hsize_t size = 0;
+  require(H5Fget_filesize(file_.get(), &size) >= 0, file_);
+  return size;
+}
+
+Handle H5mdFile::close() {
   quiet_hdf5();
   for (Handle* set : {&step_, &time_, &edges_, &position_, &velocity_, &spin_})
-    *set = Handle(-1, H5Dclose);
-  require(H5Fflush(file_.get(), H5F_SCOPE_LOCAL) >= 0, name_);
-  file_ = Handle(-1, H5Fclose);
-  int const descriptor = ::open(name_.c_str(), O_RDONLY | O_CLOEXEC);
-  bool const kept = descriptor >= 0 && ::fsync(descriptor) == 0;
-  if (descriptor >= 0) ::close(descriptor);
-  require(kept, name_);
-  rename_file(name_, path_);
-  sync_folder(path_.parent_path());
+    require(set->close(), file_);
+  require(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL) >= 0, file_);
+  return std::move(file_);
 }
 
 namespace {
@@ -255,12 +234,8 @@ std::vector<std::array<double, 2>> without_third_axis(std::vector<double> const&
 
 }  // namespace
 
-void for_each_frame(std::filesystem::path const& path,
+void for_each_frame(Handle const& file,
                     std::function<void(State const&, std::int64_t)> const& visit) {
-  quiet_hdf5();
-  Handle const file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
-  if (!file.valid())
-    throw FileError(fmt::format("{} cannot be read: {}", path.string(), hdf5_reason()));
   std::string const at = group;
   Handle const steps(H5Dopen2(file.get(), (at + "/position/step").c_str(), H5P_DEFAULT), H5Dclose);
   Handle const space(H5Dget_space(steps.get()), H5Sclose);

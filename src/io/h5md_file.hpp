@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -21,38 +20,36 @@ struct TrajectoryHeader {
 };
 
 /// A trajectory in the form H5MD 1.1 (P. de Buyl, P. Colberg, F. Hoefling, Comput. Phys. Commun.
-/// 185, 1546 (2014)), frame by frame; SCHEMA.md tells what is in it.
-///
-/// It is written as PATH.tmp, and has its name when close() has brought all of it to the disk: HDF5
-/// does not keep a file whole while it writes to it. Its calls may come from one thread after the
-/// other. Throws FileError.
+/// 185, 1546 (2014)), frame by frame; SCHEMA.md tells what is in it. Its calls may come from one
+/// thread after the other. Throws FileError.
 class H5mdFile {
  public:
-  H5mdFile(std::filesystem::path path, TrajectoryHeader const& header);
+  /// file: new and empty, in memory or on a disk.
+  H5mdFile(Handle file, TrajectoryHeader const& header);
   ~H5mdFile();
-  H5mdFile(H5mdFile const&) = delete;
-  H5mdFile& operator=(H5mdFile const&) = delete;
+  H5mdFile(H5mdFile&&) = default;
 
   /// Disks of the state in the box.
   void append(State const& state, std::int64_t step);
 
-  void close();
+  /// Length so far.
+  std::size_t bytes() const;
+
+  /// The file with all that was written to it, and nothing in it left open. Nothing may follow.
+  Handle close();
 
  private:
   Handle series(std::string const& name, hid_t type, Shape const& frame_shape);
   void put(Handle const& set, hid_t type, void const* values);
 
-  std::filesystem::path path_;
-  std::string name_;  ///< of the temporary, for messages
-  hsize_t count_;     ///< N
+  hsize_t count_;  ///< N
   hsize_t frames_ = 0;
   Handle file_, step_, time_, edges_, position_, velocity_, spin_;
 };
 
-/// visit(state, step) for every frame of a closed file, in order; bits are those that were
-/// appended, but of the time-independent members only count, box_length and offset are set. Throws
-/// FileError.
-void for_each_frame(std::filesystem::path const& path,
+/// visit(state, step) for every frame of an open file, in order; bits are those that were appended,
+/// but of the time-independent members only box_length and offset are set. Throws FileError.
+void for_each_frame(Handle const& file,
                     std::function<void(State const&, std::int64_t)> const& visit);
 
 }  // namespace bagnold::io

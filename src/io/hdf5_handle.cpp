@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/io/hdf5_handle.hpp"
 
-#include <atomic>
-
 namespace bagnold::io {
 namespace {
 
@@ -23,15 +21,22 @@ void quiet_hdf5() {
   H5PLset_loading_state(0);
 }
 
-std::string name_in_memory() {
-  static std::atomic<unsigned long> count = 0;
-  return "memory " + std::to_string(++count);
+Handle without_times(hid_t kind) {
+  Handle made(H5Pcreate(kind), H5Pclose);
+  H5Pset_obj_track_times(made.get(), false);
+  return made;
 }
 
 std::string hdf5_reason() {
   std::string reason;
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_first, &reason);
-  return reason.empty() ? "no reason given" : reason;
+  if (reason.empty()) return "no reason given";
+  // what the system said, which HDF5 hands on among much else
+  constexpr std::string_view before = "error message = '";
+  auto const begin = reason.find(before);
+  if (begin == std::string::npos) return reason;
+  auto const text = reason.substr(begin + before.size());
+  return text.substr(0, text.find('\''));
 }
 
 }  // namespace bagnold::io

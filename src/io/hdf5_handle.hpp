@@ -30,6 +30,8 @@ class Handle {
   }
 
   bool valid() const { return id_ >= 0; }
+  /// Closes it now. False where HDF5 could not: what was to be written may not have been.
+  [[nodiscard]] bool close() { return id_ < 0 || close_(std::exchange(id_, -1)) >= 0; }
   hid_t get() const { return id_; }
 
  private:
@@ -41,8 +43,8 @@ class Handle {
 /// work at exit. Comes before any other use of HDF5 by a thread.
 void quiet_hdf5();
 
-/// The name of a file in memory; HDF5 takes two of one name, open at once, for the same file.
-std::string name_in_memory();
+/// Properties of a new file, group or dataset that keeps no times.
+Handle without_times(hid_t kind);
 
 /// The innermost reason of the HDF5 call that just failed; any further call forgets it.
 std::string hdf5_reason();

@@ -2,9 +2,9 @@
 #include "src/io/hdf5_reader.hpp"
 
 #include <algorithm>
-#include <cstring>
 
 #include "src/io/hash.hpp"
+#include "src/io/hdf5_memory.hpp"
 
 namespace bagnold::io {
 namespace {
@@ -18,30 +18,6 @@ Handle lossless() {
   Handle transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
   H5Pset_type_conv_cb(transfer.get(), stop, nullptr);
   return transfer;
-}
-
-// HDF5 would copy the image three times; by these calls its core driver works on ours, which it
-// only reads. (H5LTopen_file_image does the same, but loses memory where the opening fails.)
-
-void* lend(std::size_t, H5FD_file_image_op_t, void* ours) { return ours; }
-void* keep(void* to, void const* from, std::size_t size, H5FD_file_image_op_t, void*) {
-  return to == from ? to : std::memcpy(to, from, size);
-}
-void* refuse_to_grow(void*, std::size_t, H5FD_file_image_op_t, void*) { return nullptr; }
-herr_t keep_ours(void*, H5FD_file_image_op_t, void*) { return 0; }
-void* same(void* ours) { return ours; }
-herr_t leave(void*) { return 0; }
-
-Handle open_image(std::vector<std::byte>& image) {
-  quiet_hdf5();
-  if (image.empty()) return Handle(-1, H5Fclose);
-  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  H5Pset_fapl_core(access.get(), /*increment=*/1 << 20, /*backing_store=*/false);
-  H5FD_file_image_callbacks_t calls{lend, keep,  refuse_to_grow, keep_ours,
-                                    same, leave, image.data()};
-  H5Pset_file_image_callbacks(access.get(), &calls);
-  H5Pset_file_image(access.get(), image.data(), image.size());
-  return Handle(H5Fopen(name_in_memory().c_str(), H5F_ACC_RDONLY, access.get()), H5Fclose);
 }
 
 herr_t keep_name(hid_t, char const* name, H5A_info_t const*, void* names) {
@@ -59,7 +35,7 @@ herr_t keep_member(hid_t, char const* name, H5L_info_t const*, void* names) {
 Hdf5Reader::Hdf5Reader(std::string name, std::vector<std::byte> image, Hashed hashed)
     : hashed_(hashed),
       image_(std::move(image)),
-      file_(open_image(image_)),
+      file_(open_in_memory(image_)),
       open_{std::move(name), file_.get(), image_.size()} {
   if (!file_.valid())
     refuse(open_, "/",

@@ -9,32 +9,16 @@
 
 #include "src/config/errors.hpp"
 #include "src/io/hash.hpp"
-#include "src/io/seal.hpp"
+#include "src/io/hdf5_memory.hpp"
 
 namespace bagnold::io {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "raw content is hashed as it lies");
 
-/// Room added to the file in memory at once, [bytes].
-constexpr std::size_t increment = std::size_t{1} << 20;
-
 void require(bool good, std::string const& path) {
   if (!good)
     throw FileError(fmt::format("cannot build {} of an HDF5 file: {}", path, hdf5_reason()));
-}
-
-Handle create_in_memory() {
-  quiet_hdf5();
-  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  require(H5Pset_fapl_core(access.get(), increment, /*backing_store=*/false) >= 0, "the driver");
-  H5Pset_libver_bounds(access.get(), H5F_LIBVER_EARLIEST, H5F_LIBVER_V18);
-  Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
-  H5Pset_obj_track_times(creation.get(), false);
-  Handle file(H5Fcreate(name_in_memory().c_str(), H5F_ACC_TRUNC, creation.get(), access.get()),
-              H5Fclose);
-  require(file.valid(), "the root");
-  return file;
 }
 
 Handle plain_space(std::string const& path, std::size_t count, Shape const& shape) {
@@ -60,8 +44,7 @@ Handle text_type(std::size_t length) {
 Hdf5Writer::Hdf5Writer(Hashed hashed) : hashed_(hashed), file_(create_in_memory()) {}
 
 void Hdf5Writer::group(std::string const& path) {
-  Handle creation(H5Pcreate(H5P_GROUP_CREATE), H5Pclose);
-  H5Pset_obj_track_times(creation.get(), false);
+  auto const creation = without_times(H5P_GROUP_CREATE);
   Handle made(H5Gcreate2(file_.get(), path.c_str(), H5P_DEFAULT, creation.get(), H5P_DEFAULT),
               H5Gclose);
   require(made.valid(), path);
@@ -69,17 +52,15 @@ void Hdf5Writer::group(std::string const& path) {
 
 void Hdf5Writer::write(std::string const& path, hid_t type, Handle space,
                        std::span<std::byte const> raw, Attributes const& attributes) {
-  {
-    Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-    H5Pset_obj_track_times(creation.get(), false);
-    Handle set(H5Dcreate2(file_.get(), path.c_str(), type, space.get(), H5P_DEFAULT, creation.get(),
-                          H5P_DEFAULT),
-               H5Dclose);
-    require(set.valid(), path);
-    // an empty vector may have no address, which HDF5 refuses
-    if (!raw.empty())
-      require(H5Dwrite(set.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, raw.data()) >= 0, path);
-  }
+  auto const creation = without_times(H5P_DATASET_CREATE);
+  Handle set(H5Dcreate2(file_.get(), path.c_str(), type, space.get(), H5P_DEFAULT, creation.get(),
+                        H5P_DEFAULT),
+             H5Dclose);
+  require(set.valid(), path);
+  // an empty vector may have no address, which HDF5 refuses
+  if (!raw.empty())
+    require(H5Dwrite(set.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, raw.data()) >= 0, path);
+  require(set.close(), path);
   for (auto const& [name, value] : attributes) attribute(path, name, value);
   if (hashed_ == Hashed::yes) attribute(path, "xxh3", xxh3_hex(raw));
 }
@@ -147,13 +128,6 @@ void Hdf5Writer::attribute(std::string const& path, std::string const& name, Val
   }
 }
 
-std::span<std::byte const> Hdf5Writer::content() const {
-  require(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL) >= 0, "the image");
-  auto const size = H5Fget_file_image(file_.get(), nullptr, 0);
-  void** memory = nullptr;
-  require(size > 0 && H5Fget_vfd_handle(file_.get(), H5P_DEFAULT, reinterpret_cast<void**>(&memory)) >= 0,
-          "the image");
-  return {static_cast<std::byte const*>(*memory), static_cast<std::size_t>(size)};
-}
+std::span<std::byte const> Hdf5Writer::content() const { return content_of(file_); }
 
 }  // namespace bagnold::io

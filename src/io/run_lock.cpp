@@ -4,12 +4,16 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
 #include <climits>
+#include <cstdlib>
 #include <string>
+#include <string_view>
+#include <system_error>
 
 #include "src/config/errors.hpp"
 
@@ -35,23 +39,65 @@ std::string myself() {
   return fmt::format("host {}, pid {}\n", host.data(), ::getpid());
 }
 
+bool locks_wanted() {
+  char const* const word = std::getenv("BAGNOLD_LOCKS");
+  if (word == nullptr || std::string_view(word) == "on") return true;
+  if (std::string_view(word) == "off") return false;
+  throw InputError(
+      fmt::format("BAGNOLD_LOCKS = {} in the environment (must be \"on\" or \"off\")", word));
+}
+
+bool has_no_locks(int error) {
+  return error == ENOLCK || error == ENOSYS || error == EOPNOTSUPP || error == EINVAL;
+}
+
 }  // namespace
 
-RunLock::RunLock(std::filesystem::path const& folder) {
+RunLock::RunLock(std::filesystem::path const& folder)
+    : path_(folder), folder_(open_descriptor(folder, O_PATH | O_DIRECTORY)) {
+  if (!folder_.open()) fail_on("open the folder", folder, errno);
+  if (!locks_wanted()) return;
   auto const path = folder / ".lock";
   file_ = open_descriptor(path, O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK);
   if (!file_.open()) fail_on("make the lock", path, errno);
+  take();
+  sign();
+}
+
+void RunLock::take() {
   while (::flock(file_.get(), LOCK_EX | LOCK_NB) != 0) {
     if (errno == EINTR) continue;
-    if (errno != EWOULDBLOCK) fail_on("lock", path, errno);
-    throw InputError(fmt::format("{} is in use by {}: wait for it, end it, or use another folder",
-                                 folder.string(), holder(file_)));
+    if (errno == EWOULDBLOCK)
+      throw InputError(fmt::format("{} is in use by {}: wait for it, end it, or use another folder",
+                                   path_.string(), holder(file_)));
+    if (!has_no_locks(errno)) fail_on("lock", path_ / ".lock", errno);
+    remark_ = fmt::format(
+        "{} lies on a file system without locks ({}): nothing keeps a second process from writing "
+        "there; see that there is none (BAGNOLD_LOCKS=off in the environment says that you do)",
+        path_.string(), std::generic_category().message(errno));
+    return;
   }
+}
+
+void RunLock::sign() const {
   auto const text = myself();
   if (::ftruncate(file_.get(), 0) != 0 ||
       ::pwrite(file_.get(), text.data(), text.size(), 0) != static_cast<ssize_t>(text.size())) {
     // a full disk does not stop a resume: the lock itself is held, only its text is missing
   }
+}
+
+void RunLock::check_folder() const {
+  struct stat held {
+  }, there{};
+  if (::fstat(folder_.get(), &held) != 0) fail_on("look at", path_, errno);
+  int const found = ::stat(path_.c_str(), &there);
+  if (found != 0 && errno != ENOENT && errno != ENOTDIR) fail_on("look at", path_, errno);
+  if (found == 0 && held.st_dev == there.st_dev && held.st_ino == there.st_ino) return;
+  throw FileError(
+      fmt::format("{} is no longer the folder of this run: it was moved or removed; `bagnold "
+                  "resume` it where it is",
+                  path_.string()));
 }
 
 }  // namespace bagnold::io

@@ -12,8 +12,10 @@
 namespace bagnold::io {
 namespace {
 
+constexpr std::string_view first_words = "\nbagnold-seal ";
+
 std::string seal_of(std::size_t size, std::string const& hash) {
-  return fmt::format("\nbagnold-seal {:>20} xxh3 {:>23}\n", size, hash);
+  return fmt::format("{}{:>20} xxh3 {:>23}\n", first_words, size, hash);
 }
 
 }  // namespace
@@ -26,6 +28,17 @@ void add_seal(std::vector<std::byte>& content) {
   auto const seal = seal_of(content);
   auto const bytes = std::as_bytes(std::span(seal));
   content.insert(content.end(), bytes.begin(), bytes.end());
+}
+
+void replace_sealed(std::filesystem::path const& path, std::span<std::byte const> content) {
+  auto const seal = seal_of(content);
+  replace_file(path, content, std::as_bytes(std::span(seal)));
+}
+
+bool has_seal(std::span<std::byte const> content) {
+  return content.size() >= seal_bytes &&
+         std::ranges::equal(std::as_bytes(std::span(first_words)),
+                            content.last(seal_bytes).first(first_words.size()));
 }
 
 std::string remove_seal(std::vector<std::byte>& content) {

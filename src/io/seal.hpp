@@ -21,6 +21,12 @@ std::string seal_of(std::span<std::byte const> content);
 /// Appends it.
 void add_seal(std::vector<std::byte>& content);
 
+/// Replaces a file as a whole (replace_file) by a content and its seal. Throws FileError.
+void replace_sealed(std::filesystem::path const& path, std::span<std::byte const> content);
+
+/// Whether a seal, true or not, stands behind a content.
+bool has_seal(std::span<std::byte const> content);
+
 /// Takes the seal off a sealed content. Returns an empty text, or why the seal is not true (the
 /// content is then left as it was): the file was cut short, changed or never finished.
 std::string remove_seal(std::vector<std::byte>& content);

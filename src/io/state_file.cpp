@@ -2,7 +2,9 @@
 #include "src/io/state_file.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <stdexcept>
@@ -10,6 +12,8 @@
 
 #include "src/config/errors.hpp"
 #include "src/io/atomic_file.hpp"
+#include "src/io/run_apart.hpp"
+#include "src/io/seal.hpp"
 
 namespace bagnold::io {
 namespace {
@@ -148,6 +152,62 @@ std::vector<State> get_states(Hdf5Reader const& file, std::string const& at,
   return states;
 }
 
+namespace {
+
+/// At least one.
+std::vector<State> states_in(std::string const& name, std::vector<std::byte> image,
+                             std::optional<std::size_t> expected_count) {
+  auto states = get_states(Hdf5Reader(name, std::move(image)), "", expected_count);
+  if (states.empty())
+    throw InputError(
+        fmt::format("{}: /state/position holds no state (must hold at least one); make "
+                    "the file again",
+                    name));
+  return states;
+}
+
+std::vector<State> sealed_states(std::string const& name, std::vector<std::byte>& image,
+                                 std::optional<std::size_t> expected_count) {
+  if (auto const reason = remove_seal(image); !reason.empty())
+    throw InputError(fmt::format("{} {}; make it again", name, reason));
+  return states_in(name, std::move(image), expected_count);
+}
+
+/// What a child answers: first whether states follow, written anew, or a refusal.
+enum class Answer : std::uint8_t { states, refusal };
+
+std::vector<std::byte> answer(Answer kind, std::span<std::byte const> content) {
+  std::vector<std::byte> all(1 + content.size(), static_cast<std::byte>(kind));
+  std::ranges::copy(content, all.begin() + 1);
+  return all;
+}
+
+constexpr unsigned patience = 600;  ///< with a file that keeps HDF5 busy, [s]
+
+/// A file that we did not write, or that was changed since.
+std::vector<State> foreign_states(std::string const& name, std::vector<std::byte>& image,
+                                  std::optional<std::size_t> expected_count) {
+  auto answered = run_apart([&] {
+    ::alarm(patience);
+    try {
+      Hdf5Writer anew;
+      put_states(anew, states_in(name, std::move(image), expected_count));
+      return answer(Answer::states, anew.content());
+    } catch (InputError const& error) {
+      return answer(Answer::refusal, std::as_bytes(std::span(std::string_view(error.what()))));
+    }
+  });
+  if (!answered || answered->empty())
+    throw InputError(fmt::format("{}: HDF5 crashes on it: the file is damaged; make it again", name));
+  auto const kind = static_cast<Answer>(answered->front());
+  answered->erase(answered->begin());
+  if (kind == Answer::refusal)
+    throw InputError(std::string(reinterpret_cast<char const*>(answered->data()), answered->size()));
+  return states_in(name, *std::move(answered), expected_count);
+}
+
+}  // namespace
+
 std::vector<State> read_states(std::filesystem::path const& path,
                                std::optional<std::size_t> expected_count) {
   std::error_code reason;
@@ -157,12 +217,9 @@ std::vector<State> read_states(std::filesystem::path const& path,
     throw InputError(fmt::format(
         "state file {} {}; check start.file", path.string(),
         kind == std::filesystem::file_type::not_found ? "is not there" : "is not a file"));
-  auto states = get_states(Hdf5Reader(path.string(), read_file(path)), "", expected_count);
-  if (states.empty())
-    throw InputError(
-        fmt::format("{}: /state/position holds no state (must hold at least one); make "
-                    "the file again",
-                    path.string()));
+  auto image = read_file(path);
+  auto const states = has_seal(image) ? sealed_states(path.string(), image, expected_count)
+                                      : foreign_states(path.string(), image, expected_count);
   for (State const& state : states) StateCheck{path.string()}(state);
   return states;
 }
@@ -170,7 +227,7 @@ std::vector<State> read_states(std::filesystem::path const& path,
 void write_states(std::filesystem::path const& path, std::vector<State> states) {
   Hdf5Writer file;
   put_states(file, std::move(states));
-  replace_file(path, file.content());
+  replace_sealed(path, file.content());
 }
 
 }  // namespace bagnold::io

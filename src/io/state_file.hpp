@@ -19,10 +19,13 @@ namespace bagnold::io {
 /// differ, R < 1, N < 2, a value is not finite, a length is not above 0; with `expected_count`,
 /// another N is refused before memory is taken. FileError where it cannot be read. Whether it
 /// agrees with the scene is not seen here.
+///
+/// A file with a seal must be as it was written. One without (made or changed by others) is read in
+/// a child process first, since a damaged file can crash HDF5.
 std::vector<State> read_states(std::filesystem::path const& path,
                                std::optional<std::size_t> expected_count = std::nullopt);
 
-/// Replaces the file as a whole: R states of equal N, box, offset, time and rate, with a leading
+/// Replaces the file as a whole, sealed: R states of equal N, box, offset, time and rate, with a leading
 /// axis R where there are several. FileError where it cannot be written. The states are not
 /// checked: one that went wrong is written to be looked at. Each array is freed when it is in the file.
 void write_states(std::filesystem::path const& path, std::vector<State> states);

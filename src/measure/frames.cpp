@@ -53,6 +53,13 @@ void Frames::load(Numbers const& numbers) {
   for (auto const& w : watched_) w.observer->load(numbers);
 }
 
+std::vector<std::string> Frames::lost() const {
+  std::vector<std::string> all;
+  for (auto const& w : watched_)
+    if (auto words = w.observer->lost(); !words.empty()) all.push_back(std::move(words));
+  return all;
+}
+
 FrameResults Frames::join(std::vector<Frames const*> const& systems) {
   FrameResults results;
   for (std::size_t k = 0; k < systems.front()->watched_.size(); ++k) {

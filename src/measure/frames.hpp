@@ -35,6 +35,7 @@ class Frames {
   void begin();
   Numbers save();
   void load(Numbers const& numbers);
+  std::vector<std::string> lost() const;
   void finish();
   void tidy();
 

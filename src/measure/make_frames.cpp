@@ -22,7 +22,9 @@ Frames make_frames(Scene const& scene, Plan const& plan, State const& start,
   if (plan.trajectory_steps > 0) {
     io::TrajectoryHeader header{version, start.diameter, {}, scene.rotates()};
     for (double const d : start.diameter) header.mass.push_back(disk_mass(scene.mass_by_area(), d));
-    frames.watch(std::make_unique<Trajectory>(trajectory, std::move(header)),
+    auto const part_bytes = static_cast<std::size_t>(trajectory_memory) /
+                            static_cast<std::size_t>(scene.disks.replicas);
+    frames.watch(std::make_unique<Trajectory>(trajectory, std::move(header), part_bytes),
                  plan.trajectory_steps);
   }
   return frames;

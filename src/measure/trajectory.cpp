@@ -4,9 +4,14 @@
 #include <fmt/format.h>
 
 #include <mutex>
+#include <set>
 
 #include "src/config/errors.hpp"
 #include "src/io/atomic_file.hpp"
+#include "src/io/h5md_join.hpp"
+#include "src/io/hash.hpp"
+#include "src/io/hdf5_memory.hpp"
+#include "src/io/seal.hpp"
 #include "src/io/xdmf.hpp"
 
 namespace bagnold {
@@ -18,73 +23,134 @@ namespace {
 /// Held where HDF5 is used while systems are worked on: not every build of it bears two threads.
 std::mutex one_at_a_time;
 
+constexpr std::size_t increment = std::size_t{1} << 16;  ///< of a part in memory, [bytes]
+
+constexpr char const* saved_hashes = "trajectory_hashes";
+
+constexpr int half = 32;  ///< bits of a hash in a double
+
+/// Two checkpoints are kept: at the third save both count this run's parts and no others.
+constexpr int saves_that_replace_all = 3;
+
 }  // namespace
 
-Trajectory::Trajectory(fs::path file, io::TrajectoryHeader header)
-    : file_(std::move(file)), header_(std::move(header)) {}
+Trajectory::Trajectory(fs::path file, io::TrajectoryHeader header, std::size_t part_bytes)
+    : file_(std::move(file)), header_(std::move(header)), part_bytes_(part_bytes) {}
 
 fs::path Trajectory::folder() const { return fs::path(file_).replace_extension(".parts"); }
 
+fs::path Trajectory::xdmf() const { return fs::path(file_).replace_extension(".xdmf"); }
+
 fs::path Trajectory::part(std::size_t number) const {
-  return folder() / fmt::format("{:06}.h5md", number);
+  return folder() / fmt::format("{:06}_{:016x}.h5md", number, hashes_[number]);
 }
 
 void Trajectory::add(Frame const& frame) {
   std::lock_guard const lock(one_at_a_time);
-  if (!open_) {
-    std::error_code error;
-    fs::create_directories(folder(), error);
-    if (error)
-      throw FileError(fmt::format("{} cannot be made ({})", folder().string(), error.message()));
-    open_.emplace(part(parts_), header_);
-  }
+  if (!open_) open_.emplace(io::create_in_memory(increment), header_);
   open_->append(frame.state, frame.step);
+  if (open_->bytes() >= part_bytes_) write_part();
+}
+
+void Trajectory::write_part() {
+  std::error_code error;
+  fs::create_directory(folder(), error);  // not what it lies in: a run that was moved stays away
+  if (error)
+    throw FileError(fmt::format("{} cannot be made ({}); check the folder, then `bagnold resume`",
+                                folder().string(), error.message()));
+  auto const file = open_->close();
+  open_.reset();
+  auto const content = io::content_of(file);
+  hashes_.push_back(io::xxh3(content));
+  io::replace_sealed(part(hashes_.size() - 1), content);
 }
 
 void Trajectory::save(Numbers& numbers) {
-  if (open_) {
-    open_->close();
-    open_.reset();
-    ++parts_;
-  }
-  numbers["trajectory_parts"] = {static_cast<double>(parts_)};
+  if (open_) write_part();
+  if (++saves_ == saves_that_replace_all) remove_other_parts();
+  std::vector<double> halves;
+  for (auto const hash : hashes_)
+    halves.insert(halves.end(), {static_cast<double>(hash >> half),
+                                 static_cast<double>(hash & ((std::uint64_t{1} << half) - 1))});
+  numbers[saved_hashes] = std::move(halves);
 }
 
 void Trajectory::load(Numbers const& numbers) {
-  parts_ = static_cast<std::size_t>(numbers.at("trajectory_parts").front());
-  std::error_code ignored;
-  for (std::size_t k = 0; k < parts_; ++k)
-    if (!fs::exists(part(k), ignored))
-      throw FileError(
-          fmt::format("{} is not there, but the checkpoint counts on it; put it back, or "
-                      "run the scene again with --force",
-                      part(k).string()));
-  for (std::size_t k = parts_; fs::remove(part(k), ignored); ++k) {
+  auto const saved = numbers.find(saved_hashes);
+  if (saved == numbers.end())
+    throw InputError(
+        fmt::format("{}: the checkpoint knows no hashes of its parts: go on with the older version "
+                    "that wrote it",
+                    file_.string()));
+  auto const& halves = saved->second;
+  for (std::size_t k = 0; k + 1 < halves.size(); k += 2)
+    hashes_.push_back(static_cast<std::uint64_t>(halves[k]) << half |
+                      static_cast<std::uint64_t>(halves[k + 1]));
+}
+
+void Trajectory::remove_other_parts() const {
+  std::set<fs::path> counted;
+  for (std::size_t k = 0; k < hashes_.size(); ++k) counted.insert(part(k));
+  std::error_code ignored;  // they do no harm
+  for (fs::directory_iterator file(folder(), ignored), end; !ignored && file != end;
+       file.increment(ignored))
+    if (!counted.contains(file->path())) fs::remove(file->path(), ignored);
+}
+
+std::vector<std::byte> Trajectory::read_part(std::size_t number) const {
+  auto const path = part(number);
+  std::string reason;
+  try {
+    auto content = io::read_file(path);
+    reason = io::remove_seal(content);
+    if (reason.empty() && io::xxh3(content) == hashes_[number]) return content;
+    if (reason.empty()) reason = "is not the part that the checkpoint counts";
+    reason = fmt::format("{} {}", path.string(), reason);
+  } catch (FileError const& error) {
+    reason = error.what();
   }
+  throw FileError(fmt::format(
+      "{}; put the part back and `bagnold resume` makes {}, or remove {} to do without: every part "
+      "is a trajectory of its own",
+      reason, file_.filename().string(), folder().string()));
+}
+
+bool Trajectory::joined() const {
+  std::error_code ignored;
+  return fs::exists(file_, ignored);
+}
+
+std::string Trajectory::lost() const {
+  if (joined()) return {};
+  try {
+    for (std::size_t k = 0; k < hashes_.size(); ++k) (void)read_part(k);
+  } catch (FileError const& error) {
+    return error.what();
+  }
+  return {};
 }
 
 void Trajectory::begin() {
   tidy();
-  std::error_code error;
-  fs::remove(file_, error);
-  if (!error) fs::remove(fs::path(file_).replace_extension(".xdmf"), error);
-  if (error)
-    throw FileError(fmt::format("{}: an old trajectory cannot be removed ({})", file_.string(),
-                                error.message()));
+  io::remove_file(file_);
+  io::remove_file(xdmf());
 }
 
 void Trajectory::finish() {
-  io::H5mdFile whole(file_, header_);
-  std::vector<double> time;
-  for (std::size_t k = 0; k < parts_; ++k)
-    io::for_each_frame(part(k), [&](State const& state, std::int64_t step) {
-      whole.append(state, step);
-      time.push_back(state.time);
-    });
-  whole.close();
+  if (joined()) return;
+  auto const temporary = io::temporary_of(file_);
+  auto const time = io::join_h5md(temporary, header_, hashes_.size(),
+                                  [&](std::size_t k) { return read_part(k); });
   auto const text =
       io::xdmf_of(file_.filename().string(), header_.diameter.size(), time, header_.spins);
-  io::replace_text(fs::path(file_).replace_extension(".xdmf"), text);
+  try {
+    io::replace_text(xdmf(), text);
+    io::rename_file(temporary, file_);  // the last: where it is, all is
+  } catch (...) {
+    io::remove_file(temporary);
+    throw;
+  }
+  io::sync_folder(file_.parent_path());
 }
 
 void Trajectory::tidy() {

@@ -1,37 +1,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "src/io/h5md_file.hpp"
 #include "src/measure/frame_observer.hpp"
 
 namespace bagnold {
 
-/// Frames on the disk: in parts while a run goes on, NAME.parts/000000.h5md and so on, one for each
-/// stretch between two checkpoints, and one file NAME.h5md in the end.
+/// Frames on the disk: in parts while a run goes on, NAME.parts/000000_HASH.h5md and so on, and one
+/// file NAME.h5md in the end.
 ///
-/// HDF5 does not survive a kill while it writes, so no file that a checkpoint counts on is ever
-/// opened for writing again: a part is closed and brought to the disk before the checkpoint that
-/// counts it is written, and a resumed run drops the parts that its checkpoint does not count.
-/// Every part is a trajectory of its own. Nothing is copied but once, at the end.
+/// A part is built in memory and written as a whole, sealed, before each checkpoint and when it has
+/// grown to `part_bytes`. A checkpoint tells the hash of every part that it counts. No part takes
+/// the place of one that an older checkpoint, or one that could not be read for once, counts; those
+/// of other lineages are removed when no checkpoint can count them any more. Every part is a
+/// trajectory of its own. Nothing is copied but once, at the end.
 class Trajectory final : public FrameObserver {
  public:
-  /// file: NAME.h5md.
-  Trajectory(std::filesystem::path file, io::TrajectoryHeader header);
+  /// file: NAME.h5md. part_bytes: memory that frames may take; a part has one frame at least.
+  Trajectory(std::filesystem::path file, io::TrajectoryHeader header, std::size_t part_bytes);
 
   /// Those of several systems may be called by threads of their own.
   void add(Frame const& frame) override;
   void save(Numbers& numbers) override;
-  /// FileError where a part that the checkpoint counts is gone.
   void load(Numbers const& numbers) override;
   void report(std::vector<FrameObserver const*> const&, FrameResults&) const override {}
+
+  /// The first part that the checkpoint counts and that is not there as it was, and what to do.
+  std::string lost() const override;
 
   /// Drops what an earlier run left.
   void begin() override;
 
-  /// Joins the parts into NAME.h5md, and writes NAME.xdmf beside it. May be called again.
+  /// Joins the parts into NAME.h5md, and writes NAME.xdmf beside it, unless that has been done.
+  /// FileError where a part is lost, or the disk fails: the parts are left as they are.
   void finish() override;
 
   /// Removes the parts.
@@ -40,11 +46,18 @@ class Trajectory final : public FrameObserver {
  private:
   std::filesystem::path part(std::size_t number) const;
   std::filesystem::path folder() const;
+  std::filesystem::path xdmf() const;
+  std::vector<std::byte> read_part(std::size_t number) const;
+  void write_part();
+  void remove_other_parts() const;
+  bool joined() const;
 
   std::filesystem::path file_;
   io::TrajectoryHeader header_;
-  std::optional<io::H5mdFile> open_;
-  std::size_t parts_ = 0;  ///< closed
+  std::size_t part_bytes_;
+  std::optional<io::H5mdFile> open_;   ///< the part in memory
+  std::vector<std::uint64_t> hashes_;  ///< of the parts on the disk, seals left out
+  int saves_ = 0;
 };
 
 }  // namespace bagnold

@@ -63,7 +63,7 @@ Results read_results(Sweep const& sweep, SweepFolder const& folder) {
   results.warnings.resize(points);
   results.rough_errors.resize(points);
   for (std::size_t k = 0; k < points; ++k) {
-    if (!folder.finished(k)) {
+    if (!folder.has_results(k)) {
       results.status.push_back(folder.begun(k) && !folder.in_use(k) ? "failed" : "open");
       continue;
     }

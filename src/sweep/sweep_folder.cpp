@@ -114,7 +114,7 @@ void SweepFolder::write_points(Sweep const& sweep) const {
   put_text(path_ / "points.json", points_json(sweep).dump(1) + "\n");
   for (std::size_t k = 0; k < names_.size(); ++k) {
     // what has steps behind it keeps the scene of its checkpoint
-    if (finished(k) || fs::exists(point(k) / "checkpoint.h5") ||
+    if (has_results(k) || fs::exists(point(k) / "checkpoint.h5") ||
         fs::exists(point(k) / "checkpoint.previous.h5"))
       continue;
     make_folder(point(k));

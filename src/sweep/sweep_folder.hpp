@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "src/io/run_lock.hpp"
+#include "src/io/trajectory_parts.hpp"
 #include "src/sweep/sweep.hpp"
 
 namespace bagnold::sweep {
@@ -26,7 +27,11 @@ class SweepFolder {
   std::filesystem::path log(std::size_t k) const { return point(k) / "log.txt"; }
   std::filesystem::path summary(std::size_t k) const { return point(k) / "summary.json"; }
 
-  bool finished(std::size_t k) const { return std::filesystem::exists(summary(k)); }
+  bool has_results(std::size_t k) const { return std::filesystem::exists(summary(k)); }
+  /// Nothing is left to do: `bagnold resume` joins trajectories and removes their parts.
+  bool finished(std::size_t k) const {
+    return has_results(k) && io::trajectory_parts(point(k)).empty();
+  }
   bool begun(std::size_t k) const { return std::filesystem::exists(log(k)); }
   bool in_use(std::size_t k) const;  ///< by a process
 

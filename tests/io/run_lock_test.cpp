@@ -58,6 +58,33 @@ TEST(RunLock, DoesNotSurviveExec) {
   EXPECT_NO_THROW(RunLock(folder.path()));
 }
 
+TEST(RunLock, AFolderThatWasMovedIsNotTheirs) {
+  TestFolder folder;
+  auto const path = folder / "run";
+  std::filesystem::create_directory(path);
+  RunLock const lock(path);
+  EXPECT_NO_THROW(lock.check_folder());
+  std::filesystem::rename(path, folder / "moved");
+  EXPECT_THROW(lock.check_folder(), FileError);
+  std::filesystem::create_directory(path);  // another run's
+  EXPECT_THROW(lock.check_folder(), FileError);
+  std::filesystem::remove(path);
+  std::filesystem::rename(folder / "moved", path);
+  EXPECT_NO_THROW(lock.check_folder());
+}
+
+TEST(RunLock, CanBeDoneWithout) {
+  TestFolder folder;
+  RunLock const lock(folder.path());
+  ::setenv("BAGNOLD_LOCKS", "off", 1);
+  EXPECT_NO_THROW(RunLock(folder.path()));
+  ::setenv("BAGNOLD_LOCKS", "maybe", 1);
+  EXPECT_THROW(RunLock(folder.path()), InputError);
+  ::setenv("BAGNOLD_LOCKS", "on", 1);
+  EXPECT_THROW(RunLock(folder.path()), InputError);
+  ::unsetenv("BAGNOLD_LOCKS");
+}
+
 TEST(RunLock, MissingFolderIsAFileError) {
   TestFolder folder;
   EXPECT_THROW(RunLock(folder / "none"), FileError);

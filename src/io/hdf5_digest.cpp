@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/io/hdf5_digest.hpp"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <span>
+
+#include "src/config/errors.hpp"
+
+namespace bagnold::io {
+namespace {
+
+void require(bool good, std::string const& path) {
+  if (!good) throw FileError(fmt::format("{} cannot be read: {}", path, hdf5_reason()));
+}
+
+using Names = std::vector<std::string>;
+
+herr_t keep_attribute(hid_t, char const* name, H5A_info_t const*, void* names) {
+  static_cast<Names*>(names)->emplace_back(name);
+  return 0;
+}
+
+herr_t keep_member(hid_t, char const* name, H5L_info_t const*, void* names) {
+  static_cast<Names*>(names)->emplace_back(name);
+  return 0;
+}
+
+struct Extent {
+  Shape now, most;
+};
+
+Extent extent_of(Handle const& space, std::string const& path) {
+  int const rank = space.valid() ? H5Sget_simple_extent_ndims(space.get()) : -1;
+  require(rank >= 0, path);
+  Extent extent{Shape(static_cast<std::size_t>(rank)), Shape(static_cast<std::size_t>(rank))};
+  H5Sget_simple_extent_dims(space.get(), extent.now.data(), extent.most.data());
+  return extent;
+}
+
+std::vector<std::byte> room_for(Shape const& shape, Handle const& type) {
+  std::size_t bytes = H5Tget_size(type.get());
+  for (auto const length : shape) bytes *= length;
+  return std::vector<std::byte>(bytes);
+}
+
+void add_shape(Xxh3& hash, std::span<hsize_t const> shape) { hash.add(std::as_bytes(shape)); }
+
+}  // namespace
+
+void Hdf5Digest::add(Handle const& file) {
+  Handle const root(H5Gopen2(file.get(), "/", H5P_DEFAULT), H5Gclose);
+  add_object(root, "/");
+}
+
+void Hdf5Digest::add_object(Handle const& object, std::string const& path) {
+  require(object.valid(), path);
+  add_attributes(object, path);
+  if (H5Iget_type(object.get()) == H5I_DATASET) return add_dataset(object, path);
+  Names names;
+  require(H5Literate(object.get(), H5_INDEX_NAME, H5_ITER_INC, nullptr, keep_member, &names) >= 0,
+          path);
+  for (auto const& name : names)
+    add_object(Handle(H5Oopen(object.get(), name.c_str(), H5P_DEFAULT), H5Oclose),
+               (path == "/" ? path : path + "/") + name);
+}
+
+void Hdf5Digest::add_attributes(Handle const& object, std::string const& path) {
+  Names names;
+  require(
+      H5Aiterate2(object.get(), H5_INDEX_NAME, H5_ITER_INC, nullptr, keep_attribute, &names) >= 0,
+      path);
+  for (auto const& name : names) {
+    auto const where = path + "@" + name;
+    Handle const attribute(H5Aopen(object.get(), name.c_str(), H5P_DEFAULT), H5Aclose);
+    require(attribute.valid(), where);
+    Handle const type(H5Aget_type(attribute.get()), H5Tclose);
+    auto const extent = extent_of(Handle(H5Aget_space(attribute.get()), H5Sclose), where);
+    auto value = room_for(extent.now, type);
+    require(H5Aread(attribute.get(), type.get(), value.data()) >= 0, where);
+    auto const [hash, added] = fixed_.try_emplace(where);
+    if (!added) continue;
+    add_shape(hash->second, extent.now);
+    hash->second.add(value);
+  }
+}
+
+void Hdf5Digest::add_dataset(Handle const& set, std::string const& path) {
+  Handle const type(H5Dget_type(set.get()), H5Tclose);
+  Handle const space(H5Dget_space(set.get()), H5Sclose);
+  auto const [now, most] = extent_of(space, path);
+  bool const grows = !most.empty() && most.front() == H5S_UNLIMITED;
+  auto const [hash, added] = (grows ? growing_ : fixed_).try_emplace(path);
+  if (!grows) {
+    if (!added) return;
+    auto value = room_for(now, type);
+    require(H5Dread(set.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, value.data()) >= 0, path);
+    add_shape(hash->second, now);
+    hash->second.add(value);
+    return;
+  }
+  Shape row = now, start(now.size(), 0);
+  row.front() = 1;
+  if (added) add_shape(hash->second, row);
+  auto value = room_for(row, type);
+  Handle const here(H5Screate_simple(static_cast<int>(row.size()), row.data(), nullptr), H5Sclose);
+  for (; start.front() < now.front(); ++start.front()) {
+    H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, start.data(), nullptr, row.data(), nullptr);
+    require(H5Dread(set.get(), type.get(), here.get(), space.get(), H5P_DEFAULT, value.data()) >= 0,
+            path);
+    hash->second.add(value);
+  }
+}
+
+std::map<std::string, std::string> Hdf5Digest::hashes() const {
+  std::map<std::string, std::string> all;
+  for (auto const* part : {&fixed_, &growing_})
+    for (auto const& [path, hash] : *part) all[path] = hash.hex();
+  return all;
+}
+
+}  // namespace bagnold::io

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/io/trajectory_parts.hpp"
+
+#include <algorithm>
+#include <regex>
+
+namespace bagnold::io {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> trajectory_parts(fs::path const& folder) {
+  std::regex const name("trajectory(_[0-9]+)?[.]parts");
+  std::vector<fs::path> found;
+  std::error_code none_there;
+  for (fs::directory_iterator file(folder, none_there), end; !none_there && file != end;
+       file.increment(none_there))
+    if (std::regex_match(file->path().filename().string(), name)) found.push_back(file->path());
+  return found;
+}
+
+bool run_finished(fs::path const& folder) {
+  std::error_code ignored;
+  return fs::exists(folder / "summary.json", ignored) &&
+         std::ranges::all_of(trajectory_parts(folder), [&](fs::path parts) {
+           return fs::exists(parts.replace_extension(".h5md"), ignored);
+         });
+}
+
+}  // namespace bagnold::io
