@@ -1,0 +1,59 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Writes the table of docs/reproduction.md: what the papers state in numbers, and ours.
+
+Draws every figure from the tables in docs/data/figures (nothing is run) and puts what it prints of
+stated numbers between the marks of the page; the text around them stays.
+"""
+
+import argparse
+import csv
+import pathlib
+import subprocess
+import tomllib
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+PAGE = ROOT / "docs/reproduction.md"
+BEGIN, END = "<!-- table: scripts/reproduction_page.py -->\n", "<!-- end of the table -->\n"
+NOT_FOUND = "not found"  # ours, where no data are there
+
+
+def stated(figure, program, out):
+    """Rows of stated.csv of a figure, drawn into the folder `out`; none where it has none."""
+    drawn = subprocess.run([program, "figure", figure, "--data", ROOT / "docs/data/figures", "--out", out],
+                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    file = out / figure / "stated.csv"
+    if drawn.returncode != 0 or not file.exists():
+        return []
+    with open(file, newline="") as rows:
+        return list(csv.DictReader(rows))
+
+
+def table(program, out):
+    lines = ["| figure | what | the paper | ours | deviation | stated in |", "| --- " * 6 + "|"]
+    missing = {}
+    for figure in tomllib.loads((ROOT / "inputs/figures/figures.toml").read_text()):
+        for row in stated(figure, program, out):
+            if row["ours"] == NOT_FOUND:
+                missing[figure] = missing.get(figure, 0) + 1
+                continue
+            cells = [figure, row["what"], row["stated"], row["ours"], row["deviation"], row["source"]]
+            lines.append("| " + " | ".join(cell.replace("|", "\\|").replace("+-", "±") for cell in cells) + " |")
+    if missing:
+        lines += ["", "Without data yet: " + ", ".join(f"{n} of {figure}" for figure, n in missing.items()) + "."]
+    return "\n".join(lines) + "\n"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--program", default=ROOT / "build/openmp/bagnold")
+    parser.add_argument("--out", type=pathlib.Path, default=ROOT / "results/reproduction",
+                        help="for the pictures; default: %(default)s")
+    given = parser.parse_args()
+    before, rest = PAGE.read_text().split(BEGIN)
+    _, after = rest.split(END)
+    PAGE.write_text(before + BEGIN + table(given.program, given.out) + END + after)
+
+
+if __name__ == "__main__":
+    main()
