@@ -41,7 +41,7 @@ class Attack:
         counts = self.counts_of(target)
         call = random.choice([name for name in ERRORS if counts[name]])
         at, error = random.randint(1, counts[call]), random.choice(ERRORS[call])
-        times = 1 if error == "KILL" else random.choice(TIMES)
+        times = 1 if error in ("KILL", "EINTR") else random.choice(TIMES)
         what = f"{target.kind}: {call} {at} of {counts[call]} {error}, times {times}"
         half = random.random() < 0.3 and target.kind != "sweep" and counts["rename"] > 1
         words = None
