@@ -95,7 +95,8 @@ def run(program, folder, state, quick, say):
     os.makedirs(folder, exist_ok=True)
     path = os.path.join(folder, state.name + ".toml")
     scene = {"disks": disks, "start": start, "shear": {"strain_rate": state.rate, "strain": strain},
-             "integration": {"scheme": SCHEME, "time_step": TIME_STEP}, "output": {"plot": False}}
+             "integration": {"scheme": SCHEME, "time_step": TIME_STEP},
+             "output": {"plot": False, "sample_strain": min(0.01, strain)}}
     with open(path, "w") as out:
         out.write("".join(f"[{table}]\n" + "".join(f"{key} = {toml(value)}\n" for key, value in keys.items())
                           for table, keys in scene.items()))

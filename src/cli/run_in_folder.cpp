@@ -9,6 +9,7 @@
 #include "src/config/scene_file.hpp"
 #include "src/config/time_step.hpp"
 #include "src/config/toml_text.hpp"
+#include "src/io/atomic_file.hpp"
 #include "src/io/checkpoint.hpp"
 #include "src/io/state_file.hpp"
 #include "src/start/deep_overlaps.hpp"
@@ -73,7 +74,7 @@ std::vector<StartedState> states_in_file(Scene const& scene) {
 }
 
 bool begun(std::filesystem::path const& folder) {
-  for (auto const* name : {"checkpoint.h5", "checkpoint.previous.h5", "checkpoint.h5.tmp"})
+  for (auto const* name : {"checkpoint.h5", "checkpoint.previous.h5", "checkpoint.h5.tmp", "result.h5"})
     if (std::filesystem::exists(folder / name)) return true;
   return false;
 }
@@ -103,8 +104,9 @@ int go_on_in(RunFolder const& folder, Machine const& machine, bool quiet) {
   std::vector<std::string> remarks;
   auto checkpoint = io::newest_checkpoint(folder.path(), &remarks);
   for (auto const& remark : remarks) say(remark);
-  if (checkpoint && std::filesystem::exists(folder.scene()) &&
-      read_text(folder.scene()) != checkpoint->scene)
+  if (checkpoint && !std::filesystem::exists(folder.scene()))
+    io::replace_text(folder.scene(), checkpoint->scene);
+  if (checkpoint && read_text(folder.scene()) != checkpoint->scene)
     throw InputError(
         fmt::format("{} is not the scene of the checkpoint beside it; put it back, or "
                     "start a new run with it in another folder",

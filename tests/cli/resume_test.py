@@ -229,6 +229,15 @@ class Damage(ResumeTest):
                 self.assertIn("scene.toml", text)
                 self.assert_same_results(whole, out)
 
+    def test_scene_removed_between(self):
+        """The checkpoint has it too: it is written again."""
+        path, whole, _ = self.prepare(1.0, disks__model="CD", **OFTEN)
+        out = self.stopped_run(path)
+        (out / "scene.toml").unlink()
+        self.resume(out)
+        self.assert_same_results(whole, out)
+        self.assertEqual((out / "scene.toml").read_text(), (whole / "scene.toml").read_text())
+
     def test_scene_edited_between(self):
         """resume goes on with the run that was started, or says no; never with a mixture."""
         path, whole, _ = self.prepare(1.0, disks__model="CD", **OFTEN)

@@ -84,9 +84,8 @@ inline bool same(Scene const& a, Scene const& b) {
   return equal;
 }
 
-/// The sources that were compiled, by absolute path: inputs/ is beside tests/.
-inline std::filesystem::path const source_folder =
-    std::filesystem::path(__FILE__).parent_path().parent_path().parent_path();
+/// The root of the sources, which has inputs/.
+inline std::filesystem::path const source_folder = BAGNOLD_SOURCE_FOLDER;
 
 inline Scene::Disks disks(std::string const& model, double elasticity, std::string const& mass = "equal") {
   Scene::Disks d;

@@ -68,7 +68,8 @@ def a_strain(program, state, cell, strain):
 def run(program, state, cell, strain):
     engine, scheme = cell
     settings = {"start.kind": "state", "start.file": os.path.abspath(os.path.join(state, "state.h5")),
-                "shear.strain": strain, "shear.discard": 0, "integration.engine": engine,
+                "shear.strain": strain, "shear.discard": 0,
+                "output.sample_strain": min(0.01, strain), "integration.engine": engine,
                 "integration.scheme": scheme, "integration.time_step": METHODS[scheme],
                 "output.plot": "false"}
     with tempfile.TemporaryDirectory() as folder:
