@@ -10,6 +10,10 @@
 
 namespace bagnold {
 
+/// What names of keys, "table.key", are written with.
+inline constexpr std::string_view key_letters =
+    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.-";
+
 /// One key of the scene file: its name, unit and meaning, and what values it takes.
 struct Key {
   std::string_view name;  ///< "table.key"

@@ -200,8 +200,7 @@ class Reader {
 
 /// What is no TOML value, and does not begin like one, is a string: words, paths.
 void put_override(toml::table& scene, Override const& put) {
-  if (put.key.find_first_not_of(
-          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.-") != std::string::npos)
+  if (put.key.find_first_not_of(key_letters) != std::string::npos)
     throw InputError(
         fmt::format("{}: {} is no key; write --set table.key=value", put.origin, shown(put.key)));
 

@@ -8,6 +8,8 @@
 #include <sstream>
 
 #include "src/config/errors.hpp"
+#include "src/config/keys.hpp"
+#include "src/config/shown.hpp"
 #include "src/config/toml_table.hpp"
 
 namespace bagnold::sweep {
@@ -59,7 +61,7 @@ class TableReader {
                                  name, describe(node), name));
       lists(name, "", *node.as_table(), name == "grid" ? sweep.grid : sweep.zip);
     } else {
-      refuse(node, fmt::format("unknown key sweep.{}; [sweep] takes grid, zip and chain", name));
+      refuse(node, fmt::format("unknown key sweep.{}; [sweep] takes grid, zip and chain", shown(name)));
     }
   }
 
@@ -75,6 +77,9 @@ class TableReader {
     });
     for (auto const& [key, node] : entries) {
       std::string const name = prefix + std::string(key->str());
+      if (name.find_first_not_of(key_letters) != std::string::npos)
+        refuse(*node, fmt::format("sweep.{}: {} is no key; write \"table.key\" = [value, value]", where,
+                                  shown(name)));
       if (auto const* inner = node->as_table())
         lists(where, name + ".", *inner, keys);
       else
@@ -140,7 +145,7 @@ class TableReader {
       for (auto const& key : *keys)
         if (key.name == sweep.chain) return;
     refuse(node, fmt::format("sweep.chain = \"{}\" (must be a key that grid or zip varies)",
-                             sweep.chain));
+                             shown(sweep.chain)));
   }
 
   std::string origin_;
