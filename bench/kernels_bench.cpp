@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <benchmark/benchmark.h>
 
-#include "kernels/dynamics/modified_velocity_verlet.hpp"
-#include "src/simulation/device_copy.hpp"
-#include "src/simulation/laws.hpp"
+#include "kernels/device/dynamics/modified_velocity_verlet.hpp"
+#include "src/engine/device_copy.hpp"
+#include "src/engine/laws.hpp"
 #include "src/start/start.hpp"
 
 namespace bagnold::bench {

@@ -11,7 +11,7 @@
 #include "src/config/time_step.hpp"
 #include "src/io/state_file.hpp"
 #include "src/protocols/side_by_side.hpp"
-#include "src/simulation/make_simulation.hpp"
+#include "src/engine/make_simulation.hpp"
 #include "src/start/start.hpp"
 
 namespace bagnold::bench {

@@ -8,7 +8,7 @@
 #include "src/config/plan.hpp"
 #include "src/config/scene.hpp"
 #include "src/protocols/steady.hpp"
-#include "src/simulation/simulation.hpp"
+#include "src/engine/simulation.hpp"
 
 namespace bagnold::bench {
 

@@ -2,7 +2,7 @@
 #
 # `cmake --install`: the program, the kernel headers, and what find_package(Bagnold) needs to offer the
 # target Bagnold::kernels. Headers keep their path from the root of the repository: with Bagnold::kernels
-# linked, #include "kernels/contact/cd_n.hpp" works as it does here.
+# linked, #include "kernels/physics/laws/cd_n.hpp" works as it does here.
 
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "kernels/core/kokkos_compat.hpp"
+#include "kernels/physics/kokkos_compat.hpp"
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);

@@ -9,8 +9,8 @@
 #include "bench/accuracy/schemes/pairwise_sweep.hpp"
 #include "bench/accuracy/schemes/two_stage.hpp"
 #include "bench/accuracy/system.hpp"
-#include "kernels/contact/repulsion.hpp"
-#include "src/simulation/laws.hpp"
+#include "kernels/physics/repulsion/repulsion.hpp"
+#include "src/engine/laws.hpp"
 
 namespace bagnold::accuracy {
 

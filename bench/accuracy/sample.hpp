@@ -4,7 +4,7 @@
 #include <array>
 
 #include "bench/accuracy/pairs.hpp"
-#include "kernels/observables/sums.hpp"
+#include "kernels/device/sums/measure.hpp"
 
 namespace bagnold::accuracy {
 

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "bench/accuracy/near_pairs.hpp"
-#include "kernels/blocks/blocks.hpp"
-#include "kernels/contact/contact.hpp"
-#include "kernels/neighbors/verlet_list.hpp"
+#include "kernels/cpu/blocks/blocks.hpp"
+#include "kernels/physics/laws/contact.hpp"
+#include "kernels/device/neighbors/verlet_list.hpp"
 #include "src/config/errors.hpp"
-#include "src/simulation/clock.hpp"
+#include "src/engine/clock.hpp"
 #include "src/state/state.hpp"
 
 namespace bagnold::accuracy {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "src/config/scene.hpp"
-#include "src/simulation/observables.hpp"
+#include "src/engine/observables.hpp"
 
 namespace bagnold {
 

@@ -12,7 +12,7 @@
 
 #include "src/cli/messages.hpp"
 #include "src/config/errors.hpp"
-#include "src/simulation/make_simulation.hpp"
+#include "src/engine/make_simulation.hpp"
 
 namespace bagnold {
 

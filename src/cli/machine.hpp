@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "kernels/core/kokkos_compat.hpp"
+#include "kernels/physics/kokkos_compat.hpp"
 #include "src/config/scene.hpp"
 
 namespace bagnold {

@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "git_version.hpp"
-#include "src/simulation/make_simulation.hpp"
+#include "src/engine/make_simulation.hpp"
 
 namespace bagnold {
 

@@ -10,7 +10,7 @@
 #include "src/config/plan.hpp"
 #include "src/config/scene.hpp"
 #include "src/protocols/steady.hpp"
-#include "src/simulation/observables.hpp"
+#include "src/engine/observables.hpp"
 #include "src/statistics/replicas.hpp"
 
 namespace bagnold {

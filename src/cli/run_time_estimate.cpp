@@ -12,7 +12,7 @@
 #include "src/cli/run_time_trial.hpp"
 #include "src/config/errors.hpp"
 #include "src/io/state_file.hpp"
-#include "src/simulation/make_simulation.hpp"
+#include "src/engine/make_simulation.hpp"
 #include "src/start/start.hpp"
 
 namespace bagnold {

@@ -13,8 +13,8 @@
 #include "src/measure/make_frames.hpp"
 #include "src/protocols/ramped_simulation.hpp"
 #include "src/protocols/steady.hpp"
-#include "src/simulation/contact_columns.hpp"
-#include "src/simulation/make_simulation.hpp"
+#include "src/engine/contacts/contact_columns.hpp"
+#include "src/engine/make_simulation.hpp"
 #include "src/start/start.hpp"
 
 namespace bagnold {

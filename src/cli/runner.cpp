@@ -21,7 +21,7 @@
 #include "src/measure/make_frames.hpp"
 #include "src/protocols/ramped_simulation.hpp"
 #include "src/protocols/steady.hpp"
-#include "src/simulation/make_simulation.hpp"
+#include "src/engine/make_simulation.hpp"
 #include "src/start/start.hpp"
 #include "src/statistics/stopping.hpp"
 

@@ -12,7 +12,7 @@
 #include "src/cli/run_results.hpp"
 #include "src/io/checkpoint.hpp"
 #include "src/protocols/side_by_side.hpp"
-#include "src/simulation/simulation.hpp"
+#include "src/engine/simulation.hpp"
 
 namespace bagnold {
 

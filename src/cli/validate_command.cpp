@@ -14,7 +14,7 @@
 #include "src/config/stability.hpp"
 #include "src/config/time_step.hpp"
 #include "src/config/toml_text.hpp"
-#include "src/simulation/make_simulation.hpp"
+#include "src/engine/make_simulation.hpp"
 #include "src/sweep/sweep_table.hpp"
 
 namespace bagnold {

@@ -3,7 +3,7 @@
 
 #include "src/measure/counts.hpp"
 #include "src/measure/frame_observer.hpp"
-#include "src/simulation/contact_record.hpp"
+#include "src/engine/contacts/contact_record.hpp"
 
 namespace bagnold {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "kernels/dynamics/contact_sample.hpp"
+#include "kernels/cpu/contacts/contact_sample.hpp"
 #include "src/measure/frame_observer.hpp"
 
 namespace bagnold {

@@ -6,7 +6,7 @@
 #include "src/config/plan.hpp"
 #include "src/config/scene.hpp"
 #include "src/measure/frames.hpp"
-#include "src/simulation/contact_record.hpp"
+#include "src/engine/contacts/contact_record.hpp"
 
 namespace bagnold {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "kernels/neighbors/neighbor_search.hpp"
-#include "src/simulation/device_copy.hpp"
+#include "kernels/device/neighbors/neighbor_search.hpp"
+#include "src/engine/device_copy.hpp"
 #include "src/state/state.hpp"
 
 namespace bagnold {

@@ -3,10 +3,10 @@
 
 #include <cstdint>
 
-#include "kernels/dynamics/two_stage_leapfrog.hpp"
+#include "kernels/device/dynamics/two_stage_leapfrog.hpp"
 #include "src/config/time_step.hpp"
 #include "src/measure/disk_search.hpp"
-#include "src/simulation/laws.hpp"
+#include "src/engine/laws.hpp"
 
 namespace bagnold {
 

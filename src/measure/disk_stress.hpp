@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "kernels/observables/sums.hpp"
+#include "kernels/device/sums/measure.hpp"
 #include "src/config/scene.hpp"
 #include "src/state/state.hpp"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "src/measure/frame_observer.hpp"
-#include "src/simulation/simulation.hpp"
+#include "src/engine/simulation.hpp"
 
 namespace bagnold {
 

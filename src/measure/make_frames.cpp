@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/measure/make_frames.hpp"
 
-#include "kernels/core/species.hpp"
+#include "kernels/physics/species.hpp"
 #include "src/measure/fields.hpp"
 #include "src/measure/profiles.hpp"
 #include "src/measure/rotation.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "kernels/core/species.hpp"
+#include "kernels/physics/species.hpp"
 #include "src/measure/band.hpp"
 #include "src/measure/disk_stress.hpp"
 #include "src/measure/profile_quantities.hpp"

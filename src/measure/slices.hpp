@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "kernels/observables/sums.hpp"
+#include "kernels/device/sums/measure.hpp"
 #include "src/state/state.hpp"
 
 namespace bagnold {

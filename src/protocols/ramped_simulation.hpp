@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "src/config/ramp.hpp"
-#include "src/simulation/simulation.hpp"
+#include "src/engine/simulation.hpp"
 
 namespace bagnold {
 

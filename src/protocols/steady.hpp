@@ -8,7 +8,7 @@
 #include "src/config/errors.hpp"
 #include "src/config/plan.hpp"
 #include "src/measure/frames.hpp"
-#include "src/simulation/simulation.hpp"
+#include "src/engine/simulation.hpp"
 #include "src/statistics/windows.hpp"
 
 namespace bagnold {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
-#include "kernels/contact/contact.hpp"
-#include "kernels/core/species.hpp"
+#include "kernels/physics/laws/contact.hpp"
+#include "kernels/physics/species.hpp"
 
 namespace bagnold {
 

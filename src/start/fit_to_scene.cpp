@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernels/core/species.hpp"
+#include "kernels/physics/species.hpp"
 #include "src/config/errors.hpp"
 #include "src/start/start.hpp"
 

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "kernels/core/side_by_side.hpp"
-#include "kernels/dynamics/relaxation.hpp"
-#include "src/simulation/device_copy.hpp"
+#include "kernels/device/side_by_side.hpp"
+#include "kernels/device/dynamics/relaxation.hpp"
+#include "src/engine/device_copy.hpp"
 
 namespace bagnold {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "kernels/core/species.hpp"
+#include "kernels/physics/species.hpp"
 #include "src/state/state.hpp"
 
 namespace bagnold {

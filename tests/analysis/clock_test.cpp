@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "src/simulation/clock.hpp"
+#include "src/engine/clock.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "src/simulation/observables.hpp"
+#include "src/engine/observables.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <set>
 #include <string>
 
-#include "kernels/observables/sums.hpp"
+#include "kernels/device/sums/measure.hpp"
 #include "tests/config/scenes.hpp"
 
 namespace bagnold {

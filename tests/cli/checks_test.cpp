@@ -7,7 +7,7 @@
 #include <random>
 #include <tuple>
 
-#include "kernels/observables/sums.hpp"
+#include "kernels/device/sums/measure.hpp"
 #include "src/config/jamming.hpp"
 #include "tests/config/scenes.hpp"
 

@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "src/config/plan.hpp"
-#include "src/simulation/laws.hpp"
+#include "src/engine/laws.hpp"
 #include "src/sweep/sweep.hpp"
 #include "tests/config/scenes.hpp"
 

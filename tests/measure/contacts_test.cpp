@@ -6,9 +6,9 @@
 #include <cmath>
 #include <tuple>
 
-#include "kernels/observables/sums.hpp"
+#include "kernels/device/sums/measure.hpp"
 #include "src/config/time_step.hpp"
-#include "src/simulation/observables.hpp"
+#include "src/engine/observables.hpp"
 
 namespace bagnold::test {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "src/protocols/steady.hpp"
-#include "src/simulation/ensemble.hpp"
+#include "src/engine/ensemble/ensemble.hpp"
 
 namespace bagnold {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "src/protocols/steady.hpp"
-#include "src/simulation/make_simulation.hpp"
+#include "src/engine/make_simulation.hpp"
 #include "src/start/start.hpp"
 
 namespace bagnold {

@@ -10,8 +10,8 @@ failed=0
 expect() {
   local status="$1" file="$2" found=0
   rm -rf "$folder"
-  mkdir -p "$folder/kernels/core" "$folder/src/config" "$folder/$(dirname "$file")"
-  printf '%s\n' '#pragma once' >"$folder/kernels/core/a.hpp"
+  mkdir -p "$folder/kernels/physics" "$folder/src/config" "$folder/$(dirname "$file")"
+  printf '%s\n' '#pragma once' >"$folder/kernels/physics/a.hpp"
   printf '%s\n' "${@:3}" >"$folder/$file"
   bash "$test" "$folder" >/dev/null || found=$?
   [ "$found" = "$status" ] && return 0
@@ -20,14 +20,14 @@ expect() {
 }
 
 folder="$1"
-expect 0 kernels/contact/b.hpp '#include "kernels/core/a.hpp"' '#include <Kokkos_Core.hpp>'
-expect 0 kernels/neighbors/b.hpp 'parallel_for("neighbors::Search", n, f);'
-expect 1 kernels/core/b.hpp '#include "kernels/contact/a.hpp"'
-expect 1 kernels/contact/b.hpp '#include "kernels/neighbors/a.hpp"'
-expect 1 kernels/neighbors/b.hpp '#include "kernels/contact/a.hpp"'
-expect 1 kernels/contact/b.hpp '#include "contact.hpp"'
-expect 1 kernels/contact/b.hpp '#include <H5Cpp.h>'
-expect 1 kernels/neighbors/b.hpp 'parallel_for("contact::Search", n, f);'
+expect 0 kernels/device/b.hpp '#include "kernels/physics/a.hpp"' '#include <Kokkos_Core.hpp>'
+expect 0 kernels/device/neighbors/b.hpp 'parallel_for("neighbors::Search", n, f);'
+expect 1 kernels/physics/b.hpp '#include "kernels/device/a.hpp"'
+expect 1 kernels/device/b.hpp '#include "kernels/cpu/a.hpp"'
+expect 0 kernels/cpu/b.hpp '#include "kernels/device/a.hpp"'
+expect 1 kernels/device/b.hpp '#include "b2.hpp"'
+expect 1 kernels/device/b.hpp '#include <H5Cpp.h>'
+expect 1 kernels/device/neighbors/b.hpp 'parallel_for("device::Search", n, f);'
 expect 0 src/start/b.cpp 'Kokkos::parallel_for(' '    "start::Relax", n, f);'
 expect 1 src/start/b.cpp 'Kokkos::parallel_for(n, f);'
 expect 1 src/config/b.cpp '#include <Kokkos_Core.hpp>'

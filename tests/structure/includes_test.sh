@@ -9,25 +9,19 @@ export LC_ALL=C
 
 # A folder, and the folders of this repository that it may include. Itself goes without saying.
 allowed="
-kernels/core
-kernels/geometry     kernels/core
-kernels/contact      kernels/core kernels/geometry
-kernels/neighbors    kernels/core kernels/geometry
-kernels/simd
-kernels/blocks       kernels/core kernels/geometry kernels/neighbors kernels/simd
-kernels/dynamics     kernels/core kernels/geometry kernels/contact kernels/neighbors kernels/blocks kernels/simd
-kernels/observables  kernels/core kernels/geometry kernels/contact kernels/neighbors kernels/dynamics kernels/blocks kernels/simd
-kernels/islands      kernels/core kernels/geometry kernels/contact kernels/blocks kernels/dynamics kernels/observables kernels/simd
+kernels/physics
+kernels/device       kernels/physics
+kernels/cpu          kernels/physics kernels/device
 src/config
 src/statistics
-src/state            src/config kernels/core
-src/simulation       src/config src/state src/statistics kernels
-src/measure          src/config src/state src/statistics src/simulation src/io kernels
-src/protocols        src/config src/state src/statistics src/simulation src/measure
+src/state            src/config kernels/physics
+src/engine           src/config src/state src/statistics kernels
+src/measure          src/config src/state src/statistics src/engine src/io kernels
+src/protocols        src/config src/state src/statistics src/engine src/measure
 src/io               src/config src/state src/statistics
 src/sweep            src/config src/state src/io
-src/start            src/config src/state src/statistics src/simulation src/io kernels
-src/analysis         src/config src/state src/statistics src/simulation src/io
+src/start            src/config src/state src/statistics src/engine src/io kernels
+src/analysis         src/config src/state src/statistics src/engine src/io
 src/cli              src kernels
 "
 # A folder, and the libraries that it must not know. Kernels know Kokkos and the standard library.
@@ -54,7 +48,7 @@ awk -v allowed="$allowed" -v forbidden="$forbidden" '
   FNR == 1 {
     match(FILENAME, /^[a-z]+\/[a-z_]+/)
     here = substr(FILENAME, RSTART, RLENGTH)
-    module = here; sub(/.*\//, "", module)
+    module = FILENAME; sub(/\/[^\/]*$/, "", module); sub(/.*\//, "", module)
     friends = ""; known = 0
     for (r = 1; r <= rules; ++r) {
       split(rule[r], word, " ")

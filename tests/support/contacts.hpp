@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "src/simulation/contact_record.hpp"
+#include "src/engine/contacts/contact_record.hpp"
 #include "tests/support/simulations.hpp"
 
 /// Contacts as engines tell of them, and as all pairs of every configuration give them.

@@ -8,10 +8,10 @@
 #include <string>
 #include <tuple>
 
-#include "kernels/observables/sums.hpp"
+#include "kernels/device/sums/measure.hpp"
 #include "src/config/time_step.hpp"
-#include "src/simulation/laws.hpp"
-#include "src/simulation/make_simulation.hpp"
+#include "src/engine/laws.hpp"
+#include "src/engine/make_simulation.hpp"
 #include "src/start/relax_overlaps.hpp"
 #include "src/start/start.hpp"
 #include "tests/reference/reference.hpp"

@@ -7,8 +7,8 @@
 #include <tuple>
 #include <type_traits>
 
-#include "src/simulation/backends.hpp"
-#include "src/simulation/laws.hpp"
+#include "src/engine/backends.hpp"
+#include "src/engine/laws.hpp"
 
 /// The program's own lists of backends and laws as the type lists of tests.
 namespace bagnold::test {

@@ -5,9 +5,9 @@
 #include <type_traits>
 
 #include "bench/accuracy/world.hpp"
-#include "kernels/contact/cd.hpp"
-#include "kernels/contact/cd_n.hpp"
-#include "kernels/contact/general.hpp"
+#include "kernels/physics/laws/cd.hpp"
+#include "kernels/physics/laws/cd_n.hpp"
+#include "kernels/physics/laws/general.hpp"
 
 namespace bagnold::accuracy {
 

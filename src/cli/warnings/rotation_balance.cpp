@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "kernels/core/species.hpp"
+#include "kernels/physics/species.hpp"
 #include "src/cli/warnings/checks.hpp"
 
 namespace bagnold {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "kernels/contact/cd_n.hpp"
+#include "kernels/physics/laws/cd_n.hpp"
 
 /// Two disks approach head on, at speed 1, damping 2: the force on i is 2 along the normal.
 int main() {

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "kernels/physics/vec2.hpp"
+
+namespace bagnold {
+
+/// How the surfaces of two disks in contact move past each other, over gammadot d_s.
+///
+/// With t = z x r_ji/r_ij (P2 Eqs. 30-34): V_ij,T = V_ij . t, V_ij,N = V_ij . r_ji/r_ij (positive
+/// where they come together), V^C_ij,T = V_ij,T + V^R_ij. The contact is where P2 Eq. (6) has it,
+/// so
+///
+///     V^R_ij = r_ij (d_i thetadot_i + d_j thetadot_j) / (d_i + d_j) / (gammadot d_s),
+///
+/// about half of what P2 Eq. (31) says. The same for (j, i).
+struct ContactVelocities {
+  Real tangential = 0;  ///< V_ij,T
+  Real rotational = 0;  ///< V^R_ij; 0 where disks do not rotate
+  Real normal = 0;      ///< V_ij,N
+
+  Real at_contact() const { return tangential + rotational; }  ///< V^C_ij,T
+};
+
+/// separation: r_ij, [d_s]; velocity: v_ij, [d_s/tau_e]; spin: (d_i thetadot_i + d_j thetadot_j) /
+/// (d_i + d_j), [1/tau_e].
+inline ContactVelocities contact_velocities(Vec2<Real> const& separation,
+                                            Vec2<Real> const& velocity, Real spin,
+                                            Real strain_rate) {
+  Real const r = std::sqrt(dot(separation, separation));
+  return {cross(velocity, separation) / r / strain_rate, r * spin / strain_rate,
+          -dot(velocity, separation) / r / strain_rate};
+}
+
+/// Sums over pairs in contact, of V_T, V_R, V_N of ContactVelocities in [d_s / tau_e].
+struct ContactMotion {
+  enum : int {
+    normal2,
+    tangential2,
+    rotational2,
+    tangential_rotational,
+    tangential_normal,
+    rotational_normal,
+    tangential,
+    rotational,
+    normal,
+    contacts,
+    count
+  };
+  Real value[count] = {};
+
+  /// spin: as in contact_velocities().
+  void add(Real weight, Vec2<Real> const& separation, Vec2<Real> const& velocity, Real spin) {
+    Real const r2 = dot(separation, separation), along = dot(velocity, separation);
+    Real const across = cross(velocity, separation), r = std::sqrt(r2);
+    value[normal2] += weight * (along * along / r2);
+    value[tangential2] += weight * (across * across / r2);
+    value[rotational2] += weight * (r2 * spin * spin);
+    value[tangential_rotational] += weight * (across * spin);
+    value[tangential_normal] -= weight * (across * along / r2);
+    value[rotational_normal] -= weight * (along * spin);
+    value[tangential] += weight * (across / r);
+    value[rotational] += weight * (r * spin);
+    value[normal] -= weight * (along / r);
+    value[contacts] += weight;
+  }
+  ContactMotion& operator+=(ContactMotion const& o) {
+    for (int c = 0; c < count; ++c) value[c] += o.value[c];
+    return *this;
+  }
+};
+
+/// A contact is looked at in one configuration.
+struct ContactSample {
+  std::int64_t step = 0;
+  std::uint32_t a = 0, b = 0;  ///< disks by their index at the start, a < b
+  ContactVelocities velocities;
+};
+
+/// In which of its configurations a contact is looked at: when it ends, the last look has been at
+/// each of them with equal chance.
+///
+/// A reservoir of one, with jumps (Li, ACM Trans. Math. Softw. 20, 481 (1994)): after the j-th
+/// configuration comes the one of number floor(j/u) + 1, u even in (0, 1], so about ln n looks in n
+/// configurations. u is a hash of seed, disks and step: no thread, list or restart has a part in
+/// it.
+class SampleChoice {
+ public:
+  static constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
+
+  SampleChoice() = default;
+  explicit SampleChoice(std::int64_t seed) : seed_(static_cast<std::uint64_t>(seed)), on_(true) {}
+
+  explicit operator bool() const { return on_; }
+
+  /// The first look at a contact that begins at a step.
+  std::int64_t first(std::int64_t begin) const { return on_ ? begin : never; }
+
+  /// The look after the one at step `now`. Disks in any order.
+  std::int64_t next(std::uint32_t a, std::uint32_t b, std::int64_t begin, std::int64_t now) const {
+    Real const step = static_cast<Real>(now - begin + 1) / uniform(a, b, now);
+    constexpr Real most = 4e18;  // below 2^62
+    return begin + static_cast<std::int64_t>(std::fmin(step, most));
+  }
+
+  /// A number in (0, 1] of a whole contact, by which some of many may be picked.
+  Real rank(std::uint32_t a, std::uint32_t b, std::int64_t begin) const {
+    constexpr std::int64_t aside = std::int64_t{1} << 62;  // no step
+    return uniform(a, b, begin ^ aside);
+  }
+
+  /// Likewise of a contact in the configuration at a step.
+  Real rank_at(std::uint32_t a, std::uint32_t b, std::int64_t step) const {
+    constexpr std::int64_t aside = std::int64_t{1} << 61;  // no step
+    return uniform(a, b, step ^ aside);
+  }
+
+ private:
+  Real uniform(std::uint32_t a, std::uint32_t b, std::int64_t step) const {
+    auto const pair = std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
+    auto const bits = mixed(mixed(mixed(seed_) ^ pair) ^ static_cast<std::uint64_t>(step));
+    return static_cast<Real>((bits >> 11) + 1) * 0x1p-53;
+  }
+
+  /// SplitMix64 (Steele, Lea and Flood, OOPSLA 2014).
+  static std::uint64_t mixed(std::uint64_t x) {
+    x += 0x9e3779b97f4a7c15u;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+    return x ^ (x >> 31);
+  }
+
+  std::uint64_t seed_ = 0;
+  bool on_ = false;
+};
+
+/// A contact in one evaluated configuration, and its rank among all of them.
+struct ContactPick {
+  Real rank = 0;
+  ContactVelocities velocities;
+};
+
+/// Picks the contacts of evaluated configurations that may be among those of the least ranks, which
+/// are an even choice of all: a contact has as many chances as configurations it lasts.
+struct ContactPicker {
+  SampleChoice choice;
+  std::int64_t first_step = 0;  ///< from which on
+  Real limit = 0;               ///< of the ranks
+
+  /// Adds the contact, whose velocities are asked for only then. Disks in any order.
+  template <class Velocities>
+  void operator()(std::vector<ContactPick>& picks, std::int64_t step, std::uint32_t a,
+                  std::uint32_t b, Velocities const& velocities) const {
+    if (!choice || step < first_step) return;
+    Real const rank = choice.rank_at(a, b, step);
+    if (rank < limit) picks.push_back({rank, velocities()});
+  }
+};
+
+}  // namespace bagnold

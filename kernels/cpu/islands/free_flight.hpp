@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kernels/cpu/steps/block_system.hpp"
+#include "kernels/cpu/islands/islands.hpp"
+
+namespace bagnold {
+
+/// Largest |w|^2 that a block's disks reach if all fly straight for `duration`; w is linear in time,
+/// so it is largest at an end. strain: since the build, at the end of the flight.
+inline Real farthest2_after(Block const& block, simd::Record const* records,
+                            Vec2<Real> const* at_build, Real duration, Real strain) {
+  using simd::Pack;
+  Pack largest = 0.0;
+  for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
+    auto const r = simd::load_records(records + i);
+    auto const built = simd::load_pairs(&at_build[i].x);
+    Pack const wx = fnma(strain, built.y, fma(duration, r.vx, r.x) - built.x);
+    Pack const wy = fma(duration, r.vy, r.y) - built.y;
+    largest = max(largest, fma(wx, wx, wy * wy));
+  }
+  return simd::largest(largest);
+}
+
+/// All of a block's own disks fly straight.
+inline void fly(Block const& block, simd::Record* records, Real duration) {
+  for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
+    auto r = simd::load_records(records + i);
+    r.x = fma(duration, r.vx, r.x);
+    r.y = fma(duration, r.vy, r.y);
+    simd::store_records(records + i, r);
+  }
+}
+
+/// The steps that a block's disks can fly straight before a pair of its inner list touches, less one
+/// for rounding; at most `most`.
+inline std::int64_t free_steps(Blocks const& blocks, Block const& block,
+                               simd::Record const* records, Real time_step, std::int64_t most) {
+  using simd::Pack;
+  Pack first = time_step * static_cast<Real>(most + 1);
+  for (int c = 0; c < pair_classes; ++c) {
+    Real const touch = class_distance(c);
+    auto const* pairs = blocks.near[inner_list].data() + block.pairs[c];
+    for (std::uint32_t k = 0; k < block.near[inner_list][c]; k += simd::width) {
+      auto const d = simd::load_differences(records, pairs + k);
+      Pack const b = fma(d.x, d.vx, d.y * d.vy), v2 = fma(d.vx, d.vx, d.vy * d.vy);
+      Pack const r2 = fma(d.x, d.x, fma(d.y, d.y, -(touch * touch)));
+      Pack const root2 = fma(b, b, -(v2 * r2));
+      auto const inside = r2 < Pack(0.0);
+      auto const meets = (b < Pack(0.0)) & (Pack(0.0) < root2);
+      Pack const time = (-b - sqrt(positive_part(root2))) / v2;
+      first = select(inside, 0.0, select(meets & (time < first), time, first));
+    }
+  }
+  Real const steps = std::floor(-simd::largest(-first) / time_step) - 1;
+  return std::clamp(static_cast<std::int64_t>(steps), std::int64_t{0}, most);
+}
+
+/// Kinetic sums of disks in free flight, as polynomials in time. About the mean flow such a disk has
+/// dv_x(t) = a + b t with a = v_x - gammadot y, b = -gammadot v_y, and constant v_y.
+struct FreeFlightSums {
+  /// Of one weight: by mass, or one a disk.
+  struct Moments {
+    Real aa = 0, ab = 0, bb = 0, av = 0, bv = 0, vv = 0;  ///< v: v_y
+  };
+  Moments mass, plain;
+  Real spin = 0, spin2 = 0;
+
+  FreeFlightSums& operator+=(FreeFlightSums const& o) {
+    auto const add = [](Moments& m, Moments const& n) {
+      m.aa += n.aa;
+      m.ab += n.ab;
+      m.bb += n.bb;
+      m.av += n.av;
+      m.bv += n.bv;
+      m.vv += n.vv;
+    };
+    add(mass, o.mass);
+    add(plain, o.plain);
+    spin += o.spin;
+    spin2 += o.spin2;
+    return *this;
+  }
+};
+
+/// Those of a block's own disks for which free(slot) holds, a pack at a time. Inert disks add zero.
+template <class Step, class Free>
+FreeFlightSums free_flight_sums(Step const& step, Block const& block,
+                                Real strain_rate, Free const& free) {
+  using simd::Pack;
+  struct Packs {
+    Pack aa = 0.0, ab = 0.0, bb = 0.0, av = 0.0, bv = 0.0, vv = 0.0;
+    void add(Pack w, Pack a, Pack b, Pack v) {
+      Pack const wa = w * a, wb = w * b;
+      aa = fma(wa, a, aa);
+      ab = fma(wa, b, ab);
+      bb = fma(wb, b, bb);
+      av = fma(wa, v, av);
+      bv = fma(wb, v, bv);
+      vv = fma(w * v, v, vv);
+    }
+    FreeFlightSums::Moments moments() const {
+      return {simd::sum(aa), simd::sum(ab), simd::sum(bb), simd::sum(av), simd::sum(bv),
+              simd::sum(vv)};
+    }
+  } mass, plain;
+  Pack spin = 0.0, spin2 = 0.0;
+  for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
+    auto const slot = block.first + i;
+    auto const here = free(slot);
+    auto const r = simd::load_records(step.now.record.data() + slot);
+    auto const big = simd::nonzero(step.species.data() + slot);
+    Pack const one = zero_unless(here, 1.0);
+    Pack const m = zero_unless(
+        here, select(big, 1 / step.table.inverse_mass[1], 1 / step.table.inverse_mass[0]));
+    Pack const a = fnma(strain_rate, r.y, r.vx), b = -strain_rate * r.vy;
+    mass.add(m, a, b, r.vy);
+    plain.add(one, a, b, r.vy);
+    if constexpr (Step::rotates) {
+      Pack const s = zero_unless(here, Pack::load(step.now.spin.data() + slot));
+      spin += s;
+      spin2 = fma(s, s, spin2);
+    }
+  }
+  return {mass.moments(), plain.moments(), simd::sum(spin), simd::sum(spin2)};
+}
+
+}  // namespace bagnold

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "kernels/cpu/blocks/blocks.hpp"
+
+namespace bagnold {
+
+/// A pair of disks by slot, and the image of the second one that the first may meet.
+struct SlotPair {
+  std::uint32_t a;
+  Neighbor b;
+};
+
+/// The pair that a local pair of a block stands for.
+inline SlotPair slot_pair(Blocks const& blocks, Block const& block, simd::LocalPair const& pair) {
+  auto const own = std::min(pair.a(), pair.b()), other = std::max(pair.a(), pair.b());
+  if (other < block.padded) return {block.first + own, Neighbor::make(block.first + other, {})};
+  return {block.first + own, blocks.halo(block.halo_first + other - block.padded)};
+}
+
+/// A pair across the edge of a block is listed by both of its disks; this picks one of the two.
+inline bool is_first_listing(SlotPair const& pair) { return pair.a < pair.b.index(); }
+
+/// Which of eight pairs come closer than `reach` on straight flights of `duration`.
+///
+/// With r the separation, v the relative velocity, b = r.v and c = r^2 - reach^2: close at the start if
+/// c < 0, at the end if c + 2 b T + v^2 T^2 < 0, in between if b < 0, -b < v^2 T and v^2 c < b^2.
+BAGNOLD_INLINE simd::Mask may_meet(simd::Records const& d, simd::Pack reach, simd::Pack duration) {
+  using simd::Pack;
+  Pack const b = fma(d.x, d.vx, d.y * d.vy);
+  Pack const c = fma(d.x, d.x, fma(d.y, d.y, -(reach * reach)));
+  Pack const v2 = fma(d.vx, d.vx, d.vy * d.vy);
+  Pack const end = fma(duration, fma(v2, duration, b + b), c);
+  Pack const zero = 0.0;
+  return (c < zero) | (end < zero) | ((b < zero) & (-b < v2 * duration) & (v2 * c < b * b));
+}
+
+/// Pairs that may meet within a window, each once over all blocks.
+struct Forecast {
+  std::vector<SlotPair> meeting;  ///< on straight flights
+  struct Near {
+    SlotPair pair;
+    int straying;  ///< how many of the two must stray by the usual for it: 1, 2, or 3 if that is not
+                   ///< enough
+  };
+  std::vector<Near> near;         ///< only if disks stray from these by up to the allowance
+
+  void clear() {
+    meeting.clear();
+    near.clear();
+  }
+};
+
+/// Appends the pairs of a block that touch on straight flights of `duration`, [tau_e], or would if each
+/// disk strayed by up to `allowance`, or by the `usual`, [d_s]. records: the block's, halo included.
+inline void predict_contacts(Blocks const& blocks, Block const& block, simd::Record const* records,
+                             Real duration, Real allowance, Real usual, Forecast& forecast) {
+  for (int c = 0; c < pair_classes; ++c) {
+    Real const touch = class_distance(c);
+    for (auto k = block.pairs[c]; k < block.pairs[c + 1]; k += simd::width) {
+      auto const* pairs = blocks.outer.data() + k;
+      auto const d = simd::load_differences(records, pairs);
+      auto const mask = may_meet(d, touch + 2 * allowance, duration);
+      if (!mask.any()) continue;
+      auto const meet = may_meet(d, touch, duration).lanes();
+      auto const with_one = may_meet(d, touch + usual, duration).lanes();
+      auto const with_two = may_meet(d, touch + 2 * usual, duration).lanes();
+      for (auto lanes = mask.lanes(); lanes != 0; lanes &= lanes - 1) {
+        int const n = __builtin_ctz(lanes);
+        auto const pair = slot_pair(blocks, block, pairs[n]);
+        if (!is_first_listing(pair)) continue;
+        if (meet >> n & 1)
+          forecast.meeting.push_back(pair);
+        else
+          forecast.near.push_back({pair, with_one >> n & 1 ? 1 : with_two >> n & 1 ? 2 : 3});
+      }
+    }
+  }
+}
+
+}  // namespace bagnold

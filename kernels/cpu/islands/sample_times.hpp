@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "kernels/physics/vec2.hpp"
+
+namespace bagnold {
+
+/// When configurations are evaluated within a window of steps, and sums of powers of these times.
+class SampleTimes {
+ public:
+  /// Number of samples, and sums of t and t^2 over them, t in tau_e from the start of the window.
+  struct Powers {
+    Real n = 0, t1 = 0, t2 = 0;
+  };
+
+  void clear() {
+    step_.clear();
+    bin_.clear();
+    before_.clear();
+    total_.clear();
+  }
+
+  /// step: from the start of the window, ascending; bin: measurement window, from 0, ascending.
+  void add(std::int64_t step, std::size_t bin, Real time_step) {
+    if (bin >= total_.size()) total_.resize(bin + 1);
+    auto& total = total_[bin];
+    step_.push_back(step);
+    bin_.push_back(bin);
+    before_.push_back(total);
+    Real const t = static_cast<Real>(step) * time_step;
+    total.n += 1;
+    total.t1 += t;
+    total.t2 += t * t;
+  }
+
+  std::size_t size() const { return step_.size(); }
+  std::size_t bins() const { return total_.size(); }
+  std::int64_t step(std::size_t k) const { return step_[k]; }
+  std::size_t bin(std::size_t k) const { return bin_[k]; }
+  Powers const& total(std::size_t bin) const { return total_[bin]; }
+
+  /// The first sample from `step` on; size() if there is none.
+  std::size_t from(std::int64_t step) const {
+    return static_cast<std::size_t>(std::lower_bound(step_.begin(), step_.end(), step) -
+                                    step_.begin());
+  }
+
+  /// Calls use(bin, powers) for the samples k .. end - 1, bin by bin; t from step `origin`.
+  template <class Use>
+  void some(std::size_t k, std::size_t end, std::int64_t origin, Real time_step,
+            Use const& use) const {
+    while (k < end) {
+      auto const bin = bin_[k];
+      Powers powers;
+      for (; k < end && bin_[k] == bin; ++k) {
+        Real const t = static_cast<Real>(step_[k] - origin) * time_step;
+        powers.n += 1;
+        powers.t1 += t;
+        powers.t2 += t * t;
+      }
+      use(bin, powers);
+    }
+  }
+
+  /// Calls use(bin, powers) for the samples from number k on, bin by bin.
+  template <class Use>
+  void rest(std::size_t k, Use const& use) const {
+    if (k >= size()) return;
+    auto const& all = total_[bin_[k]];
+    auto const& gone = before_[k];
+    use(bin_[k], Powers{all.n - gone.n, all.t1 - gone.t1, all.t2 - gone.t2});
+    for (auto bin = bin_[k] + 1; bin < bins(); ++bin) use(bin, total_[bin]);
+  }
+
+ private:
+  std::vector<std::int64_t> step_;
+  std::vector<std::size_t> bin_;
+  std::vector<Powers> before_;  ///< of the same bin, in front of a sample
+  std::vector<Powers> total_;   ///< by bin
+};
+
+}  // namespace bagnold

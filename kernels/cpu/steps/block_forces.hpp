@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <type_traits>
+
+#include "kernels/cpu/blocks/blocks.hpp"
+#include "kernels/physics/laws/pair_force.hpp"
+
+namespace bagnold {
+
+/// Pairs of one pack that touch, as observers of the block's pair loop are given them.
+struct PackOfPairs {
+  simd::LocalPair const* pairs;  ///< [width]
+  simd::Mask touching;
+  PairForce<simd::Pack> const& force;
+};
+
+struct NoPackObserver {
+  void operator()(PackOfPairs const&) const {}
+};
+
+/// The forces on the disks of one block from one of its near lists, a pack of pairs at once.
+///
+/// The pairs are added in the order of the list, so the bits depend neither on threads nor on when
+/// the list was pruned: a pair that does not touch adds zero. Counting: each disk's contacts too.
+template <ContactLaw Law, class Repulsion, bool Counting = false>
+struct BlockForces {
+  static constexpr bool rotates = Law::rotates;
+  using Force = std::conditional_t<rotates || Counting, simd::TurningForce, simd::Force>;
+
+  Law law;
+  Repulsion repulsion;
+
+  /// Of one class of pairs. records, spins (thetadot, [1 / tau_e]; null if the law does not rotate) and
+  /// force: the block's slots, halo included.
+  template <class Observer>
+  void operator()(int pair_class, Blocks const& blocks, Block const& block, NearList list,
+                  simd::Record const* records, double const* spins, Force* force,
+                  Observer& observe) const {
+    add_class(pair_class, blocks.near[list].data() + block.pairs[pair_class],
+              block.near[list][pair_class], records, spins, force, observe);
+  }
+
+ private:
+  /// What a pack of pairs needs of memory.
+  struct Loaded {
+    simd::Records difference;
+    simd::Pack distance2, spins;
+  };
+
+  BAGNOLD_INLINE static Loaded load(simd::LocalPair const* pairs, simd::Record const* records,
+                     double const* spins, double weight) {
+    Loaded l;
+    l.difference = simd::load_differences(records, pairs);
+    if constexpr (rotates) l.spins = simd::load_sums(spins, pairs, weight);
+    l.distance2 = fma(l.difference.x, l.difference.x, l.difference.y * l.difference.y);
+    return l;
+  }
+
+  /// The next pack is loaded before this one is worked on, so that neither waits for the other.
+  template <class Observer>
+  void add_class(int pair_class, simd::LocalPair const* pairs, std::uint32_t count,
+                 simd::Record const* records, double const* spins, Force* force,
+                 Observer& observe) const {
+    using simd::Pack;
+    if (count == 0) return;
+    Real const distance = class_distance(pair_class);
+    Pack const reach2 = distance * distance, inverse_distance = 1 / distance;
+    Law const law = this->law;  // on the stack, where stores of forces cannot reach
+    Repulsion const repulsion = this->repulsion;
+    // thetadot_a d_a + thetadot_b d_b as d_a (thetadot_a + d_b/d_a thetadot_b); a is the smaller one.
+    Real const diameter_a = pair_class == 2 ? big_diameter : small_diameter;
+    Real const weight = pair_class == 1 ? big_diameter / small_diameter : 1;
+    Loaded next = load(pairs, records, spins, weight);
+    for (std::uint32_t k = 0; k < count; k += simd::width) {
+      Loaded const now = next;
+      next = load(pairs + (k + simd::width < count ? k + simd::width : 0), records, spins, weight);
+      simd::Mask const touching = now.distance2 < reach2;
+      auto const& d = now.difference;
+      auto const f = pair_force<Law, Repulsion, Pack>(law, repulsion, {d.x, d.y}, now.distance2,
+                                                      {d.vx, d.vy}, inverse_distance, diameter_a * now.spins);
+      Pack const x = zero_unless(touching, f.elastic.x + f.dissipative.x);
+      Pack const y = zero_unless(touching, f.elastic.y + f.dissipative.y);
+      Pack turn = 0.0;
+      if constexpr (rotates) turn = zero_unless(touching, f.turn(inverse_distance));
+      if constexpr (Counting)
+        simd::scatter(force, pairs + k, x, y, turn, zero_unless(touching, 1.0));
+      else if constexpr (rotates)
+        simd::scatter(force, pairs + k, x, y, turn);
+      else
+        simd::scatter(force, pairs + k, x, y);
+      observe(PackOfPairs{pairs + k, touching, f});
+    }
+  }
+};
+
+}  // namespace bagnold

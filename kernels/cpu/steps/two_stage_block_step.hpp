@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kernels/cpu/steps/block_system.hpp"
+#include "kernels/physics/schemes/scheme.hpp"
+#include "kernels/physics/schemes/second_look.hpp"
+
+namespace bagnold {
+
+/// TwoStageLeapfrog (two_stage_leapfrog.hpp) on a block. `trial` holds what the first look changes: as
+/// a record {v_x, v_y, thetadot, contacts} a disk. The first look lists the pairs that touch for the
+/// second one.
+template <TwoStageLaw Law, class Repulsion>
+struct TwoStageBlockStep : BlockSystem<Law, Repulsion, true> {
+  using System = BlockSystem<Law, Repulsion, true>;
+  using typename System::Force;
+  using typename System::Kick;
+  using System::blocks, System::now, System::trial, System::species, System::table,
+      System::time_step, System::rotates, System::forces;
+  static constexpr Scheme scheme = Scheme::two_stage_leapfrog;
+  static constexpr bool lists_contacts = true;
+  static constexpr StepCosts costs{.by_itself = 5, .contact = 33, .dense_below = 0.6};
+
+  SecondLook shares;
+
+  void set_laws(Law const& law, SpeciesTable const& of_species, Real dt) {
+    System::set_laws(law, of_species, dt);
+    shares = SecondLook(law, of_species, dt);
+  }
+  void take_laws(TwoStageBlockStep const& from) {
+    System::take_laws(from);
+    shares = from.shares;
+  }
+  SecondLook const* second_look() const { return &shares; }
+
+  /// First half: what the forces at t change. force: scratch, [most_local].
+  BlockReport predict(std::uint32_t b, ShearedBox const& box, Force* force) const {
+    using simd::Pack;
+    Block& block = blocks.block(b);
+    refresh_halo(blocks, block, now, box);
+    this->clear(block, force);
+    BlockReport report;
+    for (int c = 0; c < pair_classes; ++c) {
+      Lister lister{blocks.near[contact_list].data() + block.pairs[c]};
+      this->add_forces(c, block, inner_list, now, force, lister);
+      block.near[contact_list][c] = lister.finish(block);
+      report.touching += block.near[contact_list][c];
+      report.largest_overlap = std::max(report.largest_overlap, simd::largest(lister.largest_overlap));
+    }
+    Kick const kick(table, time_step);
+    for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
+      auto const f = simd::load_forces(force + i);
+      auto const big = simd::nonzero(species.data() + block.first + i);
+      simd::store_records(trial.record.data() + block.first + i, change_of(kick, f, big));
+    }
+    return report;
+  }
+
+  /// Second half: the damping of the changes, and the state at t + dt. observed: force is as observe()
+  /// left it. seen(slot, records): called with the new motion of each pack of disks.
+  template <class Watch>
+  BlockReport correct(std::uint32_t b, ShearedBox const& box, Force* force, bool observed,
+                      Watch&& seen) const {
+    using simd::Pack;
+    Block const& block = blocks.block(b);
+    if (observed) {
+      force += blocks.most_local;
+    } else {
+      this->clear(block, force);
+      add_second(block, force);
+    }
+    Kick const kick(table, time_step);
+    Pack fastest2 = 0.0, poison = 0.0;
+    for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
+      auto const slot = block.first + i;
+      auto r = simd::load_records(now.record.data() + slot);
+      auto const change = simd::load_records(trial.record.data() + slot);
+      auto const f = simd::load_forces(force + i);
+      auto const big = simd::nonzero(species.data() + slot);
+      accelerate(r, change, f, kick.per_mass(big));
+      r.x = fma(time_step, r.vx, r.x);
+      r.y = fma(time_step, r.vy, r.y);
+      simd::store_records(now.record.data() + slot, r);
+      seen(slot, r);
+      if constexpr (rotates)
+        spun(Pack::load(now.spin.data() + slot), change, f, kick.per_inertia(big))
+            .store(now.spin.data() + slot);
+      Pack const ux = fnma(box.strain_rate, r.y, r.vx);
+      Pack const speed2 = fma(ux, ux, r.vy * r.vy);
+      fastest2 = max(fastest2, speed2);
+      poison = fma(speed2 + r.x, 0.0, poison);
+    }
+    return {simd::largest(fastest2), 0, 0, simd::sum(poison)};
+  }
+
+  static constexpr int observed_forces = 2;
+
+  /// Sees the pairs that touch, both looks together; between the two halves of a step. force:
+  /// [2][most_local], out: the damping of both looks, and that of the second one.
+  template <class Observer>
+  void observe(Block const& block, Force* force, Observer&& observer) const {
+    copy_halo(block);
+    this->clear(block, force);
+    this->clear(block, force + blocks.most_local);
+    look<true>(block, force, observer);
+  }
+
+  /// Of eight disks from i on, after observe(), as ChangeForces has it. spin: theirs.
+  PackPower observed_power(Force const* force, std::uint32_t i, simd::Mask big,
+                           simd::Pack spin) const {
+    auto const both = simd::load_forces(force + i);
+    auto const second = simd::load_forces(force + blocks.most_local + i);
+    Kick const half(table, time_step / 2);
+    PackPower power;
+    power.dissipation = -(half.per_mass(big) * fma(both.x, second.x, both.y * second.y));
+    if constexpr (rotates) {
+      Pack const torque = System::diameter_of(big) * both.turn, per_inertia = half.per_inertia(big);
+      power.dissipation = fnma(per_inertia * second.turn, torque, power.dissipation);
+      power.torque = torque * fma(per_inertia, both.turn, spin);
+    }
+    return power;
+  }
+
+  /// Adds what the second look exerts to force, which is cleared where pairs touch.
+  void add_second(Block const& block, Force* force) const {
+    copy_halo(block);
+    look<false>(block, force, NoPackObserver{});
+  }
+
+  /// What the first look changes, as in `trial`.
+  static simd::Records change_of(Kick const& kick, simd::ForceComponents const& f, simd::Mask big) {
+    simd::Pack const k = kick.per_mass(big), most = SecondLook::most;
+    return {k * f.x, k * f.y, kick.per_inertia(big) * f.turn, select(most < f.count, most, f.count)};
+  }
+
+  static void accelerate(simd::Records& r, simd::Records const& change,
+                         simd::ForceComponents const& second, simd::Pack per_mass) {
+    r.vx += fma(per_mass, second.x, change.x);
+    r.vy += fma(per_mass, second.y, change.y);
+  }
+
+  static simd::Pack spun(simd::Pack spin, simd::Records const& change,
+                         simd::ForceComponents const& second, simd::Pack per_inertia) {
+    return spin + fma(per_inertia, second.turn, change.vx);
+  }
+
+ private:
+  using Pack = simd::Pack;
+
+  /// Lists the pairs of one class that touch.
+  struct Lister {
+    simd::LocalPair* to;
+    std::uint32_t count = 0;
+    Pack largest_overlap = 0.0;
+
+    void operator()(PackOfPairs const& p) {
+      count += simd::append(to + count, p.touching, p.pairs);
+      largest_overlap = max(largest_overlap, zero_unless(p.touching, p.force.relative_overlap));
+    }
+
+    /// The number of pairs, filled up to packs with inert ones.
+    std::uint32_t finish(Block const& block) const {
+      for (auto k = count; k % simd::width != 0; ++k)
+        to[k] = simd::LocalPair::make(block.own, block.own + 1);
+      return count;
+    }
+  };
+
+  /// A change is the same for all images.
+  void copy_halo(Block const& block) const {
+    auto const* halo = blocks.halo.data() + block.halo_first;
+    auto* const record = trial.record.data();
+    for (std::uint32_t h = 0; h < block.halo; ++h)
+      record[block.first + block.padded + h] = record[halo[h].index()];
+  }
+
+  template <bool Whole, class Observer>
+  void look(Block const& block, Force* force, Observer&& observe) const {
+    for (int c = 0; c < pair_classes; ++c)
+      look_at_class<Whole>(c, block, blocks.near[contact_list].data() + block.pairs[c],
+                           block.near[contact_list][c], force, observe);
+  }
+
+  /// What a pack of pairs needs of memory, loaded before the pack before it is worked on.
+  struct Loaded {
+    simd::Records now, change;
+  };
+  BAGNOLD_INLINE static Loaded load(simd::LocalPair const* pairs, simd::Record const* records,
+                                    simd::Record const* changes, simd::Record const& weight) {
+    return {simd::load_differences(records, pairs), simd::load_combined(changes, pairs, weight)};
+  }
+
+  BAGNOLD_INLINE static void scatter(Force* force, simd::LocalPair const* pairs, simd::Mask touching,
+                                     PairForce<Pack> const& f, Pack const& inverse_distance) {
+    Pack turn = 0.0;
+    if constexpr (rotates) turn = zero_unless(touching, f.turn(inverse_distance));
+    simd::scatter(force, pairs, zero_unless(touching, f.dissipative.x),
+                  zero_unless(touching, f.dissipative.y), turn);
+  }
+
+  /// Adds the forces of the second look, or shows those of both looks together and adds both.
+  template <bool Whole, class Observer>
+  void look_at_class(int pair_class, Block const& block, simd::LocalPair const* pairs,
+                     std::uint32_t count, Force* force, Observer& observe) const {
+    Pack const share_normal = Pack::load(shares.normal[pair_class]);
+    Pack const share_tangential = Pack::load(shares.tangential[pair_class]);
+    Pack const inverse_distance = 1 / class_distance(pair_class);
+    Law const law = forces.law;
+    Repulsion const repulsion = forces.repulsion;
+    Real const diameter_a = pair_class == 2 ? big_diameter : small_diameter;
+    Real const diameter_b = pair_class == 0 ? small_diameter : big_diameter;
+    auto const* const records = now.record.data() + block.first;
+    auto const* const changes = trial.record.data() + block.first;
+    simd::Record const weight{-1, -1, diameter_b / diameter_a, simd::CountPairs::base};
+    if (count == 0) return;
+    Loaded next = load(pairs, records, changes, weight);
+    for (std::uint32_t k = 0; k < count; k += simd::width) {
+      auto const [d, a] = next;
+      next = load(pairs + (k + simd::width < count ? k + simd::width : 0), records, changes, weight);
+      auto const touching = simd::first_lanes(count - k);
+      Pack const distance2 = fma(d.x, d.x, d.y * d.y);
+      Pack const inverse = inverse_sqrt(distance2);
+      Vec2<Pack> const separation{d.x, d.y};
+      Contact<Pack> contact;
+      contact.normal = inverse * separation;
+      contact.relative_overlap = Pack(1.0) - distance2 * inverse * inverse_distance;
+      contact.inverse_distance = inverse_distance;
+      Vec2<Pack> change{a.x, a.y};
+      auto const turned = [&](Pack const& spins) {
+        return (0.5 * inverse_distance * spins) * perpendicular(separation);
+      };
+      if constexpr (rotates) change = change - turned(diameter_a * a.vx);
+      simd::CountPairs const contacts(a.vy);
+      Pack const normal = contacts.look_up_larger(share_normal);
+      Pack const tangential = rotates ? contacts.look_up_larger(share_tangential) : normal;
+      contact.velocity = looked_at<Law>(change, contact.normal, normal, tangential);
+      PairForce<Pack> f{separation, {}, law.dissipative_force(contact), {}, {}};
+      if constexpr (Whole) {
+        scatter(force + blocks.most_local, pairs + k, touching, f, inverse_distance);
+        Vec2<Pack> velocity{d.vx, d.vy};
+        if constexpr (rotates)
+          velocity = velocity -
+                     turned(diameter_a * simd::load_sums(now.spin.data() + block.first, pairs + k,
+                                                         diameter_b / diameter_a));
+        f.velocity = velocity + Pack(0.5) * change;
+        contact.velocity = contact.velocity + velocity;
+        f.elastic = repulsion.magnitude(contact) * contact.normal;
+        f.dissipative = law.dissipative_force(contact);
+        f.relative_overlap = contact.relative_overlap;
+        scatter(force, pairs + k, touching, f, inverse_distance);
+        observe(PackOfPairs{pairs + k, touching, f});
+      } else {
+        scatter(force, pairs + k, touching, f, inverse_distance);
+      }
+    }
+  }
+};
+
+}  // namespace bagnold

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kernels/physics/motion.hpp"
+#include "kernels/physics/box/list_criterion.hpp"
+
+namespace bagnold {
+
+/// Takes a disk into the box, before a list build.
+template <bool Rotates, class Space>
+struct WrapDisks {
+  ShearedBox box;
+  Kokkos::View<Vec2<Real>*, Space> position;
+  Kokkos::View<Motion<Rotates>*, Space> motion;
+
+  KOKKOS_FUNCTION void operator()(std::int64_t i) const {
+    wrap(box, position(i), motion(i).velocity.x);
+  }
+};
+
+/// Reduces (MaxLoc) the largest |w|^2 of the next trial positions, just after a build.
+template <bool Rotates, class Space>
+struct NextStep {
+  Kokkos::View<Vec2<Real>*, Space> position;
+  Kokkos::View<Motion<Rotates>*, Space> motion;
+  Real time_step;  ///< dt, [tau_e]
+  Real strain;     ///< in one step
+
+  KOKKOS_FUNCTION void operator()(std::int64_t i,
+                                  Kokkos::ValLocScalar<Real, std::int64_t>& farthest) const {
+    Real const moved2 =
+        excursion2(position(i) + time_step * motion(i).velocity, position(i), strain);
+    if (moved2 > farthest.val) farthest = {moved2, i};
+  }
+};
+
+}  // namespace bagnold

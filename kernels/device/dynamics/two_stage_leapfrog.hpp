@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kernels/device/dynamics/contact_forces.hpp"
+#include "kernels/device/dynamics/modified_velocity_verlet.hpp"
+#include "kernels/physics/schemes/second_look.hpp"
+#include "kernels/physics/box/list_criterion.hpp"
+
+namespace bagnold {
+
+/// Leapfrog with the damping in two stages. v belongs half a step before r:
+///
+///     a_i  = f_i(r_n, v_-) dt/m_i                    first look: all forces, once a step
+///     b_i  = sum_j f_dis(r_n, alpha (a_i - a_j)) dt/m_i   second look: the damping of the changes
+///     v_+  = v_- + a + b,   r_n+1 = r_n + v_+ dt
+///
+/// and the same for the spins. To second order in the damping it is exp(-A dt) v_-, A v = -f_dis/m;
+/// alpha, see SecondLook, makes lone pairs relax exactly and holds it stable. Every contact reads the
+/// same starting data: nothing depends on an order of pairs. A disk that touches nothing flies exactly
+/// r_n + v dt. First look: what the forces change, and how many contacts each disk has.
+template <ContactLaw Law, class Repulsion, class Space>
+struct FirstLook {
+  ContactForces<Law, Repulsion, Space> forces;  ///< at t
+  Real time_step;                               ///< dt, [tau_e]
+  Kokkos::View<Motion<Law::rotates>*, Space> change;
+  Kokkos::View<int*, Space> contacts;
+
+  struct Counter {
+    int& contacts;
+    bool& too_deep;
+    KOKKOS_FUNCTION void operator()(PairForce<Real> const& pair) const {
+      ++contacts;
+      too_deep = too_deep || pair.relative_overlap > largest_relative_overlap;
+    }
+  };
+
+  /// Counts in `failed` disks that overlap another one too much.
+  KOKKOS_FUNCTION void operator()(std::uint32_t i, Real& failed) const {
+    int count = 0;
+    bool too_deep = false;
+    change(i) = kicked(Motion<Law::rotates>{}, forces(i, Counter{count, too_deep}), time_step,
+                       forces.table, forces.species(i));
+    contacts(i) = count < SecondLook::most ? count : SecondLook::most;
+    if (too_deep) failed = 1;
+  }
+};
+
+/// The damping of the changes. Observers see the forces of both looks together, and the velocity halfway
+/// through the step, but for what second looks change of it, which power() adds up disk by disk:
+///
+///     sum_pairs f_ij . (b_i - b_j) = sum_i f_i . b_i,   f: the damping of both looks
+///
+/// and the same with torques and spins.
+template <ContactLaw Law, class Repulsion, class Space>
+struct ChangeForces {
+  static constexpr bool rotates = Law::rotates;
+  ContactForces<Law, Repulsion, Space> forces;  ///< at t
+  Kokkos::View<Motion<rotates> const*, Space> change;
+  Kokkos::View<int const*, Space> contacts;
+  Kokkos::View<SecondLook const*, Space> shares;  ///< [1]: looked up by index, so in memory
+  Real time_step;                                 ///< dt, [tau_e]
+
+  KOKKOS_FUNCTION ContactForces<Law, Repulsion, Space> const& now() const { return forces; }
+
+  template <class Observer>
+  KOKKOS_FUNCTION Action<rotates> operator()(std::uint32_t i, Observer&& observe) const {
+    return damping(i, observe).second;
+  }
+
+  /// As ContactForces has it, of the whole step.
+  template <class Observer>
+  KOKKOS_FUNCTION DiskPower power(std::uint32_t i, Observer&& observe) const {
+    auto const [second, both] = damping(i, observe);
+    auto const species = forces.species(i);
+    Real const half_per_mass = time_step / 2 * forces.table.inverse_mass[species];
+    DiskPower power{-half_per_mass * dot(both.force, second.force), 0};
+    if constexpr (rotates) {
+      Real const half_per_inertia = time_step / 2 * forces.table.inverse_inertia[species];
+      power.dissipation -= half_per_inertia * both.torque * second.torque;
+      power.torque = both.torque * (forces.motion(i).spin + half_per_inertia * both.torque);
+    }
+    return power;
+  }
+
+ private:
+  /// On one disk, of the second look and of both.
+  struct Damping {
+    Action<rotates> second, both;
+  };
+
+  template <class Observer>
+  KOKKOS_FUNCTION Damping damping(std::uint32_t i, Observer&& observe) const {
+    Damping total;
+    Real const diameter_i = forces.table.diameter[forces.species(i)];
+    forces.each_contact(i, [&](std::uint32_t j, Vec2<Real> const& separation, Real distance2,
+                               Real inverse_distance, Vec2<Real> const& velocity, Real spins) {
+      Real const diameter_j = forces.table.diameter[forces.species(j)];
+      Vec2<Real> changed = change(i).velocity - change(j).velocity;
+      Vec2<Real> at_contact = velocity;
+      if constexpr (rotates) {
+        auto const turned = [&](Real both) {
+          return (Real(0.5) * inverse_distance * both) * perpendicular(separation);
+        };
+        changed = changed - turned(change(i).spin * diameter_i + change(j).spin * diameter_j);
+        at_contact = velocity - turned(spins);
+      }
+      int const most = contacts(i) > contacts(j) ? contacts(i) : contacts(j);
+      int const n = most % SecondLook::most;
+      int const c = forces.species(i) + forces.species(j);
+      Real const inverse = math::inverse_sqrt(distance2);
+      Contact<Real> contact;
+      contact.normal = inverse * separation;
+      contact.relative_overlap = 1 - distance2 * inverse * inverse_distance;
+      contact.inverse_distance = inverse_distance;
+      SecondLook const& share = shares(0);
+      contact.velocity = looked_at<Law>(changed, contact.normal, share.normal[c][n],
+                                        share.tangential[c][n]);
+      PairForce<Real> pair{separation, forces.repulsion.magnitude(contact) * contact.normal,
+                           forces.law.dissipative_force(contact), contact.relative_overlap,
+                           at_contact + Real(0.5) * changed};
+      auto const add = [&](Action<rotates>& to) {
+        to.force += pair.dissipative;
+        if constexpr (rotates) to.torque += diameter_i * pair.turn(inverse_distance);
+      };
+      add(total.second);
+      contact.velocity = contact.velocity + at_contact;
+      pair.dissipative = forces.law.dissipative_force(contact);
+      add(total.both);
+      observe(pair);
+    });
+    return total;
+  }
+};
+
+/// Second look, and the step. Reduces (Max) as Correct does; new positions go to another array, as
+/// neighbours still read the old ones.
+template <ContactLaw Law, class Repulsion, class Space>
+struct LeapOn {
+  ChangeForces<Law, Repulsion, Space> forces;
+  Real time_step;  ///< dt, [tau_e]
+  Kokkos::View<Vec2<Real>*, Space> next_position;
+  Kokkos::View<Motion<Law::rotates>*, Space> motion;
+  Kokkos::View<Vec2<Real>*, Space> at_build;
+  Real strain_since_build;       ///< at t + dt
+  Real next_strain_since_build;  ///< at t + 2 dt
+
+  KOKKOS_FUNCTION void operator()(std::uint32_t i, Real& largest) const {
+    auto const& plain = forces.forces;
+    auto after = kicked(forces.change(i), forces(i, NoObserver{}), time_step, plain.table,
+                        plain.species(i));
+    after.velocity += motion(i).velocity;
+    if constexpr (Law::rotates) after.spin += motion(i).spin;
+    Vec2<Real> const moved = plain.position(i) + time_step * after.velocity;
+    motion(i) = after;
+    next_position(i) = moved;
+    keep_largest(largest, excursion2(moved, at_build(i), strain_since_build),
+                 excursion2(moved + time_step * after.velocity, at_build(i),
+                            next_strain_since_build),
+                 true);
+  }
+};
+
+}  // namespace bagnold

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernels/device/side_by_side.hpp"
+#include "kernels/physics/box/sheared_box.hpp"
+
+namespace bagnold {
+
+/// Puts sums from the first entry on in the place of entries; the body of a scan.
+template <class Space>
+struct RunningSum {
+  Kokkos::View<std::uint32_t*, Space> entries;
+
+  KOKKOS_FUNCTION void operator()(std::int64_t k, std::uint32_t& sum, bool last) const {
+    sum += entries(k);
+    if (last) entries(k) = sum;
+  }
+};
+
+/// Disks sorted into square cells at least `reach` wide; inside a cell in the order of their index,
+/// so that the grid does not depend on threads.
+template <class Space>
+struct CellGrid {
+  int side = 0;     ///< cells along one edge of the box
+  Real width = 0;   ///< of a cell, [d_s]
+  Kokkos::View<std::uint32_t*, Space> first;    ///< [side^2 + 1]: cell c holds members first(c) ..
+  Kokkos::View<std::uint32_t*, Space> members;  ///< [N] disk indices, cell by cell
+
+  KOKKOS_FUNCTION int column(Real coordinate) const {
+    int const c = static_cast<int>(coordinate / width);
+    return c < 0 ? 0 : (c >= side ? side - 1 : c);  // rounding may leave a coordinate at L itself
+  }
+
+  KOKKOS_FUNCTION std::int64_t cell(Vec2<Real> const& point) const {
+    return static_cast<std::int64_t>(column(point.y)) * side + column(point.x);
+  }
+};
+
+/// Passes that sort disks into cells, in this order; `grid.first` and `filled` hold zeros before.
+/// Each is a body of a loop: over disks, over cells and the end (a scan), over disks, over cells.
+namespace cell_grid {
+
+template <class Space>
+struct Count {
+  Kokkos::View<Vec2<Real>*, Space> position;  ///< [N], in the box, [d_s]
+  CellGrid<Space> grid;
+
+  KOKKOS_FUNCTION void operator()(std::int64_t i) const {
+    Kokkos::atomic_fetch_add(&grid.first(grid.cell(position(i)) + 1), 1u);
+  }
+};
+
+template <class Space>
+struct Fill {
+  Kokkos::View<Vec2<Real>*, Space> position;
+  CellGrid<Space> grid;
+  Kokkos::View<std::uint32_t*, Space> filled;  ///< [side^2]
+
+  KOKKOS_FUNCTION void operator()(std::int64_t i) const {
+    auto const c = grid.cell(position(i));
+    grid.members(grid.first(c) + Kokkos::atomic_fetch_add(&filled(c), 1u)) =
+        static_cast<std::uint32_t>(i);
+  }
+};
+
+template <class Space>
+struct Sort {
+  CellGrid<Space> grid;
+
+  KOKKOS_FUNCTION void operator()(std::int64_t c) const {
+    for (auto k = grid.first(c) + 1; k < grid.first(c + 1); ++k) {
+      std::uint32_t const member = grid.members(k);
+      auto slot = k;
+      for (; slot > grid.first(c) && grid.members(slot - 1) > member; --slot)
+        grid.members(slot) = grid.members(slot - 1);
+      grid.members(slot) = member;
+    }
+  }
+};
+
+}  // namespace cell_grid
+
+/// Cells along one edge of a box of that length: at least `reach` wide; a cell a disk is enough.
+inline int cells_along(Real length, Real reach, std::int64_t disks) {
+  Real const most = std::ceil(std::sqrt(static_cast<Real>(disks)));
+  return static_cast<int>(std::clamp(length / reach, Real(1), std::max(Real(1), most)));
+}
+
+/// Sort disks into cells. position: [N], in the box, [d_s]; reach: [d_s].
+template <class Space>
+CellGrid<Space> make_cell_grid(Space const& space,
+                               Kokkos::View<Vec2<Real>*, Space> const& position, Real length,
+                               Real reach) {
+  using Counts = Kokkos::View<std::uint32_t*, Space>;
+  using Range = Kokkos::RangePolicy<Space>;
+  auto const count = static_cast<std::int64_t>(position.extent(0));
+  CellGrid<Space> grid;
+  grid.side = cells_along(length, reach, count);
+  grid.width = length / grid.side;
+  auto const cells = static_cast<std::int64_t>(grid.side) * grid.side;
+  grid.first = Counts("neighbors::first", cells + 1);
+  grid.members = Counts("neighbors::members", count);
+  Counts const filled("neighbors::filled", cells);
+
+  side_by_side::parallel_for("neighbors::CellGrid::count", Range(space, 0, count),
+                             cell_grid::Count<Space>{position, grid});
+  side_by_side::parallel_scan("neighbors::CellGrid::scan", Range(space, 0, cells + 1),
+                              RunningSum<Space>{grid.first});
+  side_by_side::parallel_for("neighbors::CellGrid::fill", Range(space, 0, count),
+                             cell_grid::Fill<Space>{position, grid, filled});
+  side_by_side::parallel_for("neighbors::CellGrid::sort", Range(space, 0, cells),
+                             cell_grid::Sort<Space>{grid});
+  return grid;
+}
+
+}  // namespace bagnold

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+#include "kernels/physics/kokkos_compat.hpp"
+#include "kernels/physics/vec2.hpp"
+
+namespace bagnold {
+
+/// Which periodic image of a disk is meant: the one at (x + m L + n gamma L, y + n L).
+///
+/// m in -2..2 and n in -1..1 while disks are in the box at a list build, so 15 images: 4 bits.
+struct Image {
+  int m = 0;
+  int n = 0;
+};
+
+/// The square box under Lees-Edwards shear at one instant (P1 Sec. II A, P2 Sec. II A).
+struct ShearedBox {
+  Real length;       ///< L, [d_s]
+  Real offset;       ///< gamma L, [d_s]; in [0, L) at a list build, and grows from there to the next
+  Real strain_rate;  ///< gammadot, [1 / tau_e]
+
+  /// Where an image sits from its disk, [d_s].
+  KOKKOS_FUNCTION Vec2<Real> shift(Image const& image) const {
+    return {image.m * length + image.n * offset, image.n * length};
+  }
+
+  /// v_x of an image from that of its disk: n gammadot L, [d_s / tau_e].
+  KOKKOS_FUNCTION Real velocity_shift(Image const& image) const {
+    return image.n * (strain_rate * length);
+  }
+};
+
+/// Take a disk back into [0, L) x [0, L). A wrap in y changes x by the offset and v_x by gammadot L.
+///
+/// Positions that are in the box already keep their bits.
+KOKKOS_INLINE_FUNCTION void wrap(ShearedBox const& box, Vec2<Real>& position, Real& velocity_x) {
+  Real const n = math::floor(position.y / box.length);
+  if (n != 0) {
+    position.y -= n * box.length;
+    position.x -= n * box.offset;
+    velocity_x -= n * (box.strain_rate * box.length);
+  }
+  Real const m = math::floor(position.x / box.length);
+  if (m != 0) position.x -= m * box.length;
+}
+
+/// A neighbour of a disk: its index and its image in one word.
+struct Neighbor {
+  std::uint32_t packed;
+
+  static constexpr std::uint32_t max_count = 1u << 28;
+
+  KOKKOS_FUNCTION static Neighbor make(std::uint32_t index, Image const& image) {
+    return {(index << 4) | static_cast<std::uint32_t>((image.n + 1) * 5 + (image.m + 2))};
+  }
+  KOKKOS_FUNCTION std::uint32_t index() const { return packed >> 4; }
+  KOKKOS_FUNCTION Image image() const {
+    int const code = static_cast<int>(packed & 15u);
+    int const row = code / 5;
+    return {code - 5 * row - 2, row - 1};
+  }
+};
+
+}  // namespace bagnold

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kernels/physics/laws/contact.hpp"
+
+namespace bagnold {
+
+/// Separate damping along the normal and the tangent, at the point of contact.
+///
+///     f_dis = -k_n (v^C . n) n - k_t [v^C - (v^C . n) n]     PRE 95, 052903 (2017), end of Sec. II B
+///
+/// Force on i from j, [m d_s / tau_e^2]. k_t = 0 is CD_n, k_t = k_n is CD_rot.
+struct General {
+  static constexpr std::string_view name = "general";
+  static constexpr bool rotates = true;
+  static constexpr bool linear = true;
+  static constexpr bool one_constant = false;
+  Real damping_normal;      ///< k_d^(n), [m / tau_e]
+  Real damping_tangential;  ///< k_d^(t), [m / tau_e]
+
+  Real normal_damping() const { return damping_normal; }
+  Real tangential_damping() const { return damping_tangential; }
+
+  template <class T>
+  KOKKOS_FUNCTION Vec2<T> dissipative_force(Contact<T> const& c) const {
+    T const normal_part = T(damping_tangential - damping_normal) * dot(c.velocity, c.normal);
+    return normal_part * c.normal - T(damping_tangential) * c.velocity;
+  }
+};
+static_assert(ContactLaw<General>);
+
+}  // namespace bagnold

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kernels/physics/laws/contact.hpp"
+#include "kernels/physics/kokkos_compat.hpp"
+
+namespace bagnold {
+
+/// What a pair in contact exerts on i, and where: what observers of the pair loops are given.
+template <class T>
+struct PairForce {
+  Vec2<T> separation;   ///< r_ij = r_i - r_j, nearest image, [d_s]
+  Vec2<T> elastic;      ///< on i from j, [m d_s / tau_e^2]
+  Vec2<T> dissipative;  ///< on i from j, [m d_s / tau_e^2]
+  T relative_overlap;   ///< 1 - r_ij / d_ij
+  Vec2<T> velocity;     ///< of i against j where the dissipative force acts, [d_s / tau_e]
+
+  /// What the dissipative force takes out of the motion, -f_dis . v, [m d_s^2 / tau_e^3].
+  KOKKOS_FUNCTION T dissipation() const { return -dot(dissipative, velocity); }
+
+  /// Torque on i over d_i, and on j over d_j, [m d_s / tau_e^2]:
+  /// -1/(d_i + d_j) r_ij x f_dis, P2 Eq. (7).
+  KOKKOS_FUNCTION T turn(T const& inverse_distance) const {
+    return T(-0.5) * inverse_distance * cross(separation, dissipative);
+  }
+};
+
+/// The force of a pair that touches: one disk at a time, or a pack of pairs at once.
+///
+/// distance2 = r_ij^2; velocity: v_i - v_j with the shear of the image; inverse_distance: 1/d_ij;
+/// spins: thetadot_i d_i + thetadot_j d_j, [d_s / tau_e], of no account where the law does not rotate.
+///
+///     v_i^C - v_j^C = v_ij - (thetadot_i d_i + thetadot_j d_j)/(d_i + d_j) z^ x r_ij   P2 Eq. (6)
+template <ContactLaw Law, class Repulsion, class T>
+KOKKOS_FUNCTION PairForce<T> pair_force(Law const& law, Repulsion const& repulsion,
+                                        Vec2<T> const& separation, T const& distance2,
+                                        Vec2<T> const& velocity, T const& inverse_distance,
+                                        T const& spins) {
+  using math::inverse_sqrt;  // packs bring their own
+  T const inverse = inverse_sqrt(distance2);
+  Contact<T> contact;
+  contact.normal = inverse * separation;
+  contact.relative_overlap = T(1) - distance2 * inverse * inverse_distance;
+  contact.inverse_distance = inverse_distance;
+  contact.velocity = velocity;
+  if constexpr (Law::rotates) {
+    T const rolling = T(0.5) * inverse_distance * spins;
+    contact.velocity = velocity - rolling * perpendicular(separation);
+  }
+  return {separation, repulsion.magnitude(contact) * contact.normal, law.dissipative_force(contact),
+          contact.relative_overlap, contact.velocity};
+}
+
+}  // namespace bagnold

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kernels/physics/vec2.hpp"
+
+namespace bagnold {
+
+/// How one disk moves. A law without rotation has no spin: not zero, but absent.
+template <bool Rotates>
+struct Motion {
+  Vec2<Real> velocity{};  ///< lab frame, [d_s / tau_e]
+};
+
+template <>
+struct Motion<true> {
+  Vec2<Real> velocity{};
+  Real spin{};  ///< thetadot, counter-clockwise, [1 / tau_e]
+};
+
+/// What acts on one disk.
+template <bool Rotates>
+struct Action {
+  Vec2<Real> force{};  ///< [m d_s / tau_e^2]
+};
+
+template <>
+struct Action<true> {
+  Vec2<Real> force{};
+  Real torque{};  ///< [m d_s^2 / tau_e^2]
+};
+
+}  // namespace bagnold

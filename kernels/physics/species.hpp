@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Kokkos_Core.hpp>
+#include <cstdint>
+
+#include "kernels/physics/vec2.hpp"
+
+namespace bagnold {
+
+/// Which of the two sizes a disk has: one byte a disk instead of its diameter, mass and inertia.
+using Species = std::uint8_t;
+
+/// A number for each size. No array: a GPU would keep that in memory to look it up by an index.
+struct PerSpecies {
+  Real small, big;
+
+  KOKKOS_FUNCTION constexpr Real operator[](Species species) const {
+    return species == 0 ? small : big;
+  }
+};
+
+/// What a size implies. The mass rule is folded in here and appears nowhere else.
+struct SpeciesTable {
+  PerSpecies diameter;         ///< d, [d_s]
+  PerSpecies inverse_mass;     ///< 1/m, [1/m] (P2) or [1/m_0] (P1)
+  PerSpecies inverse_inertia;  ///< 1/I with I = m (d/2)^2 / 2, P2 below Eq. (7)
+};
+
+inline constexpr Real small_diameter = 1.0;
+inline constexpr Real big_diameter = 1.4;
+
+/// Mass m of a disk of diameter d: 1 (P2, `equal`), or (pi/2) d^2 (P1, `area`: m_0 = rho_0 d_s^2/2).
+constexpr Real disk_mass(bool by_area, Real diameter) {
+  return by_area ? Real(1.57079632679489661923) * diameter * diameter : Real(1);
+}
+
+constexpr SpeciesTable make_species_table(bool mass_by_area) {
+  Real const small = disk_mass(mass_by_area, small_diameter);
+  Real const big = disk_mass(mass_by_area, big_diameter);
+  return {{small_diameter, big_diameter},
+          {1 / small, 1 / big},
+          {8 / (small * small_diameter * small_diameter), 8 / (big * big_diameter * big_diameter)}};
+}
+
+}  // namespace bagnold

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "kernels/cpu/contacts/contact_event.hpp"
+#include "src/engine/contacts/contact_columns.hpp"
+#include "src/engine/contacts/contact_table.hpp"
+#include "src/engine/sampling.hpp"
+
+namespace bagnold {
+
+/// Is told of every contact of one system that begins or ends while it is measured.
+class ContactListener {
+ public:
+  virtual ~ContactListener() = default;
+
+  /// cluster: disks of the connected cluster right then, at most ContactRecord::largest_cluster.
+  virtual void begins(ContactEvent const& event, std::size_t cluster) = 0;
+
+  /// Only of contacts that were seen to begin. duration: whole, [steps].
+  virtual void ends(ContactEvent const& event, std::int64_t duration) = 0;
+
+  /// Of one that ends and was looked at, see SampleChoice: its velocities at a random step.
+  virtual void sampled(OpenContact const&) {}
+
+  /// Of contacts in evaluated configurations: sums over all of them, and those with a rank below
+  /// `limit()`, see ContactPicker, in no particular order.
+  virtual void evaluated(ContactMotion const&) {}
+  virtual void picked(ContactPick const&) {}
+  virtual Real limit() const { return 0; }
+};
+
+/// Turns the events of one system into sums of measurement windows.
+///
+/// A contact lasts from the first configuration in contact to the first one out of it, so that
+/// durations add up to the contacts of all configurations. It counts, whole, in the window in which
+/// it ends; its beginning in the window in which it begins. What was in contact at the start has no
+/// duration.
+class ContactRecord {
+ public:
+  static constexpr std::size_t largest_cluster = 64;
+
+  /// first_column: of ContactColumns in the windows. The listener hears of events from first_step
+  /// on. choice: when velocities are looked at, if at all.
+  ContactRecord(std::size_t disks, int first_column, std::int64_t first_step,
+                std::shared_ptr<ContactListener> listener, SampleChoice choice = {})
+      : table(disks),
+        choice(choice),
+        first_column_(static_cast<std::size_t>(first_column)),
+        first_step_(first_step),
+        listener_(std::move(listener)) {}
+
+  ContactTable table;
+  SampleChoice const choice;
+
+  /// Contacts that were open in a run that goes on.
+  void restore(std::vector<OpenContact> const& contacts);
+
+  /// Contacts to be looked at in the configuration at `step`, whose events have been told.
+  std::vector<OpenContact> due(std::int64_t step) const;
+
+  /// A look, told after the beginning of the contact and before its end.
+  void add(ContactSample const& sample);
+
+  /// Events of configurations that have not been told of, in any order, which are used up.
+  void add(std::vector<ContactEvent>& events, Sampling const& sampling, OpenWindows& windows);
+
+  /// The same with the looks at contacts among them.
+  void add(std::vector<ContactEvent>& events, std::vector<ContactSample>& samples,
+           Sampling const& sampling, OpenWindows& windows);
+
+  /// Adds to a column of a window.
+  void add(int column, double value, std::int64_t window, OpenWindows& windows) const;
+
+  /// Configurations begin .. end - 1 have been looked at.
+  void looked(std::int64_t begin, std::int64_t end, Sampling const& sampling, OpenWindows& windows);
+
+  /// Sums over one evaluated configuration, or several, of a window; step: of any of them.
+  void add(ContactMotion const& motion, std::int64_t step, Sampling const& sampling,
+           OpenWindows& windows) const;
+
+  /// Who picks contacts of evaluated configurations, from now on; and those that it picked, which
+  /// are used up.
+  ContactPicker picker() const;
+  void add(std::vector<ContactPick>& picks) const;
+
+ private:
+  using Events = std::vector<ContactEvent>::const_iterator;
+  struct Pair {
+    std::uint32_t a, b;
+  };
+  void open(ContactEvent const& event);
+  void end(ContactEvent const& event, std::int64_t window, OpenWindows& windows);
+  void tell_begun(Events first, Events last) const;
+
+  std::size_t first_column_;
+  std::int64_t first_step_;
+  std::shared_ptr<ContactListener> listener_;      ///< or none
+  std::map<std::int64_t, std::vector<Pair>> due_;  ///< by step; some may have ended since
+};
+
+}  // namespace bagnold

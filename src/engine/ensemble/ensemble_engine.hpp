@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include "src/engine/ensemble/advance_systems.hpp"
+#include "src/engine/backends.hpp"
+#include "src/engine/ensemble/ensemble.hpp"
+#include "src/engine/in_box.hpp"
+#include "src/engine/state_of_views.hpp"
+#include "src/engine/why_unsound.hpp"
+
+namespace bagnold {
+
+/// Many small systems, stepped by launches that hold the time loop, lists and samples included: the
+/// host is needed where a launch ends, where its room for samples is used up, or a list has
+/// outgrown its own. The bits of each are those of ReferenceEngine on the same backend.
+template <ContactLaw Law, class Repulsion, class Space, Scheme Stepped>
+class EnsembleEngine final : public Ensemble {
+ public:
+  static constexpr bool rotates = Law::rotates;
+
+  /// Systems of equally many disks, at one strain rate; threads of a team: 0 chooses.
+  EnsembleEngine(Law law, SpeciesTable table, double strain_rate, double time_step, double skin,
+                 std::vector<Snapshot> const& snapshots, int threads = 0)
+      : rules_{law, table, skin},
+        threads_(threads),
+        disks_(snapshots.front().state.count()),
+        views_(snapshots.size(), disks_) {
+    if constexpr (Stepped == Scheme::two_stage_leapfrog)
+      views_.step = {SystemTable<int, Space>("dynamics::contacts", snapshots.size(), disks_),
+                     to_device<Space>("dynamics::second_look",
+                                      std::vector{SecondLook(law, table, time_step)})};
+    int most_along = 0;
+    for (auto const& snapshot : snapshots) {
+      add(snapshot, strain_rate, time_step);
+      most_along = std::max(most_along, constants_.back().cells_along);
+    }
+    views_.make_cells(static_cast<std::size_t>(most_along));
+    views_.make_entries(8 * disks_);  // grows where that is too little
+    device_constants_ = to_device<Space>("state::constants", constants_);
+    device_progress_ = to_device<Space>("state::progress", progress_);
+    pending_.resize(systems());
+    advance(std::numeric_limits<std::int64_t>::min(), {});  // for the lists
+  }
+
+  std::size_t systems() const override { return progress_.size(); }
+  int columns() const override { return Sums<rotates>::columns; }
+  std::int64_t step(std::size_t system) const override { return progress_[system].step; }
+
+  void advance(std::int64_t end, Sampling const& sampling) override {
+    while (std::any_of(progress_.begin(), progress_.end(), [&](auto const& p) {
+      return p.wait == Wait::none && (p.step < end || p.list != List::stands);
+    })) {
+      auto const before = progress_;
+      launch(end, sampling);
+      take_samples_from_device(before, sampling);
+      make_room();
+    }
+  }
+
+  void take_samples(std::size_t system, OpenWindows& windows) override {
+    for (auto const& [window, sums] : pending_[system]) windows.add(window, sums.value, 1);
+    pending_[system].clear();
+    auto const& p = progress_[system];
+    Clock const& clock = constants_[system].clock;
+    if (p.wait == Wait::unsound)
+      why_unsound(space_, forces(system), clock, p.step, raw_state(system));
+    if (p.wait == Wait::too_fast)
+      failure::too_fast(clock, p.step, static_cast<std::size_t>(p.farthest.loc),
+                        std::sqrt(p.farthest.val), rules_.skin);
+  }
+
+  Snapshot snapshot(std::size_t system) const override {
+    auto const& p = progress_[system];
+    Clock const& clock = constants_[system].clock;
+    Snapshot s;
+    s.state = raw_state(system);
+    s.list_position = pairs(to_host(part(views_.at_build, system)));
+    s.list_step = p.list_step;
+    s.step = p.step;
+    s.initial_offset = clock.initial_offset;
+    s.initial_time = clock.initial_time;
+    s.list_builds = p.list_builds;
+    return s;
+  }
+
+  State state(std::size_t system) const override { return in_box(raw_state(system)); }
+
+ private:
+  using Views = EnsembleViews<rotates, Space, Stepped>;
+  using Kernel = AdvanceSystems<Law, Repulsion, Space, Stepped>;
+  using Wait = SystemProgress::Wait;
+  using List = SystemProgress::List;
+
+  /// Sums of a sampled configuration that its system has not been asked for yet.
+  struct Sample {
+    std::int64_t window;
+    Sums<rotates> sums;
+  };
+
+  void add(Snapshot const& snapshot, double strain_rate, double time_step) {
+    State const& state = snapshot.state;
+    std::size_t const s = progress_.size();
+    Kokkos::deep_copy(part(views_.position, s), view_of(vectors(state.position)));
+    Kokkos::deep_copy(part(views_.motion, s), view_of(motions<rotates>(state)));
+    Kokkos::deep_copy(part(views_.species, s), view_of(species_of(state.diameter)));
+    constants_.push_back(
+        {{strain_rate, time_step, state.box_length, snapshot.initial_offset, snapshot.initial_time},
+         cells_along(state.box_length, big_diameter + rules_.skin,
+                     static_cast<std::int64_t>(disks_))});
+    SystemProgress progress;
+    progress.step = snapshot.step;
+    progress.list_builds = snapshot.list_builds;
+    if (!snapshot.list_position.empty()) {
+      progress.list_step = snapshot.list_step;
+      progress.list = List::missing;
+      Kokkos::deep_copy(part(views_.at_build, s), view_of(vectors(snapshot.list_position)));
+    }
+    progress_.push_back(progress);
+    diameter_.push_back(state.diameter);
+  }
+
+  void launch(std::int64_t end, Sampling const& sampling) {
+    using Policy = typename Kernel::Policy;
+    auto const scratch = Kernel::scratch_size(disks_);
+    bool const in_scratch = scratch <= static_cast<std::size_t>(Policy::scratch_size_max(0));
+    Kernel const kernel{views_, device_constants_, device_progress_, rules_, sampling,
+                        end,    in_scratch};
+    auto const policy_of = [&](int threads) {
+      Policy policy(space_, static_cast<int>(systems()), threads);
+      if (in_scratch) policy.set_scratch_size(0, Kokkos::PerTeam(scratch));
+      return policy;
+    };
+    Kokkos::deep_copy(space_, device_progress_, view_of(std::as_const(progress_)));
+    Kokkos::parallel_for("simulation::AdvanceSystems",
+                         policy_of(threads_of_team(policy_of(1), kernel)), kernel);
+    Kokkos::deep_copy(space_, view_of(progress_), device_progress_);
+    space_.fence();
+  }
+
+  /// On a device as many as it takes, of those a team can have, for each to do equally many disks.
+  template <class Policy>
+  int threads_of_team(Policy const& policy, Kernel const& kernel) const {
+    if (threads_ > 0) return threads_;
+    if constexpr (!is_device<Space>) return 1;
+    constexpr int warp = 32;
+    int const most = policy.team_size_max(kernel, Kokkos::ParallelForTag{}) / warp * warp;
+    int const disks = static_cast<int>(disks_), turns = (disks + most - 1) / most;
+    return (disks + turns * warp - 1) / (turns * warp) * warp;
+  }
+
+  void take_samples_from_device(std::vector<SystemProgress> const& before,
+                                Sampling const& sampling) {
+    for (std::size_t s = 0; s < systems(); ++s) {
+      auto& p = progress_[s];
+      if (p.samples == 0) continue;
+      auto const sums = to_host(part(views_.samples, s));
+      auto at = sampling.next(before[s].step);
+      for (std::int32_t k = 0; k < p.samples; ++k, at = sampling.next(at + 1))
+        pending_[s].push_back({sampling.window(at), sums[static_cast<std::size_t>(k)]});
+      p.samples = 0;
+      if (p.wait == Wait::for_samples) p.wait = Wait::none;
+    }
+  }
+
+  /// For longer lists, which then are all built again.
+  void make_room() {
+    std::size_t most = 0;
+    for (auto& p : progress_)
+      if (p.wait == Wait::for_entries) {
+        most = std::max<std::size_t>(most, p.entries);
+        p.wait = Wait::none;
+      }
+    if (most == 0) return;
+    views_.make_entries(most + most / 8);
+    for (auto& p : progress_)
+      if (p.list == List::stands) p.list = List::missing;
+  }
+
+  ContactForces<Law, Repulsion, Space> forces(std::size_t system) const {
+    auto const of = views_.of(system);
+    auto const& p = progress_[system];
+    Clock const& clock = constants_[system].clock;
+    ShearedBox const box{clock.box_length, clock.offset(p.step, p.list_step), clock.strain_rate};
+    return {of.position,  of.motion, of.species, of.neighbors,
+            rules_.table, box,       rules_.law, Repulsion{}};
+  }
+
+  State raw_state(std::size_t system) const {
+    return state_of_views<rotates>(part(views_.position, system), part(views_.motion, system),
+                                   diameter_[system], constants_[system].clock,
+                                   progress_[system].step);
+  }
+
+  Space space_{};
+  EnsembleRules<Law> rules_;
+  int threads_;
+  std::size_t disks_;  ///< of a system
+  Views views_;
+  std::vector<SystemConstants> constants_;     ///< [S]
+  std::vector<SystemProgress> progress_;       ///< [S]
+  std::vector<std::vector<double>> diameter_;  ///< [S][N]: files have it, steps do not need it
+  std::vector<std::vector<Sample>> pending_;   ///< [S]
+  Kokkos::View<SystemConstants*, Space> device_constants_;
+  Kokkos::View<SystemProgress*, Space> device_progress_;
+};
+
+}  // namespace bagnold

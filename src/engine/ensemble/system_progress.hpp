@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Kokkos_Core.hpp>
+#include <cstdint>
+
+#include "kernels/physics/laws/contact.hpp"
+#include "kernels/physics/species.hpp"
+#include "src/engine/clock.hpp"
+
+/// What host and device tell each other about the systems of an ensemble.
+namespace bagnold {
+
+/// What one system of an ensemble is made of, apart from its disks.
+struct SystemConstants {
+  Clock clock;
+  int cells_along;  ///< of its grid, along an edge
+};
+
+/// Where a system stands, and what it waits for.
+struct SystemProgress {
+  enum class List { lost, missing, stands };  ///< lost: to be built now
+  enum class Wait { none, for_samples, for_entries, too_fast, unsound };  ///< last two: for ever
+
+  std::int64_t step = 0;
+  std::int64_t list_step = 0;
+  std::int64_t list_builds = 0;
+  List list = List::lost;
+  Wait wait = Wait::none;
+  std::int32_t samples = 0;                             ///< measured since the host took them
+  std::uint32_t entries = 0;                            ///< neighbours in its list, or wanted
+  Kokkos::ValLocScalar<Real, std::int64_t> farthest{};  ///< |w|^2 of who was too fast, [d_s^2]
+};
+
+/// Forces, masses and lists of all systems.
+template <ContactLaw Law>
+struct EnsembleRules {
+  Law law;
+  SpeciesTable table;
+  Real skin;  ///< [d_s]
+};
+
+}  // namespace bagnold

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+#include "kernels/physics/laws/contact.hpp"
+#include "src/config/errors.hpp"
+#include "src/engine/clock.hpp"
+#include "src/state/state.hpp"
+
+/// What engines say when they cannot go on, and what to do about it.
+namespace bagnold::failure {
+
+inline std::string where(Clock const& clock, std::int64_t step) {
+  return fmt::format("step {} (strain {:.6g})", step, clock.strain(step));
+}
+
+[[noreturn]] inline void too_fast(Clock const& clock, std::int64_t step, std::size_t disk,
+                                  double moved, double skin) {
+  throw NumericalError(fmt::format(
+      "{}: disk {} moves {:.3g} d_s against the mean flow in one step, more than the neighbour list's "
+      "skin of {:.3g} d_s allows; take a smaller integration.time_step or a larger integration.skin",
+      where(clock, step), disk, moved, skin));
+}
+
+/// Throws where a motion is no number.
+inline void check_finite(Clock const& clock, std::int64_t step, State const& state) {
+  for (std::size_t i = 0; i < state.count(); ++i)
+    if (!std::isfinite(state.position[i][0] + state.position[i][1] + state.velocity[i][0] +
+                       state.velocity[i][1]))
+      throw NumericalError(fmt::format(
+          "{}: the motion of disk {} is not a finite number; take a smaller integration.time_step",
+          where(clock, step), i));
+}
+
+[[noreturn]] inline void too_deep(Clock const& clock, std::int64_t step, std::size_t disk,
+                                  double overlap) {
+  throw NumericalError(fmt::format(
+      "{}: disk {} overlaps a neighbour by {:.1f}% (limit {:.0f}%): no grain any more; take a smaller "
+      "shear.strain_rate, integration.time_step or disks.packing_fraction",
+      where(clock, step), disk, 100 * overlap, 100 * largest_relative_overlap));
+}
+
+}  // namespace bagnold::failure

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kernels/physics/box/sheared_box.hpp"
+#include "src/state/state.hpp"
+
+namespace bagnold {
+
+/// An engine's state with all disks taken into the box. Between list builds the offset may have passed
+/// L: its images are the same.
+inline State in_box(State state) {
+  ShearedBox const box{state.box_length, state.offset, state.strain_rate.value()};
+  for (std::size_t i = 0; i < state.count(); ++i) {
+    Vec2<Real> position{state.position[i][0], state.position[i][1]};
+    wrap(box, position, state.velocity[i][0]);
+    state.position[i] = {position.x, position.y};
+  }
+  return state;
+}
+
+}  // namespace bagnold

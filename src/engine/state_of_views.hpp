@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "src/engine/clock.hpp"
+#include "src/engine/device_copy.hpp"
+
+namespace bagnold {
+
+/// A system's disks as they are on the device, outside the box perhaps. diameter: [N], [d_s].
+template <bool Rotates, class Space>
+State state_of_views(Kokkos::View<Vec2<Real>*, Space> const& position,
+                     Kokkos::View<Motion<Rotates>*, Space> const& motion,
+                     std::vector<double> const& diameter, Clock const& clock, std::int64_t step) {
+  State state;
+  state.position = pairs(to_host(position));
+  split_motions(to_host(motion), state);
+  state.diameter = diameter;
+  state.box_length = clock.box_length;
+  state.offset = clock.offset(step, step);
+  state.time = clock.time(step);
+  state.strain_rate = clock.strain_rate;
+  return state;
+}
+
+}  // namespace bagnold

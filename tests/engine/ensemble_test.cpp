@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "src/config/errors.hpp"
+#include "src/engine/ensemble/ensemble_engine.hpp"
+#include "src/engine/reference/reference_engine.hpp"
+#include "tests/support/simulations.hpp"
+#include "tests/support/typed.hpp"
+
+namespace bagnold::test {
+
+/// A law on a backend, by a scheme.
+template <class Law, class Space, Scheme stepped>
+struct OnBy : On<Law, Space> {
+  static constexpr Scheme scheme = stepped;
+};
+
+template <class... Law, class... Space>
+auto by_each_scheme(testing::Types<On<Law, Space>...>)
+    -> testing::Types<OnBy<Law, Space, Scheme::modified_velocity_verlet>...,
+                      OnBy<Law, Space, Scheme::two_stage_leapfrog>...>;
+
+struct NamesWithSchemes {
+  template <class T>
+  static std::string GetName(int i) {
+    return TypeNames::GetName<T>(i) +
+           (T::scheme == Scheme::two_stage_leapfrog ? "_two_stages" : "_papers");
+  }
+};
+
+/// Many systems in one launch against ReferenceEngine, a system at a time: the same bits.
+template <class On>
+class EnsembleOf : public testing::Test {
+ public:
+  using Law = typename On::Law;
+  using Space = typename On::Space;
+  template <class Repulsion>
+  using Together = EnsembleEngine<Law, Repulsion, Space, On::scheme>;
+  template <class Repulsion>
+  using Alone = ReferenceEngine<Law, Repulsion, Space, On::scheme>;
+  using Kernel = AdvanceSystems<Law, HarmonicRepulsion, Space, On::scheme>;
+  using Simulations = std::vector<std::unique_ptr<Simulation>>;
+
+  static Scene scene(double packing_fraction = 0.82, std::int64_t count = 64) {
+    Scene scene = small_scene(std::string(Law::name), packing_fraction, count);
+    if (On::scheme == Scheme::two_stage_leapfrog) {
+      scene.integration.scheme = two_stage_scheme;
+      scene.integration.time_step = 0.2;
+    }
+    return scene;
+  }
+
+  /// Starts of consecutive seeds.
+  static std::vector<Snapshot> starts(Scene scene, int systems) {
+    std::vector<Snapshot> all;
+    for (int s = 0; s < systems; ++s, ++scene.disks.seed)
+      all.push_back(first_snapshot(shaken_start(scene)));
+    return all;
+  }
+
+  template <class Repulsion = HarmonicRepulsion>
+  static Simulations together(Scene const& scene, std::vector<Snapshot> const& from,
+                              int threads = 0) {
+    return members_of(std::make_shared<Together<Repulsion>>(
+        make_law<Law>(scene.disks), make_species_table(scene.mass_by_area()),
+        scene.shear.strain_rate, time_step(scene), scene.integration.skin, from, threads));
+  }
+
+  template <class Repulsion = HarmonicRepulsion>
+  static std::unique_ptr<Simulation> alone(Scene const& scene, Snapshot const& from) {
+    return std::make_unique<Alone<Repulsion>>(
+        make_law<Law>(scene.disks), make_species_table(scene.mass_by_area()),
+        scene.shear.strain_rate, time_step(scene), scene.integration.skin, from);
+  }
+
+  template <class Repulsion = HarmonicRepulsion>
+  static Simulations each_alone(Scene const& scene, std::vector<Snapshot> const& from) {
+    Simulations all;
+    for (auto const& snapshot : from) all.push_back(alone<Repulsion>(scene, snapshot));
+    return all;
+  }
+
+  /// All to the end of the sampling, in turn, so many steps at a time.
+  static std::vector<OpenWindows> run(Simulations const& all, Sampling const& sampling,
+                                      std::int64_t steps) {
+    std::vector<OpenWindows> windows(all.size());
+    for (auto stop = all[0]->step(); stop < sampling.last_step;) {
+      stop = std::min(stop + steps, sampling.last_step);
+      for (std::size_t s = 0; s < all.size(); ++s)
+        all[s]->advance(stop - all[s]->step(), sampling, windows[s]);
+    }
+    return windows;
+  }
+
+  static void expect_equal(Simulation const& one, Simulation const& other) {
+    Snapshot const a = one.snapshot(), b = other.snapshot();
+    EXPECT_EQ(a.state.position, b.state.position);
+    EXPECT_EQ(a.state.velocity, b.state.velocity);
+    EXPECT_EQ(a.state.spin, b.state.spin);
+    EXPECT_EQ(a.state.diameter, b.state.diameter);
+    EXPECT_EQ(a.state.offset, b.state.offset);
+    EXPECT_EQ(a.state.time, b.state.time);
+    EXPECT_EQ(a.list_position, b.list_position);
+    EXPECT_EQ(a.list_step, b.list_step);
+    EXPECT_EQ(a.list_builds, b.list_builds);
+    EXPECT_EQ(a.step, b.step);
+    EXPECT_EQ(one.state().position, other.state().position);
+  }
+
+  static void expect_equal(OpenWindows const& a, OpenWindows const& b) {
+    ASSERT_EQ(a.sums.size(), b.sums.size());
+    for (std::size_t w = 0; w < a.sums.size(); ++w) {
+      EXPECT_EQ(a.sums[w].sums, b.sums[w].sums);
+      EXPECT_EQ(a.sums[w].weight, b.sums[w].weight);
+    }
+  }
+
+  template <class Repulsion = HarmonicRepulsion>
+  static void expect_same(Scene const& scene, int systems, Sampling const& sampling,
+                          std::int64_t steps, int threads = 0) {
+    auto const from = starts(scene, systems);
+    auto const members = together<Repulsion>(scene, from, threads);
+    auto const singles = each_alone<Repulsion>(scene, from);
+    auto const a = run(members, sampling, steps), b = run(singles, sampling, steps);
+    for (std::size_t s = 0; s < members.size(); ++s) {
+      expect_equal(*members[s], *singles[s]);
+      expect_equal(a[s], b[s]);
+      EXPECT_GE(singles[s]->snapshot().list_builds, 3) << "too short to cross a list build";
+    }
+  }
+};
+
+TYPED_TEST_SUITE(EnsembleOf, decltype(by_each_scheme(EveryLawOnEveryBackend{})), NamesWithSchemes);
+
+TYPED_TEST(EnsembleOf, HasTheBitsOfEachAlone) {
+  for (double const packing_fraction : {0.84, 0.55})
+    TestFixture::expect_same(TestFixture::scene(packing_fraction), 3, {200, 7, 500}, 500);
+}
+
+TYPED_TEST(EnsembleOf, HasThemUnderHertz) {
+  Scene scene = TestFixture::scene();
+  scene.disks.force_exponent = 2.5;
+  scene.disks.mass = "equal";
+  TestFixture::template expect_same<HertzianRepulsion>(scene, 2, {200, 7, 300}, 300);
+}
+
+/// More disks than fit into the scratch of a host's team, and several of MeasureBlock's blocks.
+TYPED_TEST(EnsembleOf, HasThemOutOfScratch) {
+  constexpr std::int64_t count = 1200;
+  using Kernel = typename TestFixture::Kernel;
+  using Policy = typename Kernel::Policy;
+  EXPECT_LT(Kernel::scratch_size(64), static_cast<std::size_t>(Policy::scratch_size_max(0)));
+  if (!is_device<typename TestFixture::Space>) {
+    EXPECT_GT(Kernel::scratch_size(count), static_cast<std::size_t>(Policy::scratch_size_max(0)));
+  }
+  TestFixture::expect_same(TestFixture::scene(0.82, count), 2, {50, 7, 63}, 7);
+}
+
+/// Boxes of a single cell, where all pairs are searched.
+TYPED_TEST(EnsembleOf, HasThemInTheSmallestBoxes) {
+  Scene scene = TestFixture::scene(0.80, 16);
+  scene.integration.skin = 0.25;
+  TestFixture::expect_same(scene, 3, {100, 10, 300}, 300);
+}
+
+/// Lists longer than there is room for at first.
+TYPED_TEST(EnsembleOf, MakesRoomForLongLists) {
+  Scene scene = TestFixture::scene(0.84, 300);
+  scene.integration.skin = 1.2;
+  auto const from = TestFixture::starts(scene, 2);
+  auto const members = TestFixture::together(scene, from);
+  auto const singles = TestFixture::each_alone(scene, from);
+  Sampling const sampling{100, 10, 100};
+  auto const a = TestFixture::run(members, sampling, 100);
+  auto const b = TestFixture::run(singles, sampling, 100);
+  for (std::size_t s = 0; s < 2; ++s) {
+    TestFixture::expect_equal(*members[s], *singles[s]);
+    TestFixture::expect_equal(a[s], b[s]);
+  }
+}
+
+TYPED_TEST(EnsembleOf, DoesNotDependOnHowAdvancesAreCut) {
+  Scene const scene = TestFixture::scene(0.82);
+  auto const from = TestFixture::starts(scene, 3);
+  Sampling const sampling{200, 1, 450};  // more samples than a launch has room for
+  auto const straight = TestFixture::together(scene, from);
+  auto const pieces = TestFixture::together(scene, from);
+  auto const a = TestFixture::run(straight, sampling, 450);
+  auto const b = TestFixture::run(pieces, sampling, 13);
+  for (std::size_t s = 0; s < 3; ++s) {
+    TestFixture::expect_equal(*straight[s], *pieces[s]);
+    TestFixture::expect_equal(a[s], b[s]);
+    ASSERT_EQ(a[s].sums.size(), 3u);
+    EXPECT_EQ(a[s].sums[0].weight, 200);
+    EXPECT_EQ(a[s].sums[2].weight, 50);
+  }
+}
+
+/// Also where systems had come to different steps.
+TYPED_TEST(EnsembleOf, GoesOnFromSnapshots) {
+  Scene const scene = TestFixture::scene(0.82, 150);
+  auto const from = TestFixture::starts(scene, 2);
+  Sampling const sampling{200, 7, 400};
+  auto const singles = TestFixture::each_alone(scene, from);
+  auto const expected = TestFixture::run(singles, sampling, 400);
+  std::vector<OpenWindows> windows(2);
+  std::vector<Snapshot> at = from;
+  for (std::size_t s = 0; s < 2; ++s) {
+    auto const one = TestFixture::alone(scene, from[s]);
+    one->advance(30 + 40 * static_cast<std::int64_t>(s), sampling, windows[s]);
+    at[s] = one->snapshot();
+  }
+  for (std::int64_t stop : {61, 170, 400}) {
+    auto const members = TestFixture::together(scene, at);
+    for (std::size_t s = 0; s < 2; ++s)
+      TestFixture::expect_equal(*members[s], *TestFixture::alone(scene, at[s]));
+    for (std::size_t s = 0; s < 2; ++s)
+      if (at[s].step < stop) members[s]->advance(stop - at[s].step, sampling, windows[s]);
+    for (std::size_t s = 0; s < 2; ++s) at[s] = members[s]->snapshot();
+    if (stop < 400) continue;
+    for (std::size_t s = 0; s < 2; ++s) {
+      TestFixture::expect_equal(*members[s], *singles[s]);
+      TestFixture::expect_equal(windows[s], expected[s]);
+    }
+  }
+}
+
+/// A system that fails says what it says alone; the others go on.
+TYPED_TEST(EnsembleOf, AFailureIsThatOfItsSystem) {
+  Scene const scene = TestFixture::scene();
+  auto const good = TestFixture::starts(scene, 3);
+  auto deep = good, fast = good, no_number = good;
+  deep[1].state.position[5] = deep[1].state.position[40];
+  deep[1].state.position[5][0] += 0.3;
+  fast[1].state.velocity[7][1] = 100;
+  no_number[1].state.velocity[3][0] = std::nan("");
+  auto const what = [](auto const& act) -> std::string {
+    try {
+      act();
+    } catch (NumericalError const& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  for (auto const& from : {deep, fast, no_number}) {
+    std::string const expected = what([&] { advance(*TestFixture::alone(scene, from[1]), 20); });
+    EXPECT_NE(expected.find("disk"), std::string::npos) << expected;
+    auto const members = TestFixture::together(scene, from);
+    advance(*members[0], 20);
+    EXPECT_EQ(what([&] { advance(*members[1], 20); }), expected);
+    EXPECT_EQ(what([&] { advance(*members[1], 0); }), expected) << "it is not over";
+    advance(*members[2], 20);
+    for (std::size_t const s : {0u, 2u}) {
+      auto const single = TestFixture::alone(scene, from[s]);
+      advance(*single, 20);
+      TestFixture::expect_equal(*members[s], *single);
+    }
+  }
+}
+
+TYPED_TEST(EnsembleOf, AMemberLeftBehindHasNoSnapshot) {
+  Scene const scene = TestFixture::scene();
+  auto const members = TestFixture::together(scene, TestFixture::starts(scene, 2));
+  advance(*members[0], 10);
+  EXPECT_EQ(members[1]->step(), 0);
+  EXPECT_THROW(members[1]->snapshot(), std::logic_error);
+  advance(*members[1], 10);
+  EXPECT_EQ(members[1]->snapshot().step, 10);
+}
+
+/// Threads of a team share a system's disks.
+TYPED_TEST(EnsembleOf, DoesNotDependOnThreadsOfATeam) {
+  using Kernel = typename TestFixture::Kernel;
+  if (typename Kernel::Policy(1, 1).team_size_max(Kernel{}, Kokkos::ParallelForTag{}) < 2)
+    GTEST_SKIP() << "teams of one thread";
+  TestFixture::expect_same(TestFixture::scene(), 3, {200, 7, 300}, 300, 2);
+}
+
+}  // namespace bagnold::test

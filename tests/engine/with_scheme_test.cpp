@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Laws that two-stage damping cannot do are refused by name, not run.
+#include "src/engine/with_scheme.hpp"
+
+#include "tests/support/typed.hpp"
+
+namespace bagnold::test {
+namespace {
+
+/// Drag by the square of the normal velocity.
+struct Quadratic {
+  static constexpr std::string_view name = "quadratic";
+  static constexpr bool rotates = false;
+  static constexpr bool linear = false;
+  Real damping;
+
+  template <class T>
+  KOKKOS_FUNCTION Vec2<T> dissipative_force(Contact<T> const& c) const {
+    T const approach = dot(c.velocity, c.normal);
+    return T(-damping) * (approach < T(0) ? -approach : approach) * approach * c.normal;
+  }
+};
+
+/// General without its spins: two weights, but room for one.
+struct Sliding : General {
+  static constexpr std::string_view name = "sliding";
+  static constexpr bool rotates = false;
+};
+
+/// Says nothing of its linearity.
+struct Silent {
+  static constexpr std::string_view name = "silent";
+  static constexpr bool rotates = false;
+  Real damping;
+
+  template <class T>
+  KOKKOS_FUNCTION Vec2<T> dissipative_force(Contact<T> const& c) const {
+    return T(-damping) * c.velocity;
+  }
+};
+
+static_assert(ContactLaw<Quadratic> && !TwoStageLaw<Quadratic>);
+static_assert(ContactLaw<Sliding> && !TwoStageLaw<Sliding>);
+static_assert(!ContactLaw<Silent>);
+
+template <class... Law>
+constexpr bool all_do_two_stages(std::tuple<Law...> const*) {
+  return (TwoStageLaw<Law> && ...);
+}
+static_assert(all_do_two_stages(static_cast<Laws const*>(nullptr)));
+
+constexpr auto as_it_is = [](auto scheme) { return scheme(); };
+
+template <class Law>
+void expect_refusal(char const* scheme) {
+  Scene scene;
+  scene.integration.scheme = scheme;
+  try {
+    with_scheme<Law>(scene, as_it_is);
+    FAIL() << Law::name << " is run with " << scheme;
+  } catch (InputError const& error) {
+    std::string const said = error.what();
+    for (std::string_view word :
+         {"integration.scheme", scheme, Law::name.data(), papers_scheme.data()})
+      EXPECT_NE(said.find(word), std::string::npos) << word << " in: " << said;
+  }
+}
+
+}  // namespace
+
+TEST(WithScheme, ALawThatTwoStagesCannotDoIsRefused) {
+  for (auto const* scheme : {"auto", two_stage_scheme.data()}) {
+    expect_refusal<Quadratic>(scheme);
+    expect_refusal<Sliding>(scheme);
+  }
+}
+
+TEST(WithScheme, ThePapersSchemeDoesEveryLaw) {
+  Scene scene;
+  scene.integration.scheme = papers_scheme;
+  EXPECT_EQ(with_scheme<Quadratic>(scene, as_it_is), Scheme::modified_velocity_verlet);
+  EXPECT_EQ(with_scheme<Sliding>(scene, as_it_is), Scheme::modified_velocity_verlet);
+  EXPECT_EQ(with_scheme<CDrot>(scene, as_it_is), Scheme::modified_velocity_verlet);
+}
+
+TEST(WithScheme, TheLawsOfTheProgramDoTwoStages) {
+  EXPECT_EQ(with_scheme<General>(Scene{}, as_it_is), Scheme::two_stage_leapfrog);
+}
+
+}  // namespace bagnold::test
