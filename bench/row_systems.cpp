@@ -87,12 +87,12 @@ Counts RowSystems::counts() const {
   Counts sum;
   for (auto const& simulation : simulations_) {
     Snapshot snapshot = simulation->snapshot();
-    auto& engine = snapshot.engine;  // empty for the reference, which counts builds only
-    sum.pairs += engine["pairs_evaluated"];
-    sum.prunings += engine["prunings"];
+    auto& counters = snapshot.counters;  // empty for the reference, which counts builds only
+    sum.pairs += counters["pairs_evaluated"];
+    sum.prunings += counters["prunings"];
     sum.builds += static_cast<double>(snapshot.list_builds);
-    sum.one_by_one += engine["steps_one_by_one"];
-    sum.in_windows += engine["steps_in_windows"];
+    sum.one_by_one += counters["steps_one_by_one"];
+    sum.in_windows += counters["steps_in_windows"];
   }
   return sum;
 }

@@ -227,7 +227,8 @@ io::SystemCheckpoint Runner::checkpoint_of(std::size_t r) {
   io::SystemCheckpoint c;
   simulations_[r]->give_back_scratch();
   static_cast<Snapshot&>(c) = simulations_[r]->snapshot();
-  replica.engine = c.engine;
+  replica.engine = c.memory;
+  replica.engine.insert(c.counters.begin(), c.counters.end());
   auto& [windows, open, frames] = replica.measurement;
   c.columns = static_cast<std::int64_t>(windows.columns);
   c.window_sums = windows.sums;

@@ -16,7 +16,7 @@
 namespace bagnold::io {
 namespace {
 
-constexpr std::int64_t schema = 7;  ///< of the file, see SCHEMA.md
+constexpr std::int64_t schema = 8;  ///< of the file, see SCHEMA.md
 
 std::filesystem::path newest_of(std::filesystem::path const& folder) {
   return folder / "checkpoint.h5";
@@ -76,7 +76,10 @@ void put_system(Hdf5Writer& file, SystemCheckpoint system, std::string const& at
   file.attribute(windows, "open_weight", system.open_weight);
 
   file.group(at + "/engine");
-  for (auto const& [name, value] : system.engine) file.attribute(at + "/engine", name, value);
+  for (auto const& [name, value] : system.memory) file.attribute(at + "/engine", name, value);
+
+  file.group(at + "/counters");
+  for (auto const& [name, value] : system.counters) file.attribute(at + "/counters", name, value);
 
   file.group(at + "/start_record");
   for (auto const& [name, value] : system.start_record)
@@ -112,8 +115,11 @@ SystemCheckpoint get_system(Hdf5Reader const& file, std::string const& at) {
   system.open_sums = file.doubles(windows + "/open_sums", file.shape(windows + "/open_sums"));
   system.open_weight = file.number(windows, "open_weight");
 
-  for (auto const& counter : file.attribute_names(at + "/engine"))
-    system.engine[counter] = file.number(at + "/engine", counter);
+  for (auto const& name : file.attribute_names(at + "/engine"))
+    system.memory[name] = file.number(at + "/engine", name);
+
+  for (auto const& name : file.attribute_names(at + "/counters"))
+    system.counters[name] = file.number(at + "/counters", name);
 
   for (auto const& record : file.attribute_names(at + "/start_record"))
     system.start_record[record] = file.number(at + "/start_record", record);

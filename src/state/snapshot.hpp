@@ -21,7 +21,8 @@ struct Snapshot {
   double initial_offset = 0.0;                       ///< at step 0, [d_s]
   double initial_time = 0.0;                         ///< at step 0, [tau_e]
   std::int64_t list_builds = 0;                      ///< so far
-  std::map<std::string, double> engine;              ///< what else the engine needs
+  std::map<std::string, double> memory;              ///< what else the engine's bits depend on
+  std::map<std::string, double> counters;            ///< of the engine, for reports
 };
 
 /// A system at step 0, without a list.

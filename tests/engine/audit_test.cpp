@@ -83,7 +83,7 @@ TEST_P(Audit, NoContactIsMissedAndNoneIsExtra) {
     ASSERT_LT(worst, 1e-9) << "stretch " << stretches << ", step " << fast->step();
     audited += expected.sums[SumColumns::contacts] / 2;
   }
-  auto const counters = fast->snapshot().engine;
+  auto const counters = fast->snapshot().counters;
   RecordProperty("pair_contacts", std::to_string(audited));
   RecordProperty("stretches", stretches);
   RecordProperty("worst_difference", std::to_string(worst));

@@ -89,7 +89,8 @@ TEST_P(Bits, GoOnFromASnapshot) {
     EXPECT_GT(straight->snapshot().list_builds, 7);
     EXPECT_EQ(straight->snapshot().list_builds, chained->snapshot().list_builds);
     EXPECT_EQ(straight->snapshot().list_position, chained->snapshot().list_position);
-    EXPECT_EQ(straight->snapshot().engine, chained->snapshot().engine);
+    EXPECT_EQ(straight->snapshot().memory, chained->snapshot().memory);
+    EXPECT_EQ(straight->snapshot().counters, chained->snapshot().counters);
     expect_equal(straight->snapshot().state, chained->snapshot().state);
     ASSERT_EQ(a.sums.size(), b.sums.size());
     for (std::size_t w = 0; w < a.sums.size(); ++w) EXPECT_EQ(a.sums[w].sums, b.sums[w].sums);
@@ -132,8 +133,8 @@ TEST_P(DenseBits, AreThoseOfContactRichSteps) {
       auto const a = advance(*rich, 80, 3), b = advance(*dense, 80, 3);
       EXPECT_EQ(rich->snapshot().list_builds, 1);
       EXPECT_EQ(dense->snapshot().list_builds, 1);
-      EXPECT_EQ(dense->snapshot().engine.at("steps_dense"), 80);
-      EXPECT_EQ(rich->snapshot().engine.at("steps_dense"), 0);
+      EXPECT_EQ(dense->snapshot().counters.at("steps_dense"), 80);
+      EXPECT_EQ(rich->snapshot().counters.at("steps_dense"), 0);
       Bits::expect_equal(rich->state(), dense->state());
       EXPECT_EQ(a.sums, b.sums);
       EXPECT_GT(a.sums[SumColumns::contacts], 0);

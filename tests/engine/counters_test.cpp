@@ -24,7 +24,7 @@ Cost cost(Scene const& scene, double warm_up, double strain) {
   auto const before = simulation->snapshot();
   auto const sums = advance(*simulation, steps(strain), 10);
   auto const after = simulation->snapshot();
-  auto const spent = [&](char const* name) { return after.engine.at(name) - before.engine.at(name); };
+  auto const spent = [&](char const* name) { return after.counters.at(name) - before.counters.at(name); };
   double const disks = static_cast<double>(scene.disks.count);
   double const singly = std::max(1.0, spent("steps_one_by_one"));
   double const windows = std::max(1.0, spent("windows"));

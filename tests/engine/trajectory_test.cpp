@@ -83,7 +83,7 @@ TEST_P(Trajectory, OfADiluteGas) {
       EXPECT_NEAR(sums.sums[c], expected.sums[c], 1e-9 * (std::abs(expected.sums[c]) + scale)) << c;
     }
     if (engine() == "windowed") {
-      auto const counters = simulation->snapshot().engine;
+      auto const counters = simulation->snapshot().counters;
       EXPECT_GE(counters.at("steps_in_windows"), steps / 2);
       EXPECT_LT(counters.at("disks_in_larger_islands"),
                 0.6 * static_cast<double>(count) * counters.at("windows"));

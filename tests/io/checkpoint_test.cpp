@@ -53,7 +53,7 @@ TEST(Checkpoint, ReplicasAtStepsOfTheirOwn) {
   auto& third = checkpoint.systems[2];
   third.window_weight.push_back(4.0);
   third.window_sums.insert(third.window_sums.end(), {7.0, 8.0, 9.0});
-  third.engine["another"] = 1.0;
+  third.memory["another"] = 1.0;
   EXPECT_EQ(checkpoint.steps(), 3500);
   auto const back = parse_checkpoint("x", checkpoint_image(checkpoint));
   ASSERT_EQ(back.systems.size(), 3u);
@@ -66,7 +66,7 @@ TEST(Checkpoint, ImpossibleNumbersOfReplicasAreRefused) {
                                       std::numeric_limits<std::int64_t>::max()}) {
     Hdf5Writer file(Hashed::yes);
     file.attribute("/", "format", "bagnold-checkpoint");
-    file.attribute("/", "schema", std::int64_t{7});
+    file.attribute("/", "schema", std::int64_t{8});
     file.attribute("/", "replicas", replicas);
     file.text("/scene", "");
     auto image = bytes_of(file.content());

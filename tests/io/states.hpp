@@ -44,7 +44,8 @@ inline SystemCheckpoint some_system(std::size_t count, std::int64_t step) {
   system.start_record = {{"iterations", 12.0}, {"overlap", 1e-9}};
   system.frames = {{"profiles", {0.1 * static_cast<double>(step), -0.0, 5e-324}}, {"fields", {}}};
   system.list_builds = 42;
-  system.engine = {{"margin", 0.015}, {"prune_step", 117.0}};
+  system.memory = {{"margin", 0.015}, {"prune_step", 117.0}};
+  system.counters = {{"prunings", 3.0}};
   return system;
 }
 

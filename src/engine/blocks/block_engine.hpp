@@ -15,6 +15,7 @@
 #include "src/engine/clock.hpp"
 #include "src/engine/contacts/contact_watch.hpp"
 #include "src/engine/device_copy.hpp"
+#include "src/engine/engine_memory.hpp"
 #include "src/engine/failure.hpp"
 #include "src/engine/in_box.hpp"
 #include "src/engine/blocks/pruned_list.hpp"
@@ -54,7 +55,8 @@ class BlockEngine final : public Simulation {
     std::vector<std::array<double, 2>>().swap(snapshot.state.velocity);
     std::vector<double>().swap(snapshot.state.spin);
     auto position = vectors(std::exchange(snapshot.state.position, {}));
-    if (snapshot.list_position.empty()) {
+    for_each_counter(RestoreCounter{snapshot.counters});
+    if (snapshot.list_position.empty() || snapshot.memory.empty()) {  // another engine's: no blocks
       touching_ = count();  // not known yet: many
       build(std::move(position), std::move(motion));
       in_windows_ = stepping == Stepping::windowed;
@@ -63,10 +65,7 @@ class BlockEngine final : public Simulation {
       auto const listed = vectors(std::exchange(snapshot.list_position, {}));
       arrange(std::move(position), std::move(motion), &listed);
       fastest_ = fastest();
-      auto engine = snapshot.engine;
-      for_each_memory([&](char const* name, auto& value) {
-        value = static_cast<std::decay_t<decltype(value)>>(engine.at(name));
-      });
+      for_each_memory(RestoreMemory{snapshot.memory});
       fill_inner();
     }
   }
@@ -97,9 +96,8 @@ class BlockEngine final : public Simulation {
     s.initial_offset = clock_.initial_offset;
     s.initial_time = clock_.initial_time;
     s.list_builds = builds_;
-    const_cast<BlockEngine*>(this)->for_each_memory([&](char const* name, auto const& value) {
-      s.engine[name] = static_cast<double>(value);
-    });
+    const_cast<BlockEngine*>(this)->for_each_memory(WriteDown{s.memory});
+    const_cast<BlockEngine*>(this)->for_each_counter(WriteDown{s.counters});
     return s;
   }
 
@@ -137,15 +135,20 @@ class BlockEngine final : public Simulation {
     visit("near_pairs", near_pairs_);
     visit("touching", touching_);
     visit("dense", dense_);
-    visit("steps_dense", steps_dense_);
-    visit("pairs_evaluated", pairs_evaluated_);
-    visit("prunings", prunings_);
     visit("in_windows", in_windows_);
     visit("window_allowance", windowed_.allowance);
     visit("window_usual_stray", windowed_.usual);
     visit("window_allowance_steps", allowance_steps_);
     choice_.for_each_memory(visit);
     windows_pay_.for_each_memory(visit);
+  }
+
+  /// What reports count; no bit depends on it.
+  template <class Visit>
+  void for_each_counter(Visit const& visit) {
+    visit("pairs_evaluated", pairs_evaluated_);
+    visit("prunings", prunings_);
+    visit("steps_dense", steps_dense_);
     visit("steps_one_by_one", steps_one_by_one_);
     visit("windows", windowed_.counters.windows);
     visit("steps_in_windows", windowed_.counters.steps);
