@@ -3,6 +3,7 @@
 
 #include "kernels/physics/motion.hpp"
 #include "kernels/physics/box/list_criterion.hpp"
+#include "kernels/physics/box/sheared_box.hpp"
 
 namespace bagnold {
 
