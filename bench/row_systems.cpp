@@ -10,7 +10,7 @@
 #include "src/config/scene_file.hpp"
 #include "src/config/time_step.hpp"
 #include "src/io/state_file.hpp"
-#include "src/protocols/side_by_side.hpp"
+#include "src/run/replica_scheduler.hpp"
 #include "src/engine/make_simulation.hpp"
 #include "src/start/start.hpp"
 

@@ -7,7 +7,7 @@
 #include "bench/rows.hpp"
 #include "src/config/plan.hpp"
 #include "src/config/scene.hpp"
-#include "src/protocols/steady.hpp"
+#include "src/run/run_measured.hpp"
 #include "src/engine/simulation.hpp"
 
 namespace bagnold::bench {

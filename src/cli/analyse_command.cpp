@@ -6,7 +6,7 @@
 
 #include "src/analysis/kinds/kinds.hpp"
 #include "src/cli/commands.hpp"
-#include "src/cli/plot.hpp"
+#include "src/run/plot.hpp"
 #include "src/config/errors.hpp"
 #include "src/io/atomic_file.hpp"
 

@@ -7,7 +7,7 @@
 #include "src/analysis/rate_limit.hpp"
 #include "src/cli/checked_sweep.hpp"
 #include "src/cli/commands.hpp"
-#include "src/cli/run_folder.hpp"
+#include "src/run/run_folder.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/scene_file.hpp"
 #include "src/io/atomic_file.hpp"

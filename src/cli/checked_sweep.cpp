@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "src/cli/checked_scene.hpp"
+#include "src/run/validate_scene.hpp"
 #include "src/cli/commands.hpp"
 #include "src/io/state_file.hpp"
 #include "src/start/start.hpp"

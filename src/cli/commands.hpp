@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "src/analysis/request.hpp"
-#include "src/cli/machine.hpp"
-#include "src/cli/messages.hpp"
+#include "src/run/machine.hpp"
+#include "src/run/messages.hpp"
 
 namespace bagnold {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <system_error>
 
-#include "src/cli/messages.hpp"
+#include "src/run/messages.hpp"
 #include "src/config/errors.hpp"
 
 namespace bagnold {

@@ -11,7 +11,7 @@
 #include "src/cli/commands.hpp"
 #include "src/cli/figure_file.hpp"
 #include "src/cli/figure_stated.hpp"
-#include "src/cli/plot.hpp"
+#include "src/run/plot.hpp"
 #include "src/config/errors.hpp"
 #include "src/io/atomic_file.hpp"
 

@@ -4,7 +4,7 @@
 #include <thread>
 
 #include "src/cli/commands.hpp"
-#include "src/cli/provenance.hpp"
+#include "src/run/provenance.hpp"
 
 namespace bagnold {
 

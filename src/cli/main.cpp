@@ -12,7 +12,7 @@
 #include "src/cli/analyse_options.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/exit_code.hpp"
-#include "src/cli/provenance.hpp"
+#include "src/run/provenance.hpp"
 #include "src/cli/signals.hpp"
 #include "src/cli/standard_streams.hpp"
 #include "src/config/errors.hpp"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include "src/cli/cascade.hpp"
-#include "src/cli/checked_scene.hpp"
+#include "src/run/protocols/cascade/cascade.hpp"
+#include "src/run/validate_scene.hpp"
 #include "src/cli/commands.hpp"
-#include "src/cli/pictures.hpp"
-#include "src/cli/run_in_folder.hpp"
+#include "src/run/pictures.hpp"
+#include "src/run/start_or_resume.hpp"
 #include "src/cli/signals.hpp"
 #include "src/config/cascade.hpp"
 #include "src/config/errors.hpp"

@@ -9,9 +9,9 @@
 
 #include "src/cli/checked_sweep.hpp"
 #include "src/cli/commands.hpp"
-#include "src/cli/provenance.hpp"
-#include "src/cli/run_folder.hpp"
-#include "src/cli/run_time_estimate.hpp"
+#include "src/run/provenance.hpp"
+#include "src/run/run_folder.hpp"
+#include "src/run/run_time_estimate.hpp"
 #include "src/cli/signals.hpp"
 #include "src/config/errors.hpp"
 #include "src/io/atomic_file.hpp"

@@ -6,8 +6,8 @@
 #include <set>
 
 #include "src/analysis/paper_values.hpp"
-#include "src/cli/hysteresis.hpp"
-#include "src/cli/run_results.hpp"
+#include "src/run/protocols/ramp/hysteresis.hpp"
+#include "src/run/results.hpp"
 
 namespace bagnold {
 

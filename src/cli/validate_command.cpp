@@ -3,11 +3,11 @@
 
 #include <optional>
 
-#include "src/cli/checked_scene.hpp"
+#include "src/run/validate_scene.hpp"
 #include "src/cli/commands.hpp"
-#include "src/cli/machine.hpp"
-#include "src/cli/run_in_folder.hpp"
-#include "src/cli/run_time_estimate.hpp"
+#include "src/run/machine.hpp"
+#include "src/run/start_or_resume.hpp"
+#include "src/run/run_time_estimate.hpp"
 #include "src/config/cascade.hpp"
 #include "src/config/run_time.hpp"
 #include "src/config/scene_file.hpp"

@@ -3,7 +3,7 @@
 
 #include "src/cli/checked_sweep.hpp"
 #include "src/cli/commands.hpp"
-#include "src/cli/run_time_estimate.hpp"
+#include "src/run/run_time_estimate.hpp"
 #include "src/config/errors.hpp"
 
 namespace bagnold {

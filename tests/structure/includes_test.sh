@@ -17,11 +17,11 @@ src/statistics
 src/state            src/config kernels/physics
 src/engine           src/config src/state src/statistics kernels
 src/measure          src/config src/state src/statistics src/engine src/io kernels
-src/protocols        src/config src/state src/statistics src/engine src/measure
 src/io               src/config src/state src/statistics
 src/sweep            src/config src/state src/io
 src/start            src/config src/state src/statistics src/engine src/io kernels
 src/analysis         src/config src/state src/statistics src/engine src/io
+src/run              src kernels
 src/cli              src kernels
 "
 # A folder, and the libraries that it must not know. Kernels know Kokkos and the standard library.
@@ -30,7 +30,7 @@ kernels              hdf5|H5|toml|CLI|fmt/|nlohmann|Eigen|xxhash
 src/config           Kokkos|hdf5|H5
 src/state            hdf5|H5|toml|CLI|nlohmann
 src/statistics       Kokkos|hdf5|H5|toml|CLI|nlohmann
-src/protocols        Kokkos|hdf5|H5|toml|CLI
+src/run              hdf5|H5|toml|CLI
 src/io               Kokkos
 src/sweep            Kokkos
 "

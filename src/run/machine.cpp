@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/run/machine.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <thread>
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+#include "src/run/messages.hpp"
+#include "src/config/errors.hpp"
+#include "src/engine/make_simulation.hpp"
+
+namespace bagnold {
+
+namespace {
+
+bool has(std::string const& backend) {
+  auto const all = backend_names();
+  return std::find(all.begin(), all.end(), backend) != all.end();
+}
+
+std::int64_t cores() { return std::max(1u, std::thread::hardware_concurrency()); }
+
+constexpr int most_kokkos_threads = 512;  ///< the length of its pool, which it does not check
+
+int most_openmp_threads() {
+#ifdef _OPENMP
+  return std::min(most_kokkos_threads, omp_get_thread_limit());
+#else
+  return most_kokkos_threads;
+#endif
+}
+
+void leave_out_threads(int& threads) {
+  int const most = most_openmp_threads();
+  if (threads <= most) return;
+  warn(fmt::format("--threads {} (must be at most {}, which {}): {} used", threads, most,
+                   most < most_kokkos_threads ? "OMP_THREAD_LIMIT allows" : "Kokkos bears",
+                   most == 1 ? "1 is" : fmt::format("{} are", most)));
+  threads = most;
+}
+
+Machine choose_for_replicas(Machine machine, Scene const& scene) {
+  auto const replicas = scene.disks.replicas;
+  auto const wanted = machine.threads == 0 ? cores() : machine.threads;
+  if (is_device_backend(machine.backend)) {  // threads relax the starts
+    bool const together = steps_together(scene, machine.backend);
+    machine.threads = together ? static_cast<int>(std::min(wanted, replicas)) : 1;
+    return machine;
+  }
+  if (!machine.backend.empty() && machine.backend != "serial")
+    throw InputError(
+        fmt::format("--backend {}: disks.replicas = {} (must be 1 there: replicas run side by "
+                    "side, each on the "
+                    "serial backend); leave --backend out",
+                    machine.backend, replicas));
+  if (!has("serial"))
+    throw InputError(fmt::format(
+        "disks.replicas = {} (must be 1: this build lacks the serial backend, on which replicas "
+        "run); build Kokkos with Kokkos_ENABLE_SERIAL",
+        replicas));
+  machine.backend = "serial";
+  machine.threads = static_cast<int>(std::min(wanted, replicas));
+  return machine;
+}
+
+}  // namespace
+
+void free_from_environment([[maybe_unused]] int threads) {
+  for (auto const* name : {"KOKKOS_NUM_THREADS", "KOKKOS_DISABLE_WARNINGS"}) unsetenv(name);
+#ifdef _OPENMP
+  omp_set_dynamic(0);
+  omp_set_num_threads(threads);  // Kokkos starts as many as the environment says, to count them
+  omp_set_max_active_levels(std::max(1, omp_get_max_active_levels()));
+#endif
+}
+
+Machine choose(Machine machine, Scene const& scene) {
+  if (!machine.backend.empty() && !has(machine.backend))
+    throw InputError(fmt::format("--backend {}: not in this build (has: {})", machine.backend,
+                                 fmt::join(backend_names(), ", ")));
+  if (auto const why = why_no_start(); !why.empty())
+    throw InputError(fmt::format(
+        "no CUDA device ({}): this build needs one, also for --backend serial; run it where "
+        "nvidia-smi lists one, or build without CUDA (cmake --preset openmp)",
+        why));
+  if (scene.disks.replicas > 1) return choose_for_replicas(machine, scene);
+  if (machine.threads == 0)
+    machine.threads = static_cast<int>(std::clamp<std::int64_t>(
+        scene.disks.count / 4096, 1, std::min<std::int64_t>(cores(), most_openmp_threads())));
+  if (machine.backend != "serial") leave_out_threads(machine.threads);
+  if (machine.backend.empty())
+    machine.backend = machine.threads > 1 && has("openmp") ? "openmp" : backend_names().front();
+  if (machine.backend == "serial") machine.threads = 1;
+  return machine;
+}
+
+}  // namespace bagnold

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "src/run/run_folder.hpp"
+#include "src/config/scene.hpp"
+
+namespace bagnold {
+
+/// Draws the pictures of a finished run that its scene asks for and its folder lacks; a warning
+/// where one cannot be drawn.
+void draw_missing_pictures(RunFolder const& folder, Scene const& scene);
+
+}  // namespace bagnold

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/run/protocols/cascade/cascade.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "src/run/messages.hpp"
+#include "src/run/pictures.hpp"
+#include "src/run/provenance.hpp"
+#include "src/run/start_or_resume.hpp"
+#include "src/cli/signals.hpp"
+#include "src/config/cascade.hpp"
+#include "src/config/errors.hpp"
+#include "src/config/scene_file.hpp"
+#include "src/config/toml_text.hpp"
+#include "src/io/atomic_file.hpp"
+#include "src/io/trajectory_parts.hpp"
+
+namespace bagnold {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// Runs a stage, or goes on with it; of a finished one draws pictures that a kill left out.
+int run_stage(fs::path const& path, Scene const& scene, Machine const& machine, bool quiet) {
+  if (io::run_finished(path)) {
+    auto const folder = RunFolder::open(path);
+    folder.remove_trajectory_parts();
+    draw_missing_pictures(folder, scene);
+    return 0;
+  }
+  if (begun(path)) return go_on_in(RunFolder::open(path), machine, quiet);
+  auto from_file = states_in_file(scene);
+  RunFolder const folder = RunFolder::make(path, /*force=*/true);
+  io::replace_text(folder.scene(), write_scene(scene));
+  return run_from_start(folder, scene, machine, quiet, std::move(from_file));
+}
+
+/// What a stage found.
+Json point_of(fs::path const& summary, std::string const& name, double strain_rate) try {
+  auto const bytes = io::read_file(summary);
+  auto const* text = reinterpret_cast<char const*>(bytes.data());
+  Json const stage = Json::parse(text, text + bytes.size());
+  return {{"folder", name},
+          {"strain_rate", strain_rate},
+          {"strain", stage.at("strain")},
+          {"warnings", stage.value("warnings", Json::array())},
+          {"observables", stage.at("observables")}};
+} catch (Json::exception const& error) {
+  throw FileError(
+      fmt::format("{}: is damaged ({}); remove it and resume", summary.string(), error.what()));
+}
+
+/// What all stages found, without times.
+void write_summary(RunFolder const& folder, Scene const& cascade) {
+  Provenance const made = provenance();
+  Json summary{{"schema", 1},
+               {"bagnold", {{"version", made.version}, {"git", made.git}}},
+               {"points", Json::array()}};
+  for (std::size_t k = 0; k < cascade.shear.strain_rates.size(); ++k) {
+    auto const name = stage_folder(cascade, k);
+    summary["points"].push_back(
+        point_of(folder.path() / name / "summary.json", name, cascade.shear.strain_rates[k]));
+  }
+  io::replace_text(folder.summary(), summary.dump(2) + "\n");
+}
+
+}  // namespace
+
+std::optional<Scene> cascade_in(RunFolder const& folder) {
+  if (!fs::exists(folder.scene())) return std::nullopt;
+  Scene scene = read_scene(folder.scene());
+  return scene.shear.protocol == "cascade" ? std::optional(scene) : std::nullopt;
+}
+
+int run_cascade(RunFolder const& folder, Scene const& cascade, Machine const& machine, bool quiet) {
+  KokkosScope const kokkos(machine, cascade);
+  auto const stages = cascade.shear.strain_rates.size();
+  std::string before;
+  for (std::size_t k = 0; k < stages; ++k) {
+    if (stop_signal() != 0) {
+      say(fmt::format("stopped before rate {} of {}; `bagnold resume {}` goes on", k + 1, stages,
+                      folder.path().string()));
+      return 128 + stop_signal();
+    }
+    auto const path = fs::absolute(folder.path()).lexically_normal() / stage_folder(cascade, k);
+    if (!quiet)
+      put(fmt::format("strain rate {}, {} of {}\n", cascade.shear.strain_rates[k], k + 1, stages));
+    int const code = run_stage(path, stage_of(cascade, k, before), machine, quiet);
+    if (code != 0) return code;
+    before = (path / "state.h5").string();
+  }
+  write_summary(folder, cascade);
+  return 0;
+}
+
+}  // namespace bagnold

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "src/run/results.hpp"
+
+namespace bagnold {
+
+/// What was measured about one strain rate on the way in one direction.
+struct LoopBin {
+  double strain_rate = 0;                       ///< mean over its windows, [1/tau_e]
+  std::size_t windows = 0;                      ///< of all passes
+  std::vector<Observable> observables;          ///< at this rate
+  std::vector<statistics::Estimate> estimates;  ///< of each
+};
+
+/// The hysteresis loop of a ramp.
+struct Loop {
+  std::vector<LoopBin> up, down;  ///< from the smallest rate on
+};
+
+inline constexpr int loop_bins_a_decade = 20;
+
+/// Windows of all cycles and replicas in bins of equal width in log(gammadot) from the lowest rate
+/// on, empty ones left out. Values are functions of the averages over a bin. A pass is one way
+/// through a bin, of one cycle and replica; from 3 passes on the error is the jackknife that leaves
+/// out one at a time, with fewer there is none: within a pass windows follow one another.
+Loop loop_of(Run const& run);
+
+}  // namespace bagnold

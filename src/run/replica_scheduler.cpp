@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/run/replica_scheduler.hpp"
+
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <exception>
+#include <mutex>
+#include <numeric>
+#include <thread>
+#include <vector>
+
+namespace bagnold {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+std::deque<std::size_t> all_of(SideBySide const& work) {
+  std::deque<std::size_t> systems(work.systems);
+  std::iota(systems.begin(), systems.end(), std::size_t{0});
+  return systems;
+}
+
+bool run_on_this_thread(SideBySide const& work) {
+  auto waiting = all_of(work);
+  bool stopped = false;
+  while (!waiting.empty() && !stopped) {
+    std::size_t const system = waiting.front();
+    waiting.pop_front();
+    auto const begun = Clock::now();
+    bool const done = work.further(system, [&] {
+      auto const wish = work.wish();
+      if (wish == SideBySide::Wish::hold) work.held();
+      stopped = wish == SideBySide::Wish::stop;
+      return !stopped && (waiting.empty() || Clock::now() - begun < work.turn);
+    });
+    if (!done) waiting.push_back(system);
+  }
+  return waiting.empty();
+}
+
+/// Threads that take the system that has waited longest. All but the atomics is guarded by mutex_.
+class Crew {
+ public:
+  explicit Crew(SideBySide const& work) : work_(work), waiting_(all_of(work)) {
+    waiting_count_ = waiting_.size();
+  }
+
+  ~Crew() { end(); }
+
+  bool run() {
+    for (int t = 0; t < work_.threads; ++t) threads_.emplace_back([this] { take_turns(); });
+    std::unique_lock lock(mutex_);
+    while (!over()) {
+      changed_.wait_for(lock, std::chrono::milliseconds(50));
+      lock.unlock();
+      auto const wish = work_.wish();
+      lock.lock();
+      if (wish != SideBySide::Wish::go_on) hold(lock, wish);
+    }
+    lock.unlock();
+    end();
+    if (failure_) std::rethrow_exception(failure_);
+    return done_ == work_.systems;
+  }
+
+ private:
+  bool over() const { return stopped_ || done_ == work_.systems; }
+
+  void hold(std::unique_lock<std::mutex>& lock, SideBySide::Wish wish) {
+    held_ = true;
+    changed_.wait(lock, [&] { return busy_ == 0; });
+    if (failure_) return;
+    if (wish == SideBySide::Wish::stop)
+      stopped_ = true;
+    else
+      work_.held();
+    held_ = false;
+    changed_.notify_all();
+  }
+
+  void end() {
+    {
+      std::lock_guard const lock(mutex_);
+      stopped_ = held_ = true;
+    }
+    changed_.notify_all();
+    for (auto& thread : threads_) thread.join();
+    threads_.clear();
+  }
+
+  void take_turns() {
+    std::unique_lock lock(mutex_);
+    for (;;) {
+      changed_.wait(lock, [&] { return over() || (!held_ && !waiting_.empty()); });
+      if (over()) return;
+      std::size_t const system = waiting_.front();
+      waiting_.pop_front();
+      waiting_count_ = waiting_.size();
+      ++busy_;
+      lock.unlock();
+      std::exception_ptr failure;
+      bool const done = take_turn(system, failure);
+      lock.lock();
+      --busy_;
+      if (failure) {
+        if (!failure_) failure_ = failure;
+        stopped_ = held_ = true;
+      } else if (done) {
+        ++done_;
+      } else {
+        waiting_.push_back(system);
+        waiting_count_ = waiting_.size();
+      }
+      changed_.notify_all();
+    }
+  }
+
+  bool take_turn(std::size_t system, std::exception_ptr& failure) {
+    auto const begun = Clock::now();
+    try {
+      return work_.further(system, [&] {
+        return !held_ && (waiting_count_ == 0 || Clock::now() - begun < work_.turn);
+      });
+    } catch (...) {
+      failure = std::current_exception();
+      return false;
+    }
+  }
+
+  SideBySide const& work_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<std::size_t> waiting_;
+  std::size_t done_ = 0;
+  int busy_ = 0;
+  bool stopped_ = false;
+  std::exception_ptr failure_;      ///< the first
+  std::atomic<bool> held_ = false;  ///< nobody begins or goes on with a turn
+  std::atomic<std::size_t> waiting_count_ = 0;
+  std::vector<std::thread> threads_;  ///< last: they use all of the above
+};
+
+}  // namespace
+
+bool run(SideBySide const& work) {
+  return work.threads > 1 ? Crew(work).run() : run_on_this_thread(work);
+}
+
+}  // namespace bagnold

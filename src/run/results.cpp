@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/run/results.hpp"
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "src/run/protocols/ramp/hysteresis.hpp"
+#include "src/run/provenance.hpp"
+#include "src/run/target_error.hpp"
+#include "src/run/warnings/warning.hpp"
+#include "src/config/keys.hpp"
+#include "src/config/scene_file.hpp"
+#include "src/io/atomic_file.hpp"
+#include "src/io/result_file.hpp"
+#include "src/statistics/stopping.hpp"
+
+namespace bagnold {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(std::optional<double> const& value) {
+  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
+}
+
+Json scene_json(Scene const& scene) {
+  Json all = Json::object();
+  for_each_key(scene, [&](Key const& key, auto const& member) {
+    if (!belongs(key, scene.shear.protocol)) return;
+    using Member = std::decay_t<decltype(member)>;
+    Json value;
+    if constexpr (std::is_same_v<Member, std::optional<double>>)
+      value = member ? Json(*member) : Json("auto");
+    else if constexpr (std::is_same_v<Member, NumberOrWord>)
+      value = member.number ? Json(*member.number) : Json(member.word);
+    else if constexpr (std::is_same_v<Member, Strain>)
+      value = member.is_list() ? Json(member.each) : Json(member.at(0));
+    else
+      value = member;
+    auto const dot = key.name.find('.');
+    if (dot == std::string_view::npos)
+      all[std::string(key.name)] = value;
+    else
+      all[std::string(key.name.substr(0, dot))][std::string(key.name.substr(dot + 1))] = value;
+  });
+  return all;
+}
+
+/// Step after the last one of a window.
+std::int64_t end_of(Run const& run, std::size_t window) {
+  return run.plan.window_end(static_cast<std::int64_t>(window));
+}
+
+double rate_of(Run const& run, std::size_t window) {
+  return run.plan.mean_rate(static_cast<std::int64_t>(window));
+}
+
+/// Windows of the replica that has most: all have as many once the run is done.
+std::size_t most_windows(Run const& run) {
+  std::size_t most = 0;
+  for (auto const& replica : run.replicas)
+    most = std::max(most, replica.measurement.windows.size());
+  return most;
+}
+
+std::size_t discarded(Run const& run) {
+  return std::min(static_cast<std::size_t>(run.plan.discarded_windows), most_windows(run));
+}
+
+/// The values under one name in the records of all replicas: a number, or a row of R.
+io::Value record_of(Run const& run, std::map<std::string, double> Replica::*record,
+                    std::string const& name) {
+  std::vector<double> values;
+  for (auto const& replica : run.replicas) values.push_back((replica.*record).at(name));
+  if (values.size() == 1) return values.front();
+  return values;
+}
+
+std::vector<std::int64_t> seeds(Run const& run) {
+  std::vector<std::int64_t> list(run.replicas.size());
+  std::iota(list.begin(), list.end(), run.scene.disks.seed);
+  return list;
+}
+
+/// What observers found on the frames of all replicas.
+FrameResults on_frames(Run const& run) {
+  std::vector<Frames const*> frames;
+  for (auto const& replica : run.replicas) frames.push_back(&replica.measurement.frames);
+  return Frames::join(frames);
+}
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// A series of value(replica, window): NaN where a replica has not come to that window yet.
+template <class Value>
+io::Series series(Run const& run, std::string_view name, std::string_view unit,
+                  std::string_view meaning, Value const& value) {
+  io::Series made{std::string(name), std::string(unit), std::string(meaning), {}};
+  auto const windows = most_windows(run);
+  made.value.reserve(windows * run.replicas.size());
+  for (auto const& replica : run.replicas)
+    for (std::size_t w = 0; w < windows; ++w)
+      made.value.push_back(w < replica.measurement.windows.size() ? value(replica, w) : nan);
+  return made;
+}
+
+}  // namespace
+
+statistics::ReplicaEstimate estimate(Run const& run, statistics::Function const& f) {
+  std::vector<statistics::Windows const*> windows;
+  for (auto const& replica : run.replicas) windows.push_back(&replica.measurement.windows);
+  auto found = statistics::estimate(windows, discarded(run), f);
+  if (!run.scene.shear.target_error.empty()) found.all = statistics::cautious(found);
+  return found;
+}
+
+std::string errors_from(Run const& run) {
+  std::string const source(statistics::error_source(run.replicas.size()));
+  if (run.scene.shear.target_error.empty()) return source;
+  if (run.replicas.size() < statistics::fewest_replicas) return source + ", with Student's factor";
+  return source + " or blocks of windows in each, the larger one, with Student's factor";
+}
+
+std::vector<NamedEstimate> estimates(Run const& run) {
+  std::vector<NamedEstimate> list;
+  if (run.plan.ramp) return list;  // there is no one rate to average at
+  for (auto const& observable : observables(run.scene, run.box_length))
+    list.push_back({observable, estimate(run, observable.value)});
+  return list;
+}
+
+std::vector<double> window_series(Run const& run, Observable const& observable) {
+  std::size_t windows = run.replicas.front().measurement.windows.size();
+  for (auto const& replica : run.replicas)
+    windows = std::min(windows, replica.measurement.windows.size());
+  std::vector<double> series(windows, 0.0);
+  for (auto const& replica : run.replicas)
+    for (std::size_t w = 0; w < windows; ++w)
+      series[w] += observable.value(replica.measurement.windows.mean(w, w + 1)) /
+                   static_cast<double>(run.replicas.size());
+  return series;
+}
+
+namespace {
+
+/// All observables in every window, each at the window's rate.
+void add_observables(Run const& run, std::vector<io::Series>& all) {
+  std::vector<std::vector<Observable>> at_rate;  // [windows]; one for all at one rate
+  Scene scene = run.scene;
+  for (std::size_t w = 0; w == 0 || (run.plan.ramp && w < most_windows(run)); ++w) {
+    scene.shear.strain_rate = rate_of(run, w);
+    at_rate.push_back(observables(scene, run.box_length));
+  }
+  for (std::size_t k = 0; k < at_rate.front().size(); ++k) {
+    auto const& first = at_rate.front()[k];
+    all.push_back(series(run, first.name, first.unit, first.meaning,
+                         [&](Replica const& replica, std::size_t w) {
+                           auto const& here = at_rate[run.plan.ramp ? w : 0][k];
+                           return here.value(replica.measurement.windows.mean(w, w + 1));
+                         }));
+  }
+}
+
+}  // namespace
+
+void write_result_file(RunFolder const& folder, Run const& run) {
+  io::Result result;
+  Provenance const made = provenance();
+  auto const& disks = run.scene.disks;
+  result.attributes = {{"title", run.scene.title},
+                       {"bagnold_version", made.version},
+                       {"git", made.git},
+                       {"compiler", made.compiler},
+                       {"kokkos", made.kokkos},
+                       {"backend", run.backend},
+                       {"scene", write_scene(run.scene)},
+                       {"model", disks.model},
+                       {"mass", disks.mass},
+                       {"count", disks.count},
+                       {"packing_fraction", disks.packing_fraction},
+                       {"elasticity", disks.elasticity},
+                       {"protocol", run.scene.shear.protocol},
+                       {"strain_rate", run.scene.shear.strain_rate},
+                       {"seed", disks.seed},
+                       {"box_length", run.box_length},
+                       {"scheme", run.scene.integration.scheme},
+                       {"time_step", run.plan.time_step},
+                       {"steps", run.plan.steps},
+                       {"window_steps", run.plan.window_steps}};
+  Replica const& first = run.replicas.front();
+  if (run.replicas.size() > 1) result.attributes.push_back({"seeds", seeds(run)});
+  for (auto const& [name, value] : first.start_record)
+    result.attributes.push_back({name, record_of(run, &Replica::start_record, name)});
+  for (auto const& [name, value] : first.engine)
+    result.attributes.push_back({"engine_" + name, record_of(run, &Replica::engine, name)});
+  result.discarded_windows = static_cast<std::int64_t>(discarded(run));
+  result.replicas = run.replicas.size();
+
+  auto const strain = [&](Replica const&, std::size_t w) {
+    return run.plan.strain(end_of(run, w));
+  };
+  auto const time = [&](Replica const& replica, std::size_t w) {
+    return replica.initial_time + run.plan.time_step * static_cast<double>(end_of(run, w));
+  };
+  result.series = {
+      series(run, "strain", "1", "at the end of the window, from 0 at the start", strain),
+      series(run, "time", "tau_e", "at the end of the window", time),
+      series(run, "strain_rate", "1/tau_e", "gammadot, mean over the window",
+             [&](Replica const&, std::size_t w) { return rate_of(run, w); }),
+      series(run, "evaluations", "1", "configurations evaluated in the window",
+             [](Replica const& replica, std::size_t w) {
+               return replica.measurement.windows.weight[w];
+             })};
+  if (run.plan.ramp)
+    result.series.push_back(series(run, "direction", "1", "+1 up, -1 down, 0 before the ramp",
+                                   [&](Replica const&, std::size_t w) {
+                                     return run.plan.direction(static_cast<std::int64_t>(w));
+                                   }));
+  add_observables(run, result.series);
+  auto found = on_frames(run);
+  result.histograms = std::move(found.histograms);
+  result.profiles = std::move(found.profiles);
+  result.samples = std::move(found.samples);
+  io::write_result(folder.result(), result);
+}
+
+namespace {
+
+/// What one name of the summary stands for.
+struct JsonEstimate {
+  std::string name;
+  statistics::ReplicaEstimate estimate;
+  double sample_strain;  ///< between its samples
+
+  Json json(statistics::Estimate const& of) const {
+    auto const& tau = of.correlation;
+    Json all{{"mean", number(of.mean)},
+             {"error", number(of.error)},
+             {"correlation_strain", tau ? number(*tau * sample_strain) : Json(nullptr)},
+             {"samples", of.samples}};
+    if (of.rough) all["rough"] = true;
+    return all;
+  }
+};
+
+Json bins_json(std::vector<LoopBin> const& bins) {
+  Json all = Json::array();
+  for (auto const& bin : bins) {
+    Json one{{"strain_rate", bin.strain_rate}, {"windows", bin.windows}};
+    for (std::size_t k = 0; k < bin.observables.size(); ++k)
+      one["observables"][std::string(bin.observables[k].name)] = {
+          {"mean", number(bin.estimates[k].mean)}, {"error", number(bin.estimates[k].error)}};
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
+/// What the protocol came to, beyond averages.
+void add_protocol(Json& summary, Run const& run) {
+  auto const& shear = run.scene.shear;
+  if (run.plan.ramp) {
+    Loop const loop = loop_of(run);
+    summary["loop"] = {{"up", bins_json(loop.up)}, {"down", bins_json(loop.down)}};
+    return;
+  }
+  if (!shear.discard)
+    summary["steady_state"] = {{"method", "MSER-5 of B_p and B_sigma"},
+                               {"found", run.steady_found},
+                               {"discarded_windows", run.plan.discarded_windows}};
+  for (auto const& [name, error] : run.reached)
+    summary["target_error"][name] = {{"wanted", shear.target_error.at(name)},
+                                     {"reached", number(error)}};
+  if (!run.reached.empty()) summary["target_error_reached"] = run.target_met;
+}
+
+Json warnings_json(std::vector<Warning> const& warnings) {
+  Json all = Json::array();
+  for (auto const& warning : warnings) {
+    Json numbers = Json::object();
+    for (auto const& [name, value] : warning.numbers) numbers[name] = number(value);
+    all.push_back({{"name", warning.name},
+                   {"numbers", std::move(numbers)},
+                   {"reason", warning.reason},
+                   {"remedy", warning.remedy}});
+  }
+  return all;
+}
+
+/// Each replica's own means and errors.
+Json replicas_json(Run const& run, std::vector<JsonEstimate> const& list) {
+  Json all = Json::array();
+  auto const seed = seeds(run);
+  for (std::size_t r = 0; r < seed.size(); ++r) {
+    Json one{{"seed", seed[r]}};
+    for (auto const& named : list)
+      one["observables"][named.name] = named.json(named.estimate.each[r]);
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
+}  // namespace
+
+void write_summary(RunFolder const& folder, Run const& run, std::vector<NamedEstimate> const& list,
+                   std::vector<Warning> const& warnings) {
+  Provenance const made = provenance();
+  double const total = run.plan.strain(run.plan.steps);
+  double const first = discarded(run) == 0 ? 0.0 : run.plan.strain(end_of(run, discarded(run) - 1));
+  double const disk_steps = static_cast<double>(run.plan.steps) *
+                            static_cast<double>(run.scene.disks.count) *
+                            static_cast<double>(run.replicas.size());
+
+  Json summary;
+  summary["schema"] = 1;
+  summary["bagnold"] = {{"version", made.version}, {"git", made.git}};
+  summary["scene"] = scene_json(run.scene);
+  summary["strain"] = {{"total", total}, {"measured", total - first}};
+  summary["steps"] = run.plan.steps;
+  summary["wall_seconds"] = run.wall_seconds;
+  summary["disk_steps_per_second"] =
+      number(run.wall_seconds > 0 ? disk_steps / run.wall_seconds : nan);
+  summary["warnings"] = warnings_json(warnings);
+  add_protocol(summary, run);
+  double const window_strain = run.plan.strain(run.plan.window_steps);
+  double const frame_strain = run.plan.strain(run.plan.frame_steps);
+  bool const several = run.replicas.size() > 1 && !run.plan.ramp;
+  if (several)
+    summary["errors_from"] = errors_from(run);
+  std::vector<JsonEstimate> all;
+  for (auto const& [observable, estimate] : list)
+    all.push_back({std::string(observable.name), estimate, window_strain});
+  for (auto const& scalar : on_frames(run).scalars)
+    all.push_back({scalar.name, scalar.estimate, frame_strain});
+  summary["observables"] = Json::object();
+  for (auto const& one : all) summary["observables"][one.name] = one.json(one.estimate.all);
+  if (several) summary["replicas"] = replicas_json(run, all);
+  io::replace_text(folder.summary(), summary.dump(2) + "\n");
+}
+
+}  // namespace bagnold

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "src/run/run_folder.hpp"
+#include "src/config/plan.hpp"
+#include "src/config/scene.hpp"
+#include "src/run/run_measured.hpp"
+#include "src/engine/observables.hpp"
+#include "src/statistics/replicas.hpp"
+
+namespace bagnold {
+
+/// One system of a run as the outputs see it.
+struct Replica {
+  double initial_time = 0.0;  ///< at step 0, [tau_e]
+  std::map<std::string, double> start_record;
+  std::map<std::string, double> engine;  ///< its counters and choices at the last checkpoint
+  std::optional<Numbers> saved_frames;   ///< of the checkpoint it goes on from; none: it begins
+  Measurement measurement;
+};
+
+/// A run as its outputs see it.
+struct Run {
+  Scene scene;  ///< resolved
+  Plan plan;
+  double box_length = 0.0;  ///< [d_s]
+  std::vector<Replica> replicas;
+  std::string backend;
+  double wall_seconds = 0.0;  ///< of stepping, resumes included
+  bool steady_found = true;   ///< by shear.discard = "auto"; false: the middle was taken
+  std::map<std::string, std::optional<double>> reached;  ///< relative errors, of those with a target
+  bool target_met = false;  ///< by all of them, at this look and at the one before
+};
+
+struct Warning;
+
+struct NamedEstimate {
+  Observable observable;
+  statistics::ReplicaEstimate estimate;
+};
+
+/// Mean and standard error of a function of averages over the measured windows. Where the scene has
+/// a target error, and so may have chosen its own end, it is the cautious one
+/// (src/statistics/stopping.hpp).
+statistics::ReplicaEstimate estimate(Run const& run, statistics::Function const& f);
+
+/// How it comes by the error for several replicas, in words.
+std::string errors_from(Run const& run);
+
+/// Mean and standard error of all observables.
+std::vector<NamedEstimate> estimates(Run const& run);
+
+/// A quantity in each window that all replicas have finished, averaged over them.
+std::vector<double> window_series(Run const& run, Observable const& observable);
+
+/// The windows so far as result.h5, whole. Throws FileError.
+void write_result_file(RunFolder const& folder, Run const& run);
+
+/// summary.json. Throws FileError.
+void write_summary(RunFolder const& folder, Run const& run, std::vector<NamedEstimate> const& list,
+                   std::vector<Warning> const& warnings);
+
+/// What was measured, beside what the papers state, on stdout.
+void print_table(Run const& run, std::vector<NamedEstimate> const& list);
+
+}  // namespace bagnold

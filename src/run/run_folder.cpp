@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/run/run_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <initializer_list>
+#include <regex>
+#include <string_view>
+#include <vector>
+
+#include "src/run/messages.hpp"
+#include "src/config/errors.hpp"
+#include "src/io/atomic_file.hpp"
+#include "src/io/checkpoint.hpp"
+#include "src/io/trajectory_parts.hpp"
+
+namespace bagnold {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr char const* run_files[] = {
+    "scene.toml", "summary.json", "result.h5",  "state.h5",      "failed_state.h5",
+    "plot.png",   "profiles.png", "fields.png", "checkpoint.h5", "checkpoint.previous.h5"};
+
+/// Those there are of trajectory.h5md, trajectory_SEED.h5md and so on, with one of these
+/// extensions.
+std::vector<fs::path> trajectories(fs::path const& folder,
+                                   std::initializer_list<std::string_view> extensions) {
+  std::regex const name("trajectory(_[0-9]+)?");
+  std::vector<fs::path> found;
+  std::error_code none_there;
+  for (fs::directory_iterator file(folder, none_there), end; !none_there && file != end;
+       file.increment(none_there)) {
+    auto const& path = file->path();
+    if (std::regex_match(path.stem().string(), name) &&
+        std::ranges::count(extensions, path.extension().string()) > 0)
+      found.push_back(path);
+  }
+  return found;
+}
+
+/// Those of a cascade.
+std::vector<fs::path> stages(fs::path const& folder) {
+  std::regex const name("[0-9]{4}_strain_rate=[-+.e0-9]+");
+  std::vector<fs::path> found;
+  std::error_code none_there;
+  for (fs::directory_iterator file(folder, none_there), end; !none_there && file != end;
+       file.increment(none_there))
+    if (std::regex_match(file->path().filename().string(), name)) found.push_back(file->path());
+  return found;
+}
+
+std::vector<fs::path> files_of_run(fs::path const& folder) {
+  auto files = trajectories(folder, {".h5md", ".xdmf", ".parts"});
+  auto const below = stages(folder);
+  files.insert(files.end(), below.begin(), below.end());
+  std::error_code ignored;
+  for (auto const* name : run_files)
+    if (fs::exists(folder / name, ignored)) files.push_back(folder / name);
+  return files;
+}
+
+bool holds_run(fs::path const& folder) { return !files_of_run(folder).empty(); }
+
+}  // namespace
+
+RunFolder::RunFolder(fs::path folder)
+    : path_(std::move(folder)), lock_(std::make_unique<io::RunLock>(path_)) {
+  warn(lock_->remark());
+}
+
+RunFolder RunFolder::make(fs::path const& folder, bool force) {
+  auto const refuse_old = [&] {
+    if (holds_run(folder) && !force)
+      throw InputError(fmt::format(
+          "--out {}: holds a run already; `bagnold resume {}` goes on with it, another --out keeps "
+          "it, --force replaces it",
+          folder.string(), folder.string()));
+  };
+  refuse_old();
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw FileError(fmt::format("--out {}: the folder cannot be made ({}); choose another",
+                                folder.string(), error.message()));
+  RunFolder made(folder);
+  refuse_old();  // another process may have been quicker
+  io::remove_checkpoints(folder);
+  for (auto const& file : files_of_run(folder)) {
+    fs::remove_all(file, error);
+    if (error)
+      throw FileError(fmt::format("{}: the old run's file cannot be removed ({})", file.string(),
+                                  error.message()));
+  }
+  return made;
+}
+
+RunFolder RunFolder::open(fs::path const& folder) {
+  std::error_code ignored;
+  if (!fs::is_directory(folder, ignored))
+    throw InputError(fmt::format("{}: no such folder; give the --out of a run", folder.string()));
+  if (!holds_run(folder))
+    throw InputError(
+        fmt::format("{}: holds no run (no scene.toml, no checkpoint); start one with "
+                    "`bagnold run SCENE.toml --out {}`",
+                    folder.string(), folder.string()));
+  return RunFolder(folder);
+}
+
+void RunFolder::remove_trajectory_parts() const {
+  for (auto const& parts : io::trajectory_parts(path_)) {
+    std::error_code error;
+    fs::remove_all(parts, error);
+    if (error)
+      throw FileError(fmt::format("{} cannot be removed ({})", parts.string(), error.message()));
+  }
+}
+
+fs::path RunFolder::trajectory(std::optional<std::int64_t> seed) const {
+  return path_ / (seed ? fmt::format("trajectory_{}.h5md", *seed) : "trajectory.h5md");
+}
+
+}  // namespace bagnold

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/run/run_measured.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+namespace bagnold {
+
+namespace {
+
+/// Sizes stretches of steps to about 50 ms, so that signals and clocks are seen in time.
+class Stretch {
+ public:
+  std::int64_t steps() const { return steps_; }
+
+  void took(std::chrono::duration<double> time) {
+    if (time.count() < 0.025) steps_ = std::min<std::int64_t>(2 * steps_, 1 << 20);
+    if (time.count() > 0.1) steps_ = std::max<std::int64_t>(steps_ / 2, 1);
+  }
+
+ private:
+  std::int64_t steps_ = 16;
+};
+
+/// Steps one system on to `stop`, or to where it can stop, and takes what it measures on the way.
+void advance(MeasuredSystem const& system, std::int64_t stop, Plan const& plan) {
+  auto& [simulation, measurement] = system;
+  auto const from = simulation.step();
+  simulation.advance(stop - from, {plan.window_steps, plan.every, plan.steps}, measurement.open);
+  measurement.frames.show(simulation, from);
+  while (std::min((measurement.open.first + 1) * plan.window_steps, plan.steps) <=
+             simulation.step() &&
+         measurement.open.first < plan.windows) {
+    WindowSums const done = measurement.open.take_first();
+    measurement.windows.push_back(done.sums, done.weight);
+  }
+}
+
+/// The step of the system that is furthest behind.
+std::int64_t step_of(std::span<MeasuredSystem const> systems) {
+  auto least = systems.front().simulation.step();
+  for (auto const& system : systems) least = std::min(least, system.simulation.step());
+  return least;
+}
+
+}  // namespace
+
+bool run_steady(std::span<MeasuredSystem const> systems, Plan const& plan,
+                std::function<bool()> const& go_on) {
+  Stretch stretch;
+  for (auto const& [simulation, measurement] : systems)
+    if (simulation.step() == 0) measurement.frames.show(simulation, -1);
+  for (auto from = step_of(systems); from < plan.steps; from = step_of(systems)) {
+    auto const start = std::chrono::steady_clock::now();
+    auto stop = from + stretch.steps();
+    for (auto const& [simulation, measurement] : systems)
+      stop = std::min(stop, measurement.frames.next(simulation.step()));
+    for (std::size_t s = 0; s < systems.size(); ++s) {
+      if (systems[s].simulation.step() >= std::min(stop, plan.steps)) continue;
+      try {
+        advance(systems[s], stop, plan);
+      } catch (NumericalError const& error) {
+        throw SystemFailure(s, error);
+      }
+    }
+    stretch.took(std::chrono::steady_clock::now() - start);
+    if (!go_on()) return false;
+  }
+  return true;
+}
+
+bool run_steady(Simulation& simulation, Plan const& plan, Measurement& measurement,
+                std::function<bool()> const& go_on) {
+  MeasuredSystem const one{simulation, measurement};
+  return run_steady({&one, 1}, plan, go_on);
+}
+
+}  // namespace bagnold

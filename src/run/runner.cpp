@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/run/runner.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+#include "src/run/messages.hpp"
+#include "src/run/pictures.hpp"
+#include "src/cli/progress.hpp"
+#include "src/run/provenance.hpp"
+#include "src/cli/signals.hpp"
+#include "src/run/target_error.hpp"
+#include "src/run/warnings/warning.hpp"
+#include "src/config/errors.hpp"
+#include "src/config/scene_file.hpp"
+#include "src/io/state_file.hpp"
+#include "src/measure/contacts.hpp"
+#include "src/measure/make_frames.hpp"
+#include "src/run/protocols/ramp/ramped_simulation.hpp"
+#include "src/run/run_measured.hpp"
+#include "src/engine/make_simulation.hpp"
+#include "src/start/start.hpp"
+#include "src/statistics/stopping.hpp"
+
+namespace bagnold {
+
+namespace {
+
+/// A NumericalError with the replica it came from, on its way to the thread that writes files.
+struct ReplicaFailure {
+  std::size_t replica;
+  std::string reason;
+  std::optional<State> state;  ///< none where there was no start
+};
+
+}  // namespace
+
+Runner::Runner(RunFolder const& folder, Run run, Machine const& machine, bool quiet)
+    : folder_(folder),
+      run_(std::move(run)),
+      whole_(run_.plan),
+      machine_(machine),
+      quiet_(quiet),
+      together_(steps_together(run_.scene, machine_.backend)),
+      simulations_(run_.replicas.size()),
+      steps_(run_.replicas.size()),
+      wall_before_(run_.wall_seconds) {}
+
+void Runner::start(std::vector<std::optional<Snapshot>> snapshots) {
+  std::vector<Snapshot> starts(snapshots.size());
+  SideBySide all;
+  all.systems = run_.replicas.size();
+  all.further = [&](std::size_t r, auto const&) {
+    starts[r] = start_of(r, std::move(snapshots[r]));
+    if (!together_) make(r, std::exchange(starts[r], {}));
+    return true;
+  };
+  work(all);
+  if (together_) make_all_together(starts);
+}
+
+Snapshot Runner::start_of(std::size_t r, std::optional<Snapshot> snapshot) {
+  Replica& replica = run_.replicas[r];
+  if (!snapshot) {
+    Scene scene = run_.scene;
+    scene.disks.seed = seed(r);
+    if (whole_.ramp) scene.shear.strain_rate = whole_.ramp->piece(0).rate;
+    StartedState started;
+    try {
+      started = random_start(scene);
+    } catch (NumericalError const& error) {
+      throw ReplicaFailure{r, error.what(), {}};
+    }
+    replica.start_record = std::move(started.record);
+    snapshot = first_snapshot(std::move(started.state));
+  }
+  replica.initial_time = snapshot->initial_time;
+  if (r == 0) run_.box_length = snapshot->state.box_length;
+  return *std::move(snapshot);
+}
+
+void Runner::make(std::size_t r, Snapshot snapshot) {
+  make_frames_of(r, snapshot.state);
+  try {
+    simulations_[r] = simulation_of(std::move(snapshot));
+  } catch (NumericalError const& error) {
+    throw ReplicaFailure{r, error.what(), snapshot.state};
+  }
+  watch(r);
+}
+
+void Runner::make_all_together(std::vector<Snapshot> const& snapshots) {
+  simulations_ = make_together(run_.scene, snapshots, machine_.backend);
+  for (std::size_t r = 0; r < snapshots.size(); ++r) {
+    make_frames_of(r, snapshots[r].state);
+    watch(r);
+  }
+}
+
+std::unique_ptr<Simulation> Runner::simulation_of(Snapshot&& snapshot) const {
+  auto make = [scene = run_.scene, backend = machine_.backend](double strain_rate,
+                                                               Snapshot&& from) mutable {
+    scene.shear.strain_rate = strain_rate;
+    return make_simulation(scene, std::move(from), backend);
+  };
+  if (whole_.ramp)
+    return std::make_unique<RampedSimulation>(*whole_.ramp, std::move(make), std::move(snapshot));
+  return make_simulation(run_.scene, std::move(snapshot), machine_.backend);
+}
+
+void Runner::make_frames_of(std::size_t r, State const& start) {
+  auto const file =
+      folder_.trajectory(run_.replicas.size() > 1 ? std::optional(seed(r)) : std::nullopt);
+  run_.replicas[r].measurement.frames =
+      make_frames(run_.scene, run_.plan, start, file, provenance().version);
+}
+
+void Runner::watch(std::size_t r) {
+  Replica& replica = run_.replicas[r];
+  Frames& frames = replica.measurement.frames;
+  steps_[r] = simulations_[r]->step();
+  auto const columns = simulations_[r]->columns();
+  replica.measurement.windows.columns = static_cast<std::size_t>(columns);
+  if (run_.scene.measure.contacts) {
+    replica.measurement.open.contacts =
+        watch_contacts(run_.scene, run_.plan, columns, seed(r), frames);
+    replica.measurement.windows.columns += ContactColumns::count;
+  }
+  if (!replica.saved_frames) return frames.begin();
+  frames.load(*std::exchange(replica.saved_frames, {}));
+  for (auto const& lost : frames.lost()) warn(lost);
+}
+
+std::int64_t Runner::seed(std::size_t r) const {
+  return run_.scene.disks.seed + static_cast<std::int64_t>(r);
+}
+
+Plan Runner::next_leg() const {
+  std::int64_t done = run_.plan.windows < whole_.windows ? run_.plan.windows + 1 : 0;
+  for (auto const& replica : run_.replicas)
+    done = std::max(done, static_cast<std::int64_t>(replica.measurement.windows.size()));
+  return shortened(run_.scene, whole_, statistics::next_look(done, whole_.windows));
+}
+
+bool Runner::enough() {
+  judge_errors(run_);
+  return run_.plan.windows == whole_.windows || run_.target_met;
+}
+
+int Runner::run() {
+  started_ = checkpointed_ = SteadyClock::now();
+  Progress progress(run_.scene, run_.plan, steps(), quiet_);
+  SideBySide all;
+  all.systems = together_ ? 1 : run_.replicas.size();
+  all.further = [&](std::size_t r, auto const& go_on) { return step_on(r, go_on); };
+  all.wish = [&] {
+    progress.show(steps());
+    return wish();
+  };
+  all.held = [&] { checkpoint(); };
+  bool done = false;
+  do {
+    if (!run_.scene.shear.target_error.empty()) run_.plan = next_leg();
+    done = (work(all) || steps() == steps_wanted()) && enough();
+  } while (!done && stop_signal() == 0);
+  progress.finish(steps());
+  checkpoint();
+  if (!done) return interrupted();
+  finish();
+  return 0;
+}
+
+/// One replica, or all where they step together.
+bool Runner::step_on(std::size_t first, std::function<bool()> const& go_on) {
+  std::size_t const end = together_ ? simulations_.size() : first + 1;
+  std::vector<MeasuredSystem> systems;
+  for (auto r = first; r < end; ++r)
+    systems.push_back({*simulations_[r], run_.replicas[r].measurement});
+  try {
+    return run_steady(systems, run_.plan, [&] {
+      for (auto r = first; r < end; ++r) steps_[r] = simulations_[r]->step();
+      return go_on();
+    });
+  } catch (SystemFailure const& failure) {
+    auto const r = first + failure.system;
+    throw ReplicaFailure{r, failure.what(), simulations_[r]->state()};
+  }
+}
+
+bool Runner::work(SideBySide& all) {
+  all.threads = all.systems > 1 ? machine_.threads : 1;
+  try {
+    return bagnold::run(all);
+  } catch (ReplicaFailure const& failure) {
+    std::string message = failure.reason;
+    if (run_.replicas.size() > 1)
+      message = fmt::format("replica {} (seed {}): {}", failure.replica + 1, seed(failure.replica),
+                            message);
+    if (failure.state) {
+      io::write_states(folder_.failed_state(), {*failure.state});
+      message += fmt::format("; the state is in {}", folder_.failed_state().string());
+    }
+    throw NumericalError(message);
+  }
+}
+
+std::int64_t Runner::steps() const {
+  std::int64_t sum = 0;
+  for (auto const& one : steps_) sum += one;
+  return sum;
+}
+
+std::int64_t Runner::steps_wanted() const { return run_.plan.steps * run_.scene.disks.replicas; }
+
+SideBySide::Wish Runner::wish() const {
+  if (stop_signal() != 0) return SideBySide::Wish::stop;
+  std::chrono::duration<double> const since = SteadyClock::now() - checkpointed_;
+  bool const due = since.count() > 60 * run_.scene.output.checkpoint_minutes;
+  return checkpoint_requested() || due ? SideBySide::Wish::hold : SideBySide::Wish::go_on;
+}
+
+io::SystemCheckpoint Runner::checkpoint_of(std::size_t r) {
+  Replica& replica = run_.replicas[r];
+  io::SystemCheckpoint c;
+  simulations_[r]->give_back_scratch();
+  static_cast<Snapshot&>(c) = simulations_[r]->snapshot();
+  replica.engine = c.memory;
+  replica.engine.insert(c.counters.begin(), c.counters.end());
+  auto& [windows, open, frames] = replica.measurement;
+  c.columns = static_cast<std::int64_t>(windows.columns);
+  c.window_sums = windows.sums;
+  c.window_weight = windows.weight;
+  if (!open.sums.empty()) {  // one at most: an engine stops where it has caught up
+    c.open_sums = open.sums.front().sums;
+    c.open_weight = open.sums.front().weight;
+  }
+  c.start_record = replica.start_record;
+  c.frames = frames.save();
+  return c;
+}
+
+void Runner::checkpoint() {
+  folder_.check();
+  discard_transient(run_);
+  std::chrono::duration<double> const stepping = SteadyClock::now() - started_;
+  run_.wall_seconds = wall_before_ + stepping.count();
+  io::Checkpoint c;
+  c.scene = write_scene(run_.scene);
+  c.wall_seconds = run_.wall_seconds;
+  for (std::size_t r = 0; r < simulations_.size(); ++r) c.systems.push_back(checkpoint_of(r));
+  io::write_checkpoint(folder_.path(), std::move(c));
+  write_result_file(folder_, run_);
+  checkpointed_ = SteadyClock::now();
+}
+
+int Runner::interrupted() const {
+  say(fmt::format("stopped at step {} of {}{}; `bagnold resume {}` goes on", steps(),
+                  whole_.steps * run_.scene.disks.replicas,
+                  simulations_.size() > 1 ? ", all replicas together" : "",
+                  folder_.path().string()));
+  return 128 + stop_signal();
+}
+
+std::string Runner::join_trajectories() {
+  std::string failure;
+  for (auto& replica : run_.replicas) try {
+      replica.measurement.frames.finish();
+      replica.measurement.frames.tidy();
+    } catch (FileError const& error) {
+      if (failure.empty()) failure = error.what();
+    }
+  return failure;
+}
+
+void Runner::finish() {
+  std::vector<State> states;
+  for (auto const& simulation : simulations_) {
+    simulation->give_back_scratch();
+    states.push_back(simulation->state());
+  }
+  io::write_states(folder_.state(), std::move(states));
+  auto const list = estimates(run_);
+  auto const suspect = warnings({run_, list});
+  write_summary(folder_, run_, list, suspect);
+  auto const not_joined = join_trajectories();
+  draw_missing_pictures(folder_, run_.scene);  // they show the summary's errors
+  if (!quiet_) {
+    print_table(run_, list);
+    fmt::print("\nresults in {}\n", folder_.path().string());
+    std::fflush(stdout);  // before stderr
+    for (auto const& warning : suspect) warn(text_of(warning));
+  }
+  if (!not_joined.empty())
+    throw FileError(fmt::format("all results are written but the trajectory: {}", not_joined));
+}
+
+}  // namespace bagnold

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/run/start_or_resume.hpp"
+
+#include <fmt/format.h>
+
+#include "src/run/messages.hpp"
+#include "src/run/runner.hpp"
+#include "src/config/errors.hpp"
+#include "src/config/scene_file.hpp"
+#include "src/config/time_step.hpp"
+#include "src/config/toml_text.hpp"
+#include "src/io/atomic_file.hpp"
+#include "src/io/checkpoint.hpp"
+#include "src/io/state_file.hpp"
+#include "src/start/deep_overlaps.hpp"
+
+namespace bagnold {
+
+namespace {
+
+Replica replica_of(io::SystemCheckpoint& checkpoint) {
+  Replica replica;
+  replica.start_record = std::move(checkpoint.start_record);
+  replica.saved_frames = std::move(checkpoint.frames);
+  auto& [windows, open, frames] = replica.measurement;
+  windows = {static_cast<std::size_t>(checkpoint.columns), std::move(checkpoint.window_sums),
+             std::move(checkpoint.window_weight)};
+  open.first = static_cast<std::int64_t>(windows.size());
+  open.sums = {{std::move(checkpoint.open_sums), checkpoint.open_weight}};
+  return replica;
+}
+
+Run run_of(Scene const& scene, Plan const& plan, Machine const& machine) {
+  Run run;
+  run.scene = scene;
+  run.plan = plan;
+  run.backend = machine.backend;
+  return run;
+}
+
+int run_from_checkpoint(RunFolder const& folder, io::Checkpoint checkpoint, Machine machine,
+                        bool quiet) {
+  Scene const scene = parse_scene(checkpoint.scene, "scene in the checkpoint", folder.path());
+  if (checkpoint.systems.size() != static_cast<std::size_t>(scene.disks.replicas))
+    throw InputError(
+        fmt::format("{}: the checkpoint holds {} systems, its scene says disks.replicas "
+                    "= {} (must agree); start the run again",
+                    folder.path().string(), checkpoint.systems.size(), scene.disks.replicas));
+  machine = choose(machine, scene);
+  KokkosScope const kokkos(machine, scene);
+  Plan const plan = make_plan(scene);
+  Run run = run_of(scene, plan, machine);
+  run.wall_seconds = checkpoint.wall_seconds;
+  if (!quiet)
+    put(fmt::format("going on from step {} of {}\n", checkpoint.steps(),
+                    plan.steps * scene.disks.replicas));
+  std::vector<std::optional<Snapshot>> snapshots;
+  for (auto& system : checkpoint.systems) {
+    run.replicas.push_back(replica_of(system));
+    snapshots.push_back(std::move(static_cast<Snapshot&>(system)));
+  }
+  Runner runner(folder, std::move(run), machine, quiet);
+  runner.start(std::move(snapshots));
+  return runner.run();
+}
+
+}  // namespace
+
+std::vector<StartedState> states_in_file(Scene const& scene) {
+  if (scene.start.kind != "state") return {};
+  auto started = fit_to_scene(io::read_states(scene.start.file), scene);
+  for (auto const& one : started) warn(deep_overlap_warning(one.state, scene.start.file));
+  return started;
+}
+
+bool begun(std::filesystem::path const& folder) {
+  for (auto const* name : {"checkpoint.h5", "checkpoint.previous.h5", "checkpoint.h5.tmp", "result.h5"})
+    if (std::filesystem::exists(folder / name)) return true;
+  return false;
+}
+
+int run_from_start(RunFolder const& folder, Scene const& scene, Machine const& machine, bool quiet,
+                   std::vector<StartedState> started) {
+  KokkosScope const kokkos(machine, scene);
+  Plan const plan = make_plan(scene);
+  auto const replicas = static_cast<std::size_t>(scene.disks.replicas);
+  Run run = run_of(scene, plan, machine);
+  run.replicas.resize(replicas);
+  if (!quiet) put(fmt::format("{}, a step of {:.6g} tau_e\n", scheme_of(scene), plan.time_step));
+  std::vector<std::optional<Snapshot>> snapshots(replicas);
+  for (std::size_t r = 0; r < started.size(); ++r) {
+    run.replicas[r].start_record = std::move(started[r].record);
+    snapshots[r] = first_snapshot(std::move(started[r].state));
+  }
+  if (started.empty() && !quiet)
+    put(fmt::format("relaxing the overlaps of {} random disks{}\n", scene.disks.count,
+                    replicas > 1 ? fmt::format(", {} times", replicas) : ""));
+  Runner runner(folder, std::move(run), machine, quiet);
+  runner.start(std::move(snapshots));
+  return runner.run();
+}
+
+int go_on_in(RunFolder const& folder, Machine const& machine, bool quiet) {
+  std::vector<std::string> remarks;
+  auto checkpoint = io::newest_checkpoint(folder.path(), &remarks);
+  for (auto const& remark : remarks) say(remark);
+  if (checkpoint && !std::filesystem::exists(folder.scene()))
+    io::replace_text(folder.scene(), checkpoint->scene);
+  if (checkpoint && read_text(folder.scene()) != checkpoint->scene)
+    throw InputError(
+        fmt::format("{} is not the scene of the checkpoint beside it; put it back, or "
+                    "start a new run with it in another folder",
+                    folder.scene().string()));
+  if (checkpoint) return run_from_checkpoint(folder, std::move(*checkpoint), machine, quiet);
+
+  if (begun(folder.path()))
+    say(fmt::format("no checkpoint in {} can be used: starting again from its scene.toml",
+                    folder.path().string()));
+  Scene const scene = read_scene(folder.scene());
+  return run_from_start(folder, scene, choose(machine, scene), quiet, states_in_file(scene));
+}
+
+}  // namespace bagnold

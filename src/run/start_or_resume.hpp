@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "src/run/machine.hpp"
+#include "src/run/run_folder.hpp"
+#include "src/config/scene.hpp"
+#include "src/start/start.hpp"
+
+namespace bagnold {
+
+/// The first states of a scene that has them in a file, [R]; none: random starts are yet to be
+/// made.
+std::vector<StartedState> states_in_file(Scene const& scene);
+
+/// Whether a run in a folder has come to its first checkpoint, whole or not, or lost it since.
+bool begun(std::filesystem::path const& folder);
+
+/// Runs a resolved scene of one run from its beginning, in a folder made for it. Returns the exit
+/// code.
+int run_from_start(RunFolder const& folder, Scene const& scene, Machine const& machine, bool quiet,
+                   std::vector<StartedState> started);
+
+/// Goes on with the run in a folder, from its newest checkpoint that verifies; from the beginning
+/// where none does. Returns the exit code.
+int go_on_in(RunFolder const& folder, Machine const& machine, bool quiet);
+
+}  // namespace bagnold

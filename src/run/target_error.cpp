@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/run/target_error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "src/config/errors.hpp"
+#include "src/config/nearest_word.hpp"
+#include "src/statistics/steady_start.hpp"
+#include "src/statistics/stopping.hpp"
+
+namespace bagnold {
+
+namespace {
+
+bool has_target(Scene const& scene) { return !scene.shear.target_error.empty(); }
+
+std::optional<double> relative_error(statistics::Estimate const& of) {
+  if (!of.mean || !of.error) return {};
+  return *of.error / std::abs(*of.mean);
+}
+
+/// Where the steady state of the first `windows` windows starts, by B_p and B_sigma, averaged over
+/// replicas; the later one counts.
+statistics::SteadyStart steady_start(Run const& run, std::size_t windows) {
+  statistics::SteadyStart latest{0, true};
+  for (auto const& observable : observables(run.scene, run.box_length)) {
+    if (observable.name != "B_p" && observable.name != "B_sigma") continue;
+    auto const all = window_series(run, observable);
+    auto const so_far = std::span(all).first(std::min(windows, all.size()));
+    auto start = statistics::steady_start(so_far);
+    if (has_target(run.scene)) start.first = std::min(2 * start.first, (so_far.size() + 1) / 2);
+    latest = {std::max(latest.first, start.first), latest.found && start.found};
+  }
+  return latest;
+}
+
+std::size_t discarded_of(Run const& run, std::int64_t windows) {
+  if (!run.scene.shear.discard) return steady_start(run, static_cast<std::size_t>(windows)).first;
+  return static_cast<std::size_t>(shortened(run.scene, run.plan, windows).discarded_windows);
+}
+
+/// Whether the first `windows` windows meet the target of every name.
+bool met_at(Run const& run, std::int64_t windows) {
+  std::vector<statistics::Windows> so_far;
+  for (auto const& replica : run.replicas)
+    so_far.push_back(replica.measurement.windows.first(static_cast<std::size_t>(windows)));
+  std::vector<statistics::Windows const*> addresses;
+  for (auto const& replica : so_far) addresses.push_back(&replica);
+  auto const discarded = discarded_of(run, windows);
+  auto const& wanted = run.scene.shear.target_error;
+  for (auto const& observable : observables(run.scene, run.box_length)) {
+    auto const target = wanted.find(std::string(observable.name));
+    if (target == wanted.end()) continue;
+    auto const found = statistics::estimate(addresses, discarded, observable.value);
+    auto const error = relative_error(statistics::cautious(found));
+    if (!statistics::long_enough(found) || !error || *error > target->second) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+void judge_errors(Run& run) {
+  discard_transient(run);
+  if (!has_target(run.scene)) return;
+  for (auto const& observable : observables(run.scene, run.box_length)) {
+    std::string const name(observable.name);
+    if (run.scene.shear.target_error.contains(name))
+      run.reached[name] = relative_error(estimate(run, observable.value).all);
+  }
+  run.target_met = statistics::met_twice(
+      run.plan.windows, [&](std::int64_t windows) { return met_at(run, windows); });
+}
+
+void discard_transient(Run& run) {
+  if (run.scene.shear.discard || run.plan.ramp) return;
+  auto const start = steady_start(run, static_cast<std::size_t>(run.plan.windows));
+  run.plan.discarded_windows = static_cast<std::int64_t>(start.first);
+  run.steady_found = start.found;
+}
+
+void check_target(Scene const& scene) {
+  std::vector<std::string> names;
+  for (auto const& observable : observables(scene, scene.box_length()))
+    names.emplace_back(observable.name);
+  for (auto const& [name, error] : scene.shear.target_error)
+    if (std::ranges::find(names, name) == names.end())
+      throw InputError(
+          fmt::format("shear.target_error = {{ {} = {} }} (no such NAME in this scene's "
+                      "summary.json); did you mean {}?",
+                      name, error, nearest_word(name, names)));
+}
+
+}  // namespace bagnold

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "src/run/results.hpp"
+
+namespace bagnold {
+
+/// How the windows so far stand to the scene's target errors: sets discarded windows, run.reached
+/// and run.target_met (src/statistics/stopping.hpp). Depends on the windows of the run only, so
+/// that a resumed run ends where an undisturbed one does.
+void judge_errors(Run& run);
+
+/// Where the scene leaves it open ("auto"): the windows to discard, by steady_start() of B_p and
+/// B_sigma, averaged over replicas; the later one counts. Where the scene has a target error it is
+/// twice that, the first half at most: of an exponential transient that MSER-5 cuts where it is as
+/// large as the noise, nothing is left there, while the rest of it would bias a run that ends early
+/// by up to 0.8 of its error.
+void discard_transient(Run& run);
+
+/// Throws InputError where a target is for no NAME of the scene.
+void check_target(Scene const& scene);
+
+}  // namespace bagnold

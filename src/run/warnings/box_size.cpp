@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include "src/run/warnings/checks.hpp"
+
+namespace bagnold {
+
+namespace {
+
+constexpr double most_anisotropy = 2;  ///< R_v of a homogeneous flow is about 1, P2 Fig. 24
+constexpr double least_length = 12;    ///< [d_s]: about 100 disks
+
+}  // namespace
+
+std::optional<Warning> box_size(Finished const& finished) {
+  double const anisotropy = finished.mean("R_v"), length = finished.run.box_length;
+  if (anisotropy > most_anisotropy)
+    return Warning{
+        "box_size",
+        {{"R_v", anisotropy}, {"box_length", length}},
+        fmt::format("R_v = {:.2g}, about 1 in a homogeneous flow (P2 Fig. 24): bands as wide as "
+                    "the box of {:.3g} d_s lets them be",
+                    anisotropy, length),
+        "compare with more disks, and see measure.profiles"};
+  if (length < least_length && !finished.run.plan.ramp)
+    return Warning{
+        "box_size",
+        {{"box_length", length}},
+        fmt::format("the box is {:.3g} d_s wide, less than {}: B and eta may be off by several "
+                    "standard errors",
+                    length, least_length),
+        "compare with more disks"};
+  return {};
+}
+
+}  // namespace bagnold

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "src/run/warnings/warning.hpp"
+
+/// Each looks at one thing that may be wrong with a result, in a file of its own, and warns or not.
+/// What they go by, and why, is in docs/stability.md.
+namespace bagnold {
+
+using Check = std::optional<Warning>(Finished const&);
+
+/// phi > phi_J: a yield stress is left as the rate vanishes, so that neither B nor eta has a limit.
+Check above_jamming;
+
+/// Disks so soft, at this rate, that B_p or eta_p of hard ones would be another.
+Check hard_core_limit;
+
+/// Contacts so deep that disks are no grains.
+Check large_overlap;
+
+/// Work is done on the disks that is neither dissipated nor kept: the time step is too coarse.
+Check energy_balance;
+
+/// Whole contacts have a dissipative pressure: the time step is too coarse for them.
+Check dissipative_pressure;
+
+/// Torques put energy into the rotation that it does not keep: the time step is too coarse.
+Check rotation_balance;
+
+/// A time step with which a collision loses another energy than it should.
+Check collision_loss;
+
+/// A time step that a single contact bears, but not the damping of a dense flow.
+Check contact_network;
+
+/// B_p or B_sigma drifts while it is measured.
+Check steady_state;
+
+/// B_p or B_sigma has no error, or replicas disagree by more than theirs.
+Check error_bar;
+
+/// So few collisions that the state cannot have forgotten its start.
+Check few_collisions;
+
+/// The motion is that of the whole box: bands, or a box too small.
+Check box_size;
+
+/// tau_dur without the long contacts: the run ended before they did, or none ended at all.
+Check contact_durations;
+
+/// Mean relative overlap of contacts, 1 - r_ij/d_ij, from elastic pressure and contacts:
+///
+///     sum f_el r_ij = 2 p_el L^2, f_el r_ij ~ (1 - r_ij/d_ij)^(alpha - 1), N Z/2 contacts
+///
+/// NaN where nothing touched.
+double mean_overlap(Finished const& finished);
+
+}  // namespace bagnold

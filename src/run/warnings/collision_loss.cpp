@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/config/collision_loss.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "src/run/warnings/checks.hpp"
+#include "src/config/time_step.hpp"
+
+namespace bagnold {
+
+namespace {
+
+constexpr double most_off = 0.02;  ///< as of energy_balance
+
+}  // namespace
+
+std::optional<Warning> collision_loss(Finished const& finished) {
+  auto const& scene = finished.run.scene;
+  double const dt = finished.run.plan.time_step;
+  double const off = collision_loss_error(scene, scheme_of(scene), dt);
+  if (std::abs(off) < most_off) return {};
+  return Warning{"collision_loss",
+                 {{"time_step", dt}, {"collision_loss_error", off}},
+                 fmt::format("a head-on collision loses {:.2g}% {} energy than it should: "
+                             "integration.time_step = {} is too coarse for {} at Q = {}",
+                             100 * std::abs(off), off > 0 ? "more" : "less", dt, scheme_of(scene),
+                             scene.disks.elasticity),
+                 "halve it and compare"};
+}
+
+}  // namespace bagnold

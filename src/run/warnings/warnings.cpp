@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "src/run/warnings/checks.hpp"
+
+namespace bagnold {
+
+NamedEstimate const* Finished::of(std::string_view name) const {
+  auto const at =
+      std::ranges::find(found, name, [](NamedEstimate const& one) { return one.observable.name; });
+  return at == found.end() ? nullptr : &*at;
+}
+
+double Finished::mean(std::string_view name) const {
+  auto const* estimate = of(name);
+  return estimate && estimate->estimate.all.mean ? *estimate->estimate.all.mean
+                                                 : std::numeric_limits<double>::quiet_NaN();
+}
+
+double Finished::measured_strain() const {
+  auto const& plan = run.plan;
+  double const first =
+      plan.discarded_windows == 0 ? 0.0 : plan.strain(plan.window_end(plan.discarded_windows - 1));
+  return plan.strain(plan.steps) - first;
+}
+
+double Finished::in_window(std::string_view name, std::size_t window) const {
+  double sum = 0;
+  for (auto const& replica : run.replicas)
+    sum += of(name)->observable.value(replica.measurement.windows.mean(window, window + 1));
+  return sum / static_cast<double>(run.replicas.size());
+}
+
+std::vector<Warning> warnings(Finished const& finished) {
+  static constexpr Check* all[] = {above_jamming, hard_core_limit, large_overlap,
+                                   energy_balance, dissipative_pressure, rotation_balance,
+                                   collision_loss, contact_network,
+                                   steady_state, error_bar, few_collisions,
+                                   box_size, contact_durations};
+  std::vector<Warning> list;
+  for (auto* check : all)
+    if (auto warning = check(finished)) list.push_back(std::move(*warning));
+  return list;
+}
+
+std::string text_of(Warning const& warning) {
+  return fmt::format("{}: {}; {}", warning.name, warning.reason, warning.remedy);
+}
+
+}  // namespace bagnold
