@@ -74,11 +74,11 @@ RowSystems::RowSystems(Row const& row, std::string const& engine, RowOptions con
 }
 
 void RowSystems::run() {
-  SideBySide all;
+  ReplicaScheduler all;
   all.systems = simulations_.size();
   all.threads = side_by_side_;
-  all.further = [&](std::size_t r, std::function<bool()> const& go_on) {
-    return run_steady(*simulations_[r], plan_, measurements_[r], go_on);
+  all.advance = [&](std::size_t r, std::function<bool()> const& go_on) {
+    return run_measured(*simulations_[r], plan_, measurements_[r], go_on);
   };
   bagnold::run(all);
 }

@@ -23,7 +23,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr char const* compared[] = {"B_p", "B_sigma", "eta_p", "eta_sigma", "p", "sigma"};
 
-sweep::Sweep both_rates(Scene const& scene, RunOptions const& options) {
+sweep::Sweep both_rates(Scene const& scene, SceneOptions const& options) {
   if (scene.shear.protocol != "steady")
     throw InputError(
         fmt::format("{}: shear.protocol = \"{}\" (must be \"steady\": a limit is checked at one "

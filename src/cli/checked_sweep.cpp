@@ -14,7 +14,7 @@ namespace bagnold {
 
 sweep::PointCheck point_check(bool allow_unstable) {
   return [allow_unstable](Scene const& scene, Plan const& plan) {
-    check_scene(scene, plan, allow_unstable);
+    validate_scene(scene, plan, allow_unstable);
     bool const later =
         !scene.start.file.empty() && !std::filesystem::path(scene.start.file).is_absolute();
     if (scene.start.kind == "state" && !later)
@@ -31,6 +31,12 @@ sweep::Sweep read_checked_sweep(std::filesystem::path const& file, bool allow_un
                      std::ranges::count_if(sweep.points, worth_a_word), sweep.points.size(),
                      first->name, plan_warning(first->plan)));
   return sweep;
+}
+
+RunTimes times_of_points(sweep::Sweep const& sweep) {
+  std::vector<PlannedRun> runs;
+  for (auto const& point : sweep.points) runs.push_back({point.scene, point.plan});
+  return times_of_many(runs);
 }
 
 }  // namespace bagnold

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "src/run/run_time_estimate.hpp"
 #include "src/sweep/sweep.hpp"
 
 namespace bagnold {
@@ -14,5 +15,8 @@ sweep::Sweep read_checked_sweep(std::filesystem::path const& file, bool allow_un
 
 /// What read_checked_sweep() asks of each point.
 sweep::PointCheck point_check(bool allow_unstable);
+
+/// What all points take on one core.
+RunTimes times_of_points(sweep::Sweep const& sweep);
 
 }  // namespace bagnold

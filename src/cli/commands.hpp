@@ -16,7 +16,7 @@ namespace sweep {
 struct Sweep;
 }
 
-struct RunOptions {
+struct SceneOptions {
   std::filesystem::path scene_file;
   std::vector<std::string> overrides;  ///< "table.key=value"
   std::filesystem::path folder;        ///< "": results/NAME of the scene file
@@ -53,7 +53,7 @@ struct SweepOptions {
 };
 
 struct CheckLimitOptions {
-  RunOptions run;           ///< folder "": results/NAME-limit
+  SceneOptions run;           ///< folder "": results/NAME-limit
   int jobs = 0;             ///< runs at a time; 0: as many as the cores take
   double tolerance = 0.05;  ///< relative change that counts as none
 };
@@ -70,9 +70,9 @@ struct FigureOptions {
 
 // Each returns the exit code: 0 done, 130 or 143 interrupted with a checkpoint written. What goes
 // wrong is thrown: InputError, NumericalError, FileError.
-int run_command(RunOptions const& options);
+int run_command(SceneOptions const& options);
 int resume_command(ResumeOptions const& options);
-int validate_command(RunOptions const& options);
+int validate_command(SceneOptions const& options);
 int info_command();
 int analyse_command(AnalyseOptions const& options);
 
@@ -94,6 +94,6 @@ int check_limit_command(CheckLimitOptions const& options);
 int figure_command(FigureOptions const& options);
 
 /// Prints what a sweep file comes to: points, chains, steps, time.
-int validate_sweep_command(RunOptions const& options);
+int validate_sweep_command(SceneOptions const& options);
 
 }  // namespace bagnold

@@ -44,7 +44,7 @@ void add_machine(CLI::App& command, bagnold::Machine& machine, bool& quiet) {
   command.add_flag("--quiet", quiet, "no progress and no table; errors are still shown");
 }
 
-void add_scene(CLI::App& command, bagnold::RunOptions& options) {
+void add_scene(CLI::App& command, bagnold::SceneOptions& options) {
   command.add_option("SCENE", options.scene_file, "scene file in TOML (see inputs/reference.toml)")
       ->required();
   command.add_option("--set", options.overrides, "table.key=value, over the scene; may be repeated")
@@ -117,7 +117,7 @@ int run(int argc, char** argv) {
     return fmt::format("bagnold {} ({})", made.version, made.git);
   });
 
-  bagnold::RunOptions run;
+  bagnold::SceneOptions run;
   auto* run_command = app.add_subcommand("run", "run a scene");
   run_command->footer(units);
   add_scene(*run_command, run);
@@ -126,7 +126,7 @@ int run(int argc, char** argv) {
   run_command->add_flag("--force", run.force, "replace the run that is in the folder");
   add_machine(*run_command, run.machine, run.quiet);
 
-  bagnold::RunOptions validate;
+  bagnold::SceneOptions validate;
   auto* validate_command =
       app.add_subcommand("validate", "check a scene; print it resolved, its steps, memory and time");
   validate_command->footer(units);

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "src/run/messages.hpp"
+#include "src/cli/standard_streams.hpp"
 #include "src/config/run_time.hpp"
 #include "src/sweep/report.hpp"
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "src/cli/table.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,7 +9,6 @@
 
 #include "src/analysis/paper_values.hpp"
 #include "src/run/protocols/ramp/hysteresis.hpp"
-#include "src/run/results.hpp"
 
 namespace bagnold {
 

@@ -78,12 +78,12 @@ void print_plan(Scene const& scene, Plan const& plan, RunTime const& time, int t
 
 }  // namespace
 
-int validate_command(RunOptions const& options) {
+int validate_command(SceneOptions const& options) {
   auto const origin = options.scene_file.string();
   if (sweep::is_sweep(read_text(options.scene_file), origin))
     return validate_sweep_command(options);
   Scene scene = read_scene(options.scene_file, options.overrides);
-  Plan const plan = checked_plan(scene, options.allow_unstable);
+  Plan const plan = validated_plan(scene, options.allow_unstable);
   auto const runs = runs_of(scene);
   auto started = states_in_file(runs.front());
   scene = resolved(std::move(scene));

@@ -8,7 +8,7 @@
 
 namespace bagnold {
 
-int validate_sweep_command(RunOptions const& options) {
+int validate_sweep_command(SceneOptions const& options) {
   if (!options.overrides.empty())
     throw InputError(fmt::format("--set {}: does not go with a sweep; change {}",
                                  options.overrides.front(), options.scene_file.string()));

@@ -44,14 +44,14 @@ void ContactHistograms::ends(ContactEvent const& event, std::int64_t duration) {
   duration_.add(time_step_ * static_cast<double>(duration));
 }
 
-void ContactHistograms::save(Numbers& numbers) const {
+void ContactHistograms::save(ObserverState& numbers) const {
   numbers["contacts_theta_begin"] = theta_begin_.numbers();
   numbers["contacts_theta_end"] = theta_end_.numbers();
   numbers["contacts_duration"] = duration_.numbers();
   numbers["contacts_cluster"] = cluster_.numbers();
 }
 
-void ContactHistograms::load(Numbers const& numbers) {
+void ContactHistograms::load(ObserverState const& numbers) {
   theta_begin_.restore(numbers.at("contacts_theta_begin"));
   theta_end_.restore(numbers.at("contacts_theta_end"));
   duration_.restore(numbers.at("contacts_duration"));

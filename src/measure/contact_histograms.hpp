@@ -16,8 +16,8 @@ class ContactHistograms {
   void begins(ContactEvent const& event, std::size_t cluster);
   void ends(ContactEvent const& event, std::int64_t duration);
 
-  void save(Numbers& numbers) const;
-  void load(Numbers const& numbers);
+  void save(ObserverState& numbers) const;
+  void load(ObserverState const& numbers);
 
   /// Adds those of the same kind.
   void add(ContactHistograms const& other);

@@ -69,7 +69,7 @@ class Contacts final : public FrameObserver {
 
   void add(Frame const&) override {}
 
-  void save(Numbers& numbers) override {
+  void save(ObserverState& numbers) override {
     auto& open = numbers["contacts_open"];
     for (auto const& c : record_->table.sorted())
       open.insert(open.end(), {static_cast<double>(c.a), static_cast<double>(c.b),
@@ -86,7 +86,7 @@ class Contacts final : public FrameObserver {
     numbers["contact_motion"].assign(std::begin(motion.value), std::end(motion.value));
   }
 
-  void load(Numbers const& numbers) override {
+  void load(ObserverState const& numbers) override {
     auto const& open = numbers.at("contacts_open");
     std::vector<OpenContact> contacts;
     for (std::size_t k = 0; k + 3 < open.size(); k += 4)

@@ -23,14 +23,14 @@ void Fields::add(Frame const& frame) {
   frame_ = {static_cast<double>(frame.step), frame.strain, state.box_length, state.offset};
 }
 
-void Fields::save(Numbers& numbers) {
+void Fields::save(ObserverState& numbers) {
   numbers["local_phi"] = packing_fraction_.numbers();
   numbers["local_gammadot"] = strain_rate_.numbers();
   numbers["fields"] = last_;
   numbers["fields_frame"] = frame_;
 }
 
-void Fields::load(Numbers const& numbers) {
+void Fields::load(ObserverState const& numbers) {
   packing_fraction_.restore(numbers.at("local_phi"));
   strain_rate_.restore(numbers.at("local_gammadot"));
   last_ = numbers.at("fields");

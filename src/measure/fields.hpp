@@ -14,8 +14,8 @@ class Fields final : public FrameObserver {
   explicit Fields(double strain_rate);
 
   void add(Frame const& frame) override;
-  void save(Numbers& numbers) override;
-  void load(Numbers const& numbers) override;
+  void save(ObserverState& numbers) override;
+  void load(ObserverState const& numbers) override;
   void report(std::vector<FrameObserver const*> const& systems,
               FrameResults& results) const override;
 

@@ -20,7 +20,7 @@ struct Frame {
 };
 
 /// What observers know, by name, as a checkpoint keeps it.
-using Numbers = std::map<std::string, std::vector<double>>;
+using ObserverState = std::map<std::string, std::vector<double>>;
 
 /// A mean over the frames of all systems.
 struct FrameScalar {
@@ -47,10 +47,10 @@ class FrameObserver {
 
   /// Adds all it needs to go on bit for bit. Called right before each checkpoint: what lies in
   /// files of its own must be on the disk when it returns.
-  virtual void save(Numbers& numbers) = 0;
+  virtual void save(ObserverState& numbers) = 0;
 
   /// The inverse, before the first frame of a resumed run.
-  virtual void load(Numbers const& numbers) = 0;
+  virtual void load(ObserverState const& numbers) = 0;
 
   /// What of its files is no longer as it was saved, and what to do; empty: nothing. The run goes on.
   virtual std::string lost() const { return {}; }

@@ -43,13 +43,13 @@ void Frames::tidy() {
   for (auto const& w : watched_) w.observer->tidy();
 }
 
-Numbers Frames::save() {
-  Numbers numbers;
+ObserverState Frames::save() {
+  ObserverState numbers;
   for (auto const& w : watched_) w.observer->save(numbers);
   return numbers;
 }
 
-void Frames::load(Numbers const& numbers) {
+void Frames::load(ObserverState const& numbers) {
   for (auto const& w : watched_) w.observer->load(numbers);
 }
 

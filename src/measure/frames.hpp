@@ -33,8 +33,8 @@ class Frames {
 
   /// To all observers, see FrameObserver.
   void begin();
-  Numbers save();
-  void load(Numbers const& numbers);
+  ObserverState save();
+  void load(ObserverState const& numbers);
   std::vector<std::string> lost() const;
   void finish();
   void tidy();

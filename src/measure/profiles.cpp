@@ -85,13 +85,13 @@ void Profiles::add(Frame const& frame) {
   band_position_.insert(band_position_.end(), {frame.strain, band});
 }
 
-void Profiles::save(Numbers& numbers) {
+void Profiles::save(ObserverState& numbers) {
   numbers["profiles"] = plain_.sums;
   numbers["profiles_aligned"] = aligned_.sums;
   numbers["band_position"] = band_position_;
 }
 
-void Profiles::load(Numbers const& numbers) {
+void Profiles::load(ObserverState const& numbers) {
   plain_.sums = numbers.at("profiles");
   aligned_.sums = numbers.at("profiles_aligned");
   band_position_ = numbers.at("band_position");

@@ -22,8 +22,8 @@ class Profiles final : public FrameObserver {
   Profiles(Scene const& scene, double box_length);
 
   void add(Frame const& frame) override;
-  void save(Numbers& numbers) override;
-  void load(Numbers const& numbers) override;
+  void save(ObserverState& numbers) override;
+  void load(ObserverState const& numbers) override;
   void report(std::vector<FrameObserver const*> const& systems,
               FrameResults& results) const override;
 

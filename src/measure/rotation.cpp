@@ -8,9 +8,9 @@ void Rotation::add(Frame const& frame) {
   for (double const spin : frame.state.spin) counts_.add(spin / rate);
 }
 
-void Rotation::save(Numbers& numbers) { numbers["rotation"] = counts_.numbers(); }
+void Rotation::save(ObserverState& numbers) { numbers["rotation"] = counts_.numbers(); }
 
-void Rotation::load(Numbers const& numbers) { counts_.restore(numbers.at("rotation")); }
+void Rotation::load(ObserverState const& numbers) { counts_.restore(numbers.at("rotation")); }
 
 void Rotation::report(std::vector<FrameObserver const*> const& systems,
                       FrameResults& results) const {

@@ -11,8 +11,8 @@ namespace bagnold {
 class Rotation final : public FrameObserver {
  public:
   void add(Frame const& frame) override;
-  void save(Numbers& numbers) override;
-  void load(Numbers const& numbers) override;
+  void save(ObserverState& numbers) override;
+  void load(ObserverState const& numbers) override;
   void report(std::vector<FrameObserver const*> const& systems,
               FrameResults& results) const override;
 

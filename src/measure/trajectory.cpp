@@ -65,7 +65,7 @@ void Trajectory::write_part() {
   io::replace_sealed(part(hashes_.size() - 1), content);
 }
 
-void Trajectory::save(Numbers& numbers) {
+void Trajectory::save(ObserverState& numbers) {
   if (open_) write_part();
   if (++saves_ == saves_that_replace_all) remove_other_parts();
   std::vector<double> halves;
@@ -75,7 +75,7 @@ void Trajectory::save(Numbers& numbers) {
   numbers[saved_hashes] = std::move(halves);
 }
 
-void Trajectory::load(Numbers const& numbers) {
+void Trajectory::load(ObserverState const& numbers) {
   auto const saved = numbers.find(saved_hashes);
   if (saved == numbers.end())
     throw InputError(

@@ -26,8 +26,8 @@ class Trajectory final : public FrameObserver {
 
   /// Those of several systems may be called by threads of their own.
   void add(Frame const& frame) override;
-  void save(Numbers& numbers) override;
-  void load(Numbers const& numbers) override;
+  void save(ObserverState& numbers) override;
+  void load(ObserverState const& numbers) override;
   void report(std::vector<FrameObserver const*> const&, FrameResults&) const override {}
 
   /// The first part that the checkpoint counts and that is not there as it was, and what to do.

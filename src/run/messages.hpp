@@ -13,11 +13,4 @@ void say(std::string const& message);
 /// A warning on stderr, quiet or not; nothing for no message.
 void warn(std::string const& message);
 
-/// Text on stdout, as it is, to be read at once. What could not be written is found by
-/// finish_output().
-void put(std::string const& text);
-
-/// Flushes stdout; what went wrong with it since the program began, "" if nothing.
-std::string finish_output();
-
 }  // namespace bagnold

@@ -16,23 +16,23 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-std::deque<std::size_t> all_of(SideBySide const& work) {
+std::deque<std::size_t> all_of(ReplicaScheduler const& work) {
   std::deque<std::size_t> systems(work.systems);
   std::iota(systems.begin(), systems.end(), std::size_t{0});
   return systems;
 }
 
-bool run_on_this_thread(SideBySide const& work) {
+bool run_on_this_thread(ReplicaScheduler const& work) {
   auto waiting = all_of(work);
   bool stopped = false;
   while (!waiting.empty() && !stopped) {
     std::size_t const system = waiting.front();
     waiting.pop_front();
     auto const begun = Clock::now();
-    bool const done = work.further(system, [&] {
-      auto const wish = work.wish();
-      if (wish == SideBySide::Wish::hold) work.held();
-      stopped = wish == SideBySide::Wish::stop;
+    bool const done = work.advance(system, [&] {
+      auto const request = work.request();
+      if (request == ReplicaScheduler::Request::hold) work.held();
+      stopped = request == ReplicaScheduler::Request::stop;
       return !stopped && (waiting.empty() || Clock::now() - begun < work.turn);
     });
     if (!done) waiting.push_back(system);
@@ -41,13 +41,13 @@ bool run_on_this_thread(SideBySide const& work) {
 }
 
 /// Threads that take the system that has waited longest. All but the atomics is guarded by mutex_.
-class Crew {
+class ThreadPool {
  public:
-  explicit Crew(SideBySide const& work) : work_(work), waiting_(all_of(work)) {
+  explicit ThreadPool(ReplicaScheduler const& work) : work_(work), waiting_(all_of(work)) {
     waiting_count_ = waiting_.size();
   }
 
-  ~Crew() { end(); }
+  ~ThreadPool() { end(); }
 
   bool run() {
     for (int t = 0; t < work_.threads; ++t) threads_.emplace_back([this] { take_turns(); });
@@ -55,9 +55,9 @@ class Crew {
     while (!over()) {
       changed_.wait_for(lock, std::chrono::milliseconds(50));
       lock.unlock();
-      auto const wish = work_.wish();
+      auto const request = work_.request();
       lock.lock();
-      if (wish != SideBySide::Wish::go_on) hold(lock, wish);
+      if (request != ReplicaScheduler::Request::go_on) hold(lock, request);
     }
     lock.unlock();
     end();
@@ -68,11 +68,11 @@ class Crew {
  private:
   bool over() const { return stopped_ || done_ == work_.systems; }
 
-  void hold(std::unique_lock<std::mutex>& lock, SideBySide::Wish wish) {
+  void hold(std::unique_lock<std::mutex>& lock, ReplicaScheduler::Request request) {
     held_ = true;
     changed_.wait(lock, [&] { return busy_ == 0; });
     if (failure_) return;
-    if (wish == SideBySide::Wish::stop)
+    if (request == ReplicaScheduler::Request::stop)
       stopped_ = true;
     else
       work_.held();
@@ -120,7 +120,7 @@ class Crew {
   bool take_turn(std::size_t system, std::exception_ptr& failure) {
     auto const begun = Clock::now();
     try {
-      return work_.further(system, [&] {
+      return work_.advance(system, [&] {
         return !held_ && (waiting_count_ == 0 || Clock::now() - begun < work_.turn);
       });
     } catch (...) {
@@ -129,7 +129,7 @@ class Crew {
     }
   }
 
-  SideBySide const& work_;
+  ReplicaScheduler const& work_;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<std::size_t> waiting_;
@@ -144,8 +144,8 @@ class Crew {
 
 }  // namespace
 
-bool run(SideBySide const& work) {
-  return work.threads > 1 ? Crew(work).run() : run_on_this_thread(work);
+bool run(ReplicaScheduler const& work) {
+  return work.threads > 1 ? ThreadPool(work).run() : run_on_this_thread(work);
 }
 
 }  // namespace bagnold

@@ -8,19 +8,19 @@
 namespace bagnold {
 
 /// Several systems that are furthered at the same time, each by one thread at a time.
-struct SideBySide {
+struct ReplicaScheduler {
   /// What the calling thread wants of all: to go on, to be held while `held` is called, to end.
-  enum class Wish { go_on, hold, stop };
+  enum class Request { go_on, hold, stop };
 
   std::size_t systems = 0;
   int threads = 1;
 
   /// Works on one system until it is done (returns true) or `go_on`, which it is to ask about
   /// twenty times a second, says no. By any thread, but never by two at once for the same system.
-  std::function<bool(std::size_t system, std::function<bool()> const& go_on)> further;
+  std::function<bool(std::size_t system, std::function<bool()> const& go_on)> advance;
 
   /// Asked by the calling thread about twenty times a second; may show how far all have got.
-  std::function<Wish()> wish = [] { return Wish::go_on; };
+  std::function<Request()> request = [] { return Request::go_on; };
 
   /// Called by the calling thread while no system is worked on.
   std::function<void()> held = [] {};
@@ -30,9 +30,9 @@ struct SideBySide {
   std::chrono::milliseconds turn{500};
 };
 
-/// Furthers all systems until they are done; false where `wish` stopped them before. With one
-/// thread all is done by the caller's, which OpenMP and CUDA want. What `further` throws ends all,
-/// and is thrown here once no system is worked on; what `wish` and `held` throw likewise.
-bool run(SideBySide const& work);
+/// Furthers all systems until they are done; false where `request` stopped them before. With one
+/// thread all is done by the caller's, which OpenMP and CUDA want. What `advance` throws ends all,
+/// and is thrown here once no system is worked on; what `request` and `held` throw likewise.
+bool run(ReplicaScheduler const& work);
 
 }  // namespace bagnold

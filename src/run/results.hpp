@@ -20,7 +20,7 @@ struct Replica {
   double initial_time = 0.0;  ///< at step 0, [tau_e]
   std::map<std::string, double> start_record;
   std::map<std::string, double> engine;  ///< its counters and choices at the last checkpoint
-  std::optional<Numbers> saved_frames;   ///< of the checkpoint it goes on from; none: it begins
+  std::optional<ObserverState> saved_frames;   ///< of the checkpoint it goes on from; none: it begins
   Measurement measurement;
 };
 
@@ -64,8 +64,5 @@ void write_result_file(RunFolder const& folder, Run const& run);
 /// summary.json. Throws FileError.
 void write_summary(RunFolder const& folder, Run const& run, std::vector<NamedEstimate> const& list,
                    std::vector<Warning> const& warnings);
-
-/// What was measured, beside what the papers state, on stdout.
-void print_table(Run const& run, std::vector<NamedEstimate> const& list);
 
 }  // namespace bagnold

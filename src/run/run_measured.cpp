@@ -45,7 +45,7 @@ std::int64_t step_of(std::span<MeasuredSystem const> systems) {
 
 }  // namespace
 
-bool run_steady(std::span<MeasuredSystem const> systems, Plan const& plan,
+bool run_measured(std::span<MeasuredSystem const> systems, Plan const& plan,
                 std::function<bool()> const& go_on) {
   Stretch stretch;
   for (auto const& [simulation, measurement] : systems)
@@ -69,10 +69,10 @@ bool run_steady(std::span<MeasuredSystem const> systems, Plan const& plan,
   return true;
 }
 
-bool run_steady(Simulation& simulation, Plan const& plan, Measurement& measurement,
+bool run_measured(Simulation& simulation, Plan const& plan, Measurement& measurement,
                 std::function<bool()> const& go_on) {
   MeasuredSystem const one{simulation, measurement};
-  return run_steady({&one, 1}, plan, go_on);
+  return run_measured({&one, 1}, plan, go_on);
 }
 
 }  // namespace bagnold

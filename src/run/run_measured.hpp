@@ -37,11 +37,11 @@ struct SystemFailure : NumericalError {
 ///
 /// `go_on` is called about twenty times a second, between steps; how often changes no bit. Returns
 /// false where it did.
-bool run_steady(Simulation& simulation, Plan const& plan, Measurement& measurement,
+bool run_measured(Simulation& simulation, Plan const& plan, Measurement& measurement,
                 std::function<bool()> const& go_on);
 
 /// The same for several systems, told to advance in turn to the same step. Throws SystemFailure.
-bool run_steady(std::span<MeasuredSystem const> systems, Plan const& plan,
+bool run_measured(std::span<MeasuredSystem const> systems, Plan const& plan,
                 std::function<bool()> const& go_on);
 
 }  // namespace bagnold

@@ -65,11 +65,11 @@ struct Place {
   }
 };
 
-/// Points that lie far from each other, the one of most steps first, so many at most.
-std::vector<std::size_t> far_apart(sweep::Sweep const& sweep, std::vector<Place> const& places) {
-  auto const steps = [](sweep::Point const& point) { return disk_steps(point.scene, point.plan); };
-  auto const most = std::ranges::max_element(sweep.points, {}, steps);
-  std::vector<std::size_t> chosen{static_cast<std::size_t>(most - sweep.points.begin())};
+/// Runs that lie far from each other, the one of most steps first, so many at most.
+std::vector<std::size_t> far_apart(std::vector<PlannedRun> const& runs, std::vector<Place> const& places) {
+  auto const steps = [](PlannedRun const& run) { return disk_steps(run.scene, run.plan); };
+  auto const most = std::ranges::max_element(runs, {}, steps);
+  std::vector<std::size_t> chosen{static_cast<std::size_t>(most - runs.begin())};
   std::vector<double> nearest(places.size(), std::numeric_limits<double>::max());
   while (chosen.size() < most_trials) {
     for (std::size_t k = 0; k < places.size(); ++k)
@@ -82,9 +82,9 @@ std::vector<std::size_t> far_apart(sweep::Sweep const& sweep, std::vector<Place>
 }
 
 /// Disks times strain, of all replicas.
-double disk_strain(sweep::Point const& point) {
-  return point.plan.strain(point.plan.steps) *
-         static_cast<double>(point.scene.disks.count * point.scene.disks.replicas);
+double disk_strain(PlannedRun const& run) {
+  return run.plan.strain(run.plan.steps) *
+         static_cast<double>(run.scene.disks.count * run.scene.disks.replicas);
 }
 
 std::optional<State> given_state(Scene const& scene) {
@@ -93,13 +93,13 @@ std::optional<State> given_state(Scene const& scene) {
   return fit_to_scene(io::read_states(scene.start.file), scene).front().state;
 }
 
-/// Times of the points tried, beside pictures, over disks and strain.
+/// Times of the runs tried, beside pictures, over disks and strain.
 struct Tried {
   Place place;
   double log_cost;
 };
 
-/// Between the points tried: nearer ones count more.
+/// Between the runs tried: nearer ones count more.
 double cost_at(Place const& place, std::vector<Tried> const& tried) {
   double sum = 0, weights = 0;
   for (auto const& one : tried) {
@@ -139,23 +139,23 @@ RunTimes times_of_runs(std::vector<Scene> const& runs, std::optional<State> star
   }
 }
 
-RunTimes times_of_points(sweep::Sweep const& sweep) {
+RunTimes times_of_many(std::vector<PlannedRun> const& runs) {
   std::vector<Scene> scenes;
   std::vector<Place> places;
-  for (auto const& point : sweep.points) {
-    scenes.push_back(point.scene);
-    places.emplace_back(point.scene);
+  for (auto const& run : runs) {
+    scenes.push_back(run.scene);
+    places.emplace_back(run.scene);
   }
   if (auto const why = why_no_trial(); !why.empty()) return by_steps(scenes, why);
   KokkosScope const kokkos(one_core, scenes.front());
   std::vector<Tried> tried;
   try {
-    for (auto const k : far_apart(sweep, places)) {
-      auto const& [scene, plan] = std::tie(scenes[k], sweep.points[k].plan);
+    for (auto const k : far_apart(runs, places)) {
+      auto const& [scene, plan] = runs[k];
       double const budget = budget_of(point_budget, time_by_steps(scene, plan).expected);
       RunTimeTrial trial(scene, given_state(scene), budget / 2);
       double const seconds = trial.time_of(scene, plan, budget / 2).expected - pictures_take(scene);
-      tried.push_back({places[k], std::log(seconds / disk_strain(sweep.points[k]))});
+      tried.push_back({places[k], std::log(seconds / disk_strain(runs[k]))});
     }
   } catch (NumericalError const& error) {
     return by_steps(scenes, error.what());
@@ -163,7 +163,7 @@ RunTimes times_of_points(sweep::Sweep const& sweep) {
   RunTimes times;
   for (std::size_t k = 0; k < scenes.size(); ++k)
     times.each.push_back(run_time(pictures_take(scenes[k]) +
-                                  disk_strain(sweep.points[k]) * cost_at(places[k], tried)));
+                                  disk_strain(runs[k]) * cost_at(places[k], tried)));
   times.how = fmt::format("from trials of {} of them", tried.size());
   return times;
 }

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "src/config/plan.hpp"
 #include "src/config/run_time.hpp"
 #include "src/config/scene.hpp"
 #include "src/state/state.hpp"
-#include "src/sweep/sweep.hpp"
 
 namespace bagnold {
 
@@ -24,8 +24,13 @@ struct RunTimes {
 /// a trial of a second or two, less where they are short.
 RunTimes times_of_runs(std::vector<Scene> const& runs, std::optional<State> start);
 
-/// Of the points of a sweep: from trials of some that lie far apart in what decides the time. The
-/// others take, for each disk and unit of strain, what the nearest of these do.
-RunTimes times_of_points(sweep::Sweep const& sweep);
+struct PlannedRun {
+  Scene scene;
+  Plan plan;
+};
+
+/// Of many runs, as of the points of a sweep: from trials of some that lie far apart in what decides
+/// the time. The others take, for each disk and unit of strain, what the nearest of these do.
+RunTimes times_of_many(std::vector<PlannedRun> const& runs);
 
 }  // namespace bagnold

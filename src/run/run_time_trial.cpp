@@ -80,7 +80,7 @@ class Stepped {
   double step(double seconds, double strain = 1e300) {
     auto const first = simulation_->step();
     auto const begun = cpu_seconds();
-    run_steady(*simulation_, plan_, measurement_, [&] {
+    run_measured(*simulation_, plan_, measurement_, [&] {
       return cpu_seconds() - begun < seconds &&
              plan_.strain(simulation_->step()) - plan_.strain(first) < strain;
     });

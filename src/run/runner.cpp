@@ -4,14 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <utility>
 
 #include "src/run/messages.hpp"
 #include "src/run/pictures.hpp"
-#include "src/cli/progress.hpp"
 #include "src/run/provenance.hpp"
-#include "src/cli/signals.hpp"
 #include "src/run/target_error.hpp"
 #include "src/run/warnings/warning.hpp"
 #include "src/config/errors.hpp"
@@ -38,12 +35,12 @@ struct ReplicaFailure {
 
 }  // namespace
 
-Runner::Runner(RunFolder const& folder, Run run, Machine const& machine, bool quiet)
+Runner::Runner(RunFolder const& folder, Run run, Machine const& machine, RunMonitor& monitor)
     : folder_(folder),
       run_(std::move(run)),
       whole_(run_.plan),
       machine_(machine),
-      quiet_(quiet),
+      monitor_(monitor),
       together_(steps_together(run_.scene, machine_.backend)),
       simulations_(run_.replicas.size()),
       steps_(run_.replicas.size()),
@@ -51,9 +48,9 @@ Runner::Runner(RunFolder const& folder, Run run, Machine const& machine, bool qu
 
 void Runner::start(std::vector<std::optional<Snapshot>> snapshots) {
   std::vector<Snapshot> starts(snapshots.size());
-  SideBySide all;
+  ReplicaScheduler all;
   all.systems = run_.replicas.size();
-  all.further = [&](std::size_t r, auto const&) {
+  all.advance = [&](std::size_t r, auto const&) {
     starts[r] = start_of(r, std::move(snapshots[r]));
     if (!together_) make(r, std::exchange(starts[r], {}));
     return true;
@@ -150,27 +147,29 @@ bool Runner::enough() {
   return run_.plan.windows == whole_.windows || run_.target_met;
 }
 
-int Runner::run() {
+RunEnd Runner::run() {
   started_ = checkpointed_ = SteadyClock::now();
-  Progress progress(run_.scene, run_.plan, steps(), quiet_);
-  SideBySide all;
+  monitor_.begin(run_.scene, run_.plan, steps());
+  ReplicaScheduler all;
   all.systems = together_ ? 1 : run_.replicas.size();
-  all.further = [&](std::size_t r, auto const& go_on) { return step_on(r, go_on); };
-  all.wish = [&] {
-    progress.show(steps());
-    return wish();
+  all.advance = [&](std::size_t r, auto const& go_on) { return step_on(r, go_on); };
+  all.request = [&] {
+    monitor_.progress(steps());
+    return request();
   };
   all.held = [&] { checkpoint(); };
   bool done = false;
   do {
     if (!run_.scene.shear.target_error.empty()) run_.plan = next_leg();
     done = (work(all) || steps() == steps_wanted()) && enough();
-  } while (!done && stop_signal() == 0);
-  progress.finish(steps());
+  } while (!done && !monitor_.stop_requested());
+  monitor_.end(steps());
   checkpoint();
-  if (!done) return interrupted();
-  finish();
-  return 0;
+  if (done)
+    finish();
+  else
+    say_where_it_stopped();
+  return done ? RunEnd::done : RunEnd::stopped;
 }
 
 /// One replica, or all where they step together.
@@ -180,7 +179,7 @@ bool Runner::step_on(std::size_t first, std::function<bool()> const& go_on) {
   for (auto r = first; r < end; ++r)
     systems.push_back({*simulations_[r], run_.replicas[r].measurement});
   try {
-    return run_steady(systems, run_.plan, [&] {
+    return run_measured(systems, run_.plan, [&] {
       for (auto r = first; r < end; ++r) steps_[r] = simulations_[r]->step();
       return go_on();
     });
@@ -190,7 +189,7 @@ bool Runner::step_on(std::size_t first, std::function<bool()> const& go_on) {
   }
 }
 
-bool Runner::work(SideBySide& all) {
+bool Runner::work(ReplicaScheduler& all) {
   all.threads = all.systems > 1 ? machine_.threads : 1;
   try {
     return bagnold::run(all);
@@ -215,11 +214,12 @@ std::int64_t Runner::steps() const {
 
 std::int64_t Runner::steps_wanted() const { return run_.plan.steps * run_.scene.disks.replicas; }
 
-SideBySide::Wish Runner::wish() const {
-  if (stop_signal() != 0) return SideBySide::Wish::stop;
+ReplicaScheduler::Request Runner::request() const {
+  if (monitor_.stop_requested()) return ReplicaScheduler::Request::stop;
   std::chrono::duration<double> const since = SteadyClock::now() - checkpointed_;
   bool const due = since.count() > 60 * run_.scene.output.checkpoint_minutes;
-  return checkpoint_requested() || due ? SideBySide::Wish::hold : SideBySide::Wish::go_on;
+  return monitor_.checkpoint_requested() || due ? ReplicaScheduler::Request::hold
+                                                 : ReplicaScheduler::Request::go_on;
 }
 
 io::SystemCheckpoint Runner::checkpoint_of(std::size_t r) {
@@ -256,12 +256,11 @@ void Runner::checkpoint() {
   checkpointed_ = SteadyClock::now();
 }
 
-int Runner::interrupted() const {
+void Runner::say_where_it_stopped() const {
   say(fmt::format("stopped at step {} of {}{}; `bagnold resume {}` goes on", steps(),
                   whole_.steps * run_.scene.disks.replicas,
                   simulations_.size() > 1 ? ", all replicas together" : "",
                   folder_.path().string()));
-  return 128 + stop_signal();
 }
 
 std::string Runner::join_trajectories() {
@@ -283,16 +282,12 @@ void Runner::finish() {
   }
   io::write_states(folder_.state(), std::move(states));
   auto const list = estimates(run_);
-  auto const suspect = warnings({run_, list});
+  FinishedRun const finished{run_, list};
+  auto const suspect = warnings(finished);
   write_summary(folder_, run_, list, suspect);
   auto const not_joined = join_trajectories();
   draw_missing_pictures(folder_, run_.scene);  // they show the summary's errors
-  if (!quiet_) {
-    print_table(run_, list);
-    fmt::print("\nresults in {}\n", folder_.path().string());
-    std::fflush(stdout);  // before stderr
-    for (auto const& warning : suspect) warn(text_of(warning));
-  }
+  monitor_.finished(folder_, finished, suspect);
   if (!not_joined.empty())
     throw FileError(fmt::format("all results are written but the trajectory: {}", not_joined));
 }

@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "src/run/machine.hpp"
-#include "src/run/run_folder.hpp"
+#include "src/run/monitor.hpp"
 #include "src/run/results.hpp"
+#include "src/run/run_folder.hpp"
 #include "src/io/checkpoint.hpp"
 #include "src/run/replica_scheduler.hpp"
 #include "src/engine/simulation.hpp"
@@ -24,14 +25,14 @@ namespace bagnold {
 /// is enough.
 class Runner {
  public:
-  Runner(RunFolder const& folder, Run run, Machine const& machine, bool quiet);
+  Runner(RunFolder const& folder, Run run, Machine const& machine, RunMonitor& monitor);
 
   /// Simulations of these snapshots, [R]; an empty one is a random start yet to be made. All are
   /// made side by side. NumericalError names the replica and leaves its state in the folder.
   void start(std::vector<std::optional<Snapshot>> snapshots);
 
-  /// Takes all replicas to the end. Returns the exit code: 0 done, 128 + signal stopped.
-  int run();
+  /// Takes all replicas to the end, unless the monitor stops them.
+  RunEnd run();
 
  private:
   Snapshot start_of(std::size_t replica, std::optional<Snapshot> snapshot);
@@ -43,14 +44,14 @@ class Runner {
   void make_frames_of(std::size_t replica, State const& start);
   void watch(std::size_t replica);  ///< once it has its simulation and its frames
   std::int64_t seed(std::size_t replica) const;
-  bool work(SideBySide& all);
+  bool work(ReplicaScheduler& all);
   bool step_on(std::size_t replica, std::function<bool()> const& go_on);
   std::int64_t steps() const;         ///< of all replicas together
   std::int64_t steps_wanted() const;  ///< likewise, at the end of the leg
-  SideBySide::Wish wish() const;
+  ReplicaScheduler::Request request() const;
   io::SystemCheckpoint checkpoint_of(std::size_t replica);
   void checkpoint();
-  int interrupted() const;
+  void say_where_it_stopped() const;
   void finish();
   /// Those that can be; the first failure, or nothing.
   std::string join_trajectories();
@@ -61,8 +62,8 @@ class Runner {
   Run run_;     ///< its plan ends where this leg does
   Plan whole_;  ///< to where the strain is spent
   Machine machine_;
-  bool quiet_;
-  bool together_;  ///< replicas share launches: for SideBySide all are one system
+  RunMonitor& monitor_;
+  bool together_;  ///< replicas share launches: for ReplicaScheduler all are one system
   std::vector<std::unique_ptr<Simulation>> simulations_;  ///< [R]
   std::vector<std::atomic<std::int64_t>> steps_;          ///< [R], seen while others step
   double wall_before_;

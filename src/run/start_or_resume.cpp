@@ -38,8 +38,8 @@ Run run_of(Scene const& scene, Plan const& plan, Machine const& machine) {
   return run;
 }
 
-int run_from_checkpoint(RunFolder const& folder, io::Checkpoint checkpoint, Machine machine,
-                        bool quiet) {
+RunEnd run_from_checkpoint(RunFolder const& folder, io::Checkpoint checkpoint, Machine machine,
+                           RunMonitor& monitor) {
   Scene const scene = parse_scene(checkpoint.scene, "scene in the checkpoint", folder.path());
   if (checkpoint.systems.size() != static_cast<std::size_t>(scene.disks.replicas))
     throw InputError(
@@ -51,15 +51,14 @@ int run_from_checkpoint(RunFolder const& folder, io::Checkpoint checkpoint, Mach
   Plan const plan = make_plan(scene);
   Run run = run_of(scene, plan, machine);
   run.wall_seconds = checkpoint.wall_seconds;
-  if (!quiet)
-    put(fmt::format("going on from step {} of {}\n", checkpoint.steps(),
-                    plan.steps * scene.disks.replicas));
+  monitor.status(fmt::format("going on from step {} of {}", checkpoint.steps(),
+                             plan.steps * scene.disks.replicas));
   std::vector<std::optional<Snapshot>> snapshots;
   for (auto& system : checkpoint.systems) {
     run.replicas.push_back(replica_of(system));
     snapshots.push_back(std::move(static_cast<Snapshot&>(system)));
   }
-  Runner runner(folder, std::move(run), machine, quiet);
+  Runner runner(folder, std::move(run), machine, monitor);
   runner.start(std::move(snapshots));
   return runner.run();
 }
@@ -79,28 +78,28 @@ bool begun(std::filesystem::path const& folder) {
   return false;
 }
 
-int run_from_start(RunFolder const& folder, Scene const& scene, Machine const& machine, bool quiet,
-                   std::vector<StartedState> started) {
+RunEnd run_from_start(RunFolder const& folder, Scene const& scene, Machine const& machine,
+                      RunMonitor& monitor, std::vector<StartedState> started) {
   KokkosScope const kokkos(machine, scene);
   Plan const plan = make_plan(scene);
   auto const replicas = static_cast<std::size_t>(scene.disks.replicas);
   Run run = run_of(scene, plan, machine);
   run.replicas.resize(replicas);
-  if (!quiet) put(fmt::format("{}, a step of {:.6g} tau_e\n", scheme_of(scene), plan.time_step));
+  monitor.status(fmt::format("{}, a step of {:.6g} tau_e", scheme_of(scene), plan.time_step));
   std::vector<std::optional<Snapshot>> snapshots(replicas);
   for (std::size_t r = 0; r < started.size(); ++r) {
     run.replicas[r].start_record = std::move(started[r].record);
     snapshots[r] = first_snapshot(std::move(started[r].state));
   }
-  if (started.empty() && !quiet)
-    put(fmt::format("relaxing the overlaps of {} random disks{}\n", scene.disks.count,
-                    replicas > 1 ? fmt::format(", {} times", replicas) : ""));
-  Runner runner(folder, std::move(run), machine, quiet);
+  if (started.empty())
+    monitor.status(fmt::format("relaxing the overlaps of {} random disks{}", scene.disks.count,
+                               replicas > 1 ? fmt::format(", {} times", replicas) : ""));
+  Runner runner(folder, std::move(run), machine, monitor);
   runner.start(std::move(snapshots));
   return runner.run();
 }
 
-int go_on_in(RunFolder const& folder, Machine const& machine, bool quiet) {
+RunEnd go_on_in(RunFolder const& folder, Machine const& machine, RunMonitor& monitor) {
   std::vector<std::string> remarks;
   auto checkpoint = io::newest_checkpoint(folder.path(), &remarks);
   for (auto const& remark : remarks) say(remark);
@@ -111,13 +110,13 @@ int go_on_in(RunFolder const& folder, Machine const& machine, bool quiet) {
         fmt::format("{} is not the scene of the checkpoint beside it; put it back, or "
                     "start a new run with it in another folder",
                     folder.scene().string()));
-  if (checkpoint) return run_from_checkpoint(folder, std::move(*checkpoint), machine, quiet);
+  if (checkpoint) return run_from_checkpoint(folder, std::move(*checkpoint), machine, monitor);
 
   if (begun(folder.path()))
     say(fmt::format("no checkpoint in {} can be used: starting again from its scene.toml",
                     folder.path().string()));
   Scene const scene = read_scene(folder.scene());
-  return run_from_start(folder, scene, choose(machine, scene), quiet, states_in_file(scene));
+  return run_from_start(folder, scene, choose(machine, scene), monitor, states_in_file(scene));
 }
 
 }  // namespace bagnold

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "src/run/machine.hpp"
+#include "src/run/monitor.hpp"
 #include "src/run/run_folder.hpp"
 #include "src/config/scene.hpp"
 #include "src/start/start.hpp"
@@ -18,13 +19,12 @@ std::vector<StartedState> states_in_file(Scene const& scene);
 /// Whether a run in a folder has come to its first checkpoint, whole or not, or lost it since.
 bool begun(std::filesystem::path const& folder);
 
-/// Runs a resolved scene of one run from its beginning, in a folder made for it. Returns the exit
-/// code.
-int run_from_start(RunFolder const& folder, Scene const& scene, Machine const& machine, bool quiet,
-                   std::vector<StartedState> started);
+/// Runs a resolved scene of one run from its beginning, in a folder made for it.
+RunEnd run_from_start(RunFolder const& folder, Scene const& scene, Machine const& machine,
+                      RunMonitor& monitor, std::vector<StartedState> started);
 
 /// Goes on with the run in a folder, from its newest checkpoint that verifies; from the beginning
-/// where none does. Returns the exit code.
-int go_on_in(RunFolder const& folder, Machine const& machine, bool quiet);
+/// where none does.
+RunEnd go_on_in(RunFolder const& folder, Machine const& machine, RunMonitor& monitor);
 
 }  // namespace bagnold

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "src/cli/commands.hpp"
+#include "src/run/messages.hpp"
 #include "src/run/target_error.hpp"
 #include "src/config/cascade.hpp"
 #include "src/config/errors.hpp"
@@ -25,17 +25,17 @@ void refuse_less_than_a_window(Scene const& scene, Plan const& plan) {
 
 }  // namespace
 
-void check_scene(Scene const& scene, Plan const& plan, bool allow_unstable) {
+void validate_scene(Scene const& scene, Plan const& plan, bool allow_unstable) {
   check_feasible(scene, plan, allow_unstable);
   check_target(scene);
   refuse_less_than_a_window(scene, plan);
 }
 
-Plan checked_plan(Scene const& scene, bool allow_unstable) {
+Plan validated_plan(Scene const& scene, bool allow_unstable) {
   std::vector<Plan> plans;
   for (auto const& run : runs_of(scene)) {
     plans.push_back(make_plan(run));
-    check_scene(run, plans.back(), allow_unstable);
+    validate_scene(run, plans.back(), allow_unstable);
     warn(plan_warning(plans.back()));
   }
   return plans.front();

@@ -8,10 +8,10 @@ namespace bagnold {
 
 /// All that can be said against a scene of one run before its first state is there:
 /// check_feasible() and check_target(). Throws InputError.
-void check_scene(Scene const& scene, Plan const& plan, bool allow_unstable);
+void validate_scene(Scene const& scene, Plan const& plan, bool allow_unstable);
 
 /// The plan of the one run of a scene or, of a cascade, of its first, all runs checked; what is
 /// worth a warning is said.
-Plan checked_plan(Scene const& scene, bool allow_unstable);
+Plan validated_plan(Scene const& scene, bool allow_unstable);
 
 }  // namespace bagnold

@@ -84,7 +84,7 @@ TEST(Fields, HistogramsAndLastFrame) {
   Fields fields(rate), resumed(rate);
   State const state = test::square_lattice(20, 1.3, rate);
   fields.add({state, 7, 0.25});
-  Numbers numbers;
+  ObserverState numbers;
   fields.save(numbers);
   resumed.load(numbers);
   FrameResults results;

@@ -29,8 +29,8 @@ class Steps final : public FrameObserver {
     seen_.push_back(frame.step);
     EXPECT_DOUBLE_EQ(frame.strain, 0.5 * static_cast<double>(frame.step));
   }
-  void save(Numbers&) override {}
-  void load(Numbers const&) override {}
+  void save(ObserverState&) override {}
+  void load(ObserverState const&) override {}
   void report(std::vector<FrameObserver const*> const&, FrameResults&) const override {}
 
  private:

@@ -126,7 +126,7 @@ TEST(Profiles, KineticStressIsAboutTheLocalFlow) {
 TEST(Profiles, GoOnFromWhatWasSaved) {
   Scene const scene = test::plain_scene("CD", rate);
   Profiles straight(scene, L), first(scene, L), second(scene, L);
-  Numbers numbers;
+  ObserverState numbers;
   for (int f = 0; f < 12; ++f) {
     State const state = band_state(0.7 * f, 1e-4 * f);
     Frame const frame{state, f, 0.1 * f};

@@ -13,7 +13,7 @@ TEST(Rotation, DensityOfKnownSpins) {
   state.spin = {-0.005 + 1e-5, -0.005 + 1e-5, 0.25, -3.0};  // over gammadot: -0.499 twice, 25, -300
   Rotation first, rotation;
   first.add({state, 0, 0.0});
-  Numbers numbers;
+  ObserverState numbers;
   first.save(numbers);
   rotation.load(numbers);
   rotation.add({state, 1, 0.1});

@@ -65,9 +65,9 @@ class TrajectoryTest : public testing::Test {
   }
 
   /// Twelve frames in four parts, t.parts.
-  Numbers write_parts() const {
+  ObserverState write_parts() const {
     Trajectory trajectory(file("t.h5md"), header(), large);
-    Numbers numbers;
+    ObserverState numbers;
     for (int f = 0; f < 12; f += 3) {
       add(trajectory, f, f + 3);
       numbers = {};
@@ -78,7 +78,7 @@ class TrajectoryTest : public testing::Test {
 
   void write_straight() const {
     Trajectory whole(file("whole.h5md"), header(), large);
-    Numbers numbers;
+    ObserverState numbers;
     add(whole, 0, 12);
     whole.save(numbers);
     whole.finish();
@@ -110,7 +110,7 @@ TEST_F(TrajectoryTest, KeepsEveryFrame) {
 TEST_F(TrajectoryTest, KilledAtAnyFrameEndsTheSame) {
   write_straight();
   for (int killed = 1; killed < 12; ++killed) {
-    Numbers numbers;
+    ObserverState numbers;
     int const saved = killed / 3 * 3;  // a checkpoint every three frames
     {
       Trajectory first(file("cut.h5md"), header(), large);
@@ -121,7 +121,7 @@ TEST_F(TrajectoryTest, KilledAtAnyFrameEndsTheSame) {
       }
       add(first, saved, killed);
       if (killed % 2 == 0) {  // between the part and its checkpoint
-        Numbers lost;
+        ObserverState lost;
         first.save(lost);
       }
     }
@@ -142,7 +142,7 @@ TEST_F(TrajectoryTest, KilledAtAnyFrameEndsTheSame) {
 
 TEST_F(TrajectoryTest, PartsCanBeReadAtOnce) {
   Trajectory trajectory(file("t.h5md"), header(), large);
-  Numbers numbers;
+  ObserverState numbers;
   add(trajectory, 0, 2);
   trajectory.save(numbers);
   add(trajectory, 2, 5);  // and left open
@@ -153,7 +153,7 @@ TEST_F(TrajectoryTest, SystemsAreWrittenByThreadsOfTheirOwn) {
   write_straight();
   auto const of = [&](int k) { return file(("t" + std::to_string(k) + ".h5md").c_str()); };
   std::vector<std::thread> threads;
-  std::array<Numbers, 4> saved;
+  std::array<ObserverState, 4> saved;
   for (int k = 0; k < 4; ++k)
     threads.emplace_back([&, k] {
       Trajectory trajectory(of(k), header(), large);
@@ -176,7 +176,7 @@ TEST_F(TrajectoryTest, PartsThatGrowLargeAreClosed) {
   Trajectory trajectory(file("t.h5md"), header(), /*part_bytes=*/1);
   add(trajectory, 0, 12);
   EXPECT_EQ(frames_of(part(11)), 1);
-  Numbers numbers;
+  ObserverState numbers;
   trajectory.save(numbers);
   EXPECT_TRUE(part(12).empty());
   trajectory.finish();
@@ -229,13 +229,13 @@ TEST_F(TrajectoryTest, PartsOfANewerCheckpointStay) {
     Trajectory second(file("t.h5md"), header(), large);
     second.load(older);
     add(second, 6, 8);
-    Numbers numbers;
+    ObserverState numbers;
     second.save(numbers);
   }
   Trajectory third(file("t.h5md"), header(), large);
   third.load(newest);
   EXPECT_EQ(third.lost(), "");
-  Numbers numbers;
+  ObserverState numbers;
   for (int checkpoint = 0; checkpoint < 3; ++checkpoint) third.save(numbers);
   EXPECT_EQ(numbers, newest);
   EXPECT_FALSE(part(2).empty());  // now the only one
@@ -254,7 +254,7 @@ TEST_F(TrajectoryTest, LinksAreNotFollowed) {
 TEST_F(TrajectoryTest, AFolderThatIsGoneIsNotMadeAgain) {
   Trajectory trajectory(file("gone/t.h5md"), header(), large);
   add(trajectory, 0, 1);
-  Numbers numbers;
+  ObserverState numbers;
   EXPECT_THROW(trajectory.save(numbers), FileError);
   EXPECT_FALSE(std::filesystem::exists(file("gone")));
 }

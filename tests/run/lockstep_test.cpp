@@ -68,8 +68,8 @@ class SeesItsSystem final : public FrameObserver {
     EXPECT_EQ(frame.state.time, static_cast<double>(frame.step));
     seen_.push_back(frame.step);
   }
-  void save(Numbers&) override {}
-  void load(Numbers const&) override {}
+  void save(ObserverState&) override {}
+  void load(ObserverState const&) override {}
   void report(std::vector<FrameObserver const*> const&, FrameResults&) const override {}
 
  private:
@@ -107,7 +107,7 @@ class Lockstep : public testing::Test {
 
 TEST_F(Lockstep, EachSystemHasItsWindowsAndFrames) {
   int looks = 0;
-  EXPECT_TRUE(run_steady(systems, plan, [&] {
+  EXPECT_TRUE(run_measured(systems, plan, [&] {
     ++looks;
     for (auto const& member : members) EXPECT_EQ(member->step(), members[0]->step());
     return true;
@@ -131,7 +131,7 @@ TEST_F(Lockstep, EachSystemHasItsWindowsAndFrames) {
 TEST_F(Lockstep, AFailureNamesItsSystem) {
   ensemble->fails = 2;
   try {
-    run_steady(systems, plan, [] { return true; });
+    run_measured(systems, plan, [] { return true; });
     FAIL() << "no failure";
   } catch (SystemFailure const& failure) {
     EXPECT_EQ(failure.system, 2u);
@@ -142,7 +142,7 @@ TEST_F(Lockstep, AFailureNamesItsSystem) {
 
 TEST_F(Lockstep, NobodyGoesOnWhereToldToStop) {
   int looks = 0;
-  EXPECT_FALSE(run_steady(systems, plan, [&] { return ++looks < 3; }));
+  EXPECT_FALSE(run_measured(systems, plan, [&] { return ++looks < 3; }));
   EXPECT_EQ(ensemble->launches, 3);
   for (auto const& member : members) EXPECT_EQ(member->step(), members[0]->step());
 }
@@ -157,7 +157,7 @@ struct FromDifferentSteps : Lockstep {
 };
 
 TEST_F(FromDifferentSteps, AllComeToTheEnd) {
-  EXPECT_TRUE(run_steady(systems, plan, [] { return true; }));
+  EXPECT_TRUE(run_measured(systems, plan, [] { return true; }));
   for (auto const& member : members) EXPECT_EQ(member->step(), 1000);
   EXPECT_EQ(frames[0], (std::vector<std::int64_t>{650, 780, 910}));
   EXPECT_EQ(frames[2], (std::vector<std::int64_t>{130, 260, 390, 520, 650, 780, 910}));

@@ -13,7 +13,7 @@ namespace bagnold {
 namespace {
 
 using namespace std::chrono_literals;
-using Wish = SideBySide::Wish;
+using Request = ReplicaScheduler::Request;
 
 /// Systems that count to `most`, a millisecond a count, and see that nobody else counts on them.
 struct Counters {
@@ -21,7 +21,7 @@ struct Counters {
     work.systems = systems;
     work.threads = threads;
     work.turn = 5ms;
-    work.further = [this, most](std::size_t s, std::function<bool()> const& go_on) {
+    work.advance = [this, most](std::size_t s, std::function<bool()> const& go_on) {
       EXPECT_EQ(++user[s], 1) << "two threads at one system";
       ++busy;
       bool more = true;
@@ -38,7 +38,7 @@ struct Counters {
 
   std::vector<int> counts() const { return {count.begin(), count.end()}; }
 
-  SideBySide work;
+  ReplicaScheduler work;
   std::vector<std::atomic<int>> count;
   std::vector<std::atomic<int>> user;
   std::atomic<int> busy = 0;
@@ -64,12 +64,12 @@ TEST_P(SideBySideOn, NothingIsDoneForNoSystems) {
 TEST_P(SideBySideOn, OneThreadIsTheCallers) {
   Counters counters(3, GetParam(), 3);
   auto const mine = std::this_thread::get_id();
-  auto const further = counters.work.further;
+  auto const advance = counters.work.advance;
   std::atomic<int> at_home = 0, all = 0;
-  counters.work.further = [&](std::size_t s, std::function<bool()> const& go_on) {
+  counters.work.advance = [&](std::size_t s, std::function<bool()> const& go_on) {
     at_home += std::this_thread::get_id() == mine;
     ++all;
-    return further(s, go_on);
+    return advance(s, go_on);
   };
   run(counters.work);
   EXPECT_EQ(at_home, GetParam() == 1 ? all.load() : 0);
@@ -78,7 +78,7 @@ TEST_P(SideBySideOn, OneThreadIsTheCallers) {
 TEST_P(SideBySideOn, NobodyWorksWhileHeld) {
   Counters counters(4, GetParam(), 100);
   int held = 0;
-  counters.work.wish = [] { return Wish::hold; };
+  counters.work.request = [] { return Request::hold; };
   counters.work.held = [&] {
     ++held;
     // with one thread the system that asked is in the middle of its turn, between two steps
@@ -96,8 +96,8 @@ TEST_P(SideBySideOn, NobodyWorksWhileHeld) {
 TEST_P(SideBySideOn, AStopLeavesTheRestUndone) {
   Counters counters(4, GetParam(), 100000);
   auto const begun = std::chrono::steady_clock::now();
-  counters.work.wish = [&] {
-    return std::chrono::steady_clock::now() - begun > 30ms ? Wish::stop : Wish::go_on;
+  counters.work.request = [&] {
+    return std::chrono::steady_clock::now() - begun > 30ms ? Request::stop : Request::go_on;
   };
   EXPECT_FALSE(run(counters.work));
   auto const left = counters.counts();
@@ -109,9 +109,9 @@ TEST_P(SideBySideOn, AStopLeavesTheRestUndone) {
 /// With turns, no system is far behind however few the threads.
 TEST_P(SideBySideOn, AllGetOnAlike) {
   Counters counters(6, GetParam(), 100000);
-  counters.work.wish = [&] {
+  counters.work.request = [&] {
     auto const counts = counters.counts();
-    return std::accumulate(counts.begin(), counts.end(), 0) > 600 ? Wish::stop : Wish::go_on;
+    return std::accumulate(counts.begin(), counts.end(), 0) > 600 ? Request::stop : Request::go_on;
   };
   EXPECT_FALSE(run(counters.work));
   for (int const count : counters.counts()) EXPECT_GT(count, 30);
@@ -119,9 +119,9 @@ TEST_P(SideBySideOn, AllGetOnAlike) {
 
 TEST_P(SideBySideOn, WhatOneThrowsEndsAll) {
   Counters counters(4, GetParam(), 100000);
-  auto const further = counters.work.further;
-  counters.work.further = [&](std::size_t s, std::function<bool()> const& go_on) {
-    if (s != 2) return further(s, go_on);
+  auto const advance = counters.work.advance;
+  counters.work.advance = [&](std::size_t s, std::function<bool()> const& go_on) {
+    if (s != 2) return advance(s, go_on);
     std::this_thread::sleep_for(5ms);
     throw std::runtime_error("two");
   };
@@ -136,7 +136,7 @@ TEST_P(SideBySideOn, WhatOneThrowsEndsAll) {
 
 TEST_P(SideBySideOn, WhatIsThrownWhileHeldEndsAll) {
   Counters counters(4, GetParam(), 100000);
-  counters.work.wish = [] { return Wish::hold; };
+  counters.work.request = [] { return Request::hold; };
   counters.work.held = [] { throw std::runtime_error("disk full"); };
   EXPECT_THROW(run(counters.work), std::runtime_error);
 }

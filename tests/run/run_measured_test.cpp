@@ -86,7 +86,7 @@ TEST(Steady, WindowsHoldTheirSamples) {
         plan_of(101, 100, 10), plan_of(99, 10, 10)}) {
     CountedSteps simulation;
     Measurement measurement = nothing();
-    EXPECT_TRUE(run_steady(simulation, plan, measurement, forever));
+    EXPECT_TRUE(run_measured(simulation, plan, measurement, forever));
     EXPECT_EQ(simulation.step(), plan.steps);
     EXPECT_EQ(static_cast<std::int64_t>(measurement.windows.size()), plan.windows);
     expect_same(measurement.windows, expected_windows(plan));
@@ -101,7 +101,7 @@ TEST(Steady, WindowsHoldTheirSamplesHoweverCoarselyTheEngineStops) {
       CountedSteps simulation;
       simulation.stops_at = stops_at;
       Measurement measurement = nothing();
-      EXPECT_TRUE(run_steady(simulation, plan, measurement, forever));
+      EXPECT_TRUE(run_measured(simulation, plan, measurement, forever));
       EXPECT_EQ(simulation.step(), plan.steps);
       expect_same(measurement.windows, expected_windows(plan));
       EXPECT_TRUE(measurement.open.sums.empty());
@@ -112,7 +112,7 @@ TEST(Steady, WindowsHoldTheirSamplesHoweverCoarselyTheEngineStops) {
 TEST(Steady, SamplingStartsAnewInEachWindow) {
   CountedSteps simulation;
   Measurement measurement = nothing();
-  run_steady(simulation, plan_of(25, 10, 4), measurement, forever);
+  run_measured(simulation, plan_of(25, 10, 4), measurement, forever);
   EXPECT_EQ(simulation.evaluated, (std::set<std::int64_t>{0, 4, 8, 10, 14, 18, 20, 24}));
   EXPECT_EQ(measurement.windows.weight, (std::vector{3.0, 3.0, 2.0}));
 }
@@ -120,7 +120,7 @@ TEST(Steady, SamplingStartsAnewInEachWindow) {
 TEST(Steady, StretchesGrowWhileQuick) {
   CountedSteps simulation;
   Measurement measurement = nothing();
-  run_steady(simulation, plan_of(2'000'000, 1'000'000, 1000), measurement, forever);
+  run_measured(simulation, plan_of(2'000'000, 1'000'000, 1000), measurement, forever);
   EXPECT_LT(simulation.stretches.size(), 100u);
 }
 
@@ -131,7 +131,7 @@ TEST(Steady, StretchesShrinkWhileSlow) {
   Measurement measurement = nothing();
   int calls = 0;
   EXPECT_FALSE(
-      run_steady(simulation, plan_of(1000, 1000, 10), measurement, [&] { return ++calls < 6; }));
+      run_measured(simulation, plan_of(1000, 1000, 10), measurement, [&] { return ++calls < 6; }));
   EXPECT_EQ(simulation.stretches, (std::vector<std::int64_t>{16, 8, 4, 2, 1, 1}));
 }
 
@@ -140,9 +140,9 @@ TEST(Steady, CuttingIntoStretchesChangesNothing) {
   CountedSteps quick, slow;
   slow.pause = std::chrono::milliseconds(101);
   Measurement of_quick = nothing(), of_slow = nothing();
-  run_steady(quick, plan, of_quick, forever);
+  run_measured(quick, plan, of_quick, forever);
   int left = 7;
-  run_steady(slow, plan, of_slow, [&] {
+  run_measured(slow, plan, of_slow, [&] {
     if (--left == 0) slow.pause = std::chrono::milliseconds(0);
     return true;
   });
@@ -156,17 +156,17 @@ TEST(Steady, ContinuingFromTheMiddleChangesNothing) {
   Plan const plan = plan_of(5000, 700, 9);
   CountedSteps whole;
   Measurement straight = nothing();
-  run_steady(whole, plan, straight, forever);
+  run_measured(whole, plan, straight, forever);
   ASSERT_GT(whole.stretches.size(), 7u);
   for (std::size_t stop = 1; stop <= whole.stretches.size(); ++stop) {
     CountedSteps first;
     Measurement measurement = nothing();
     std::size_t calls = 0;
     // false, unless it was done in fewer stretches: their size depends on the clock
-    bool const done = run_steady(first, plan, measurement, [&] { return ++calls < stop; });
+    bool const done = run_measured(first, plan, measurement, [&] { return ++calls < stop; });
     EXPECT_EQ(done, calls < stop);
     CountedSteps second(first.step());
-    EXPECT_TRUE(run_steady(second, plan, measurement, forever));
+    EXPECT_TRUE(run_measured(second, plan, measurement, forever));
     expect_same(measurement.windows, straight.windows);
   }
 }
@@ -174,7 +174,7 @@ TEST(Steady, ContinuingFromTheMiddleChangesNothing) {
 TEST(Steady, ADoneRunIsLeftAlone) {
   CountedSteps simulation(100);
   Measurement measurement = nothing();
-  EXPECT_TRUE(run_steady(simulation, plan_of(100, 10, 1), measurement, [] { return false; }));
+  EXPECT_TRUE(run_measured(simulation, plan_of(100, 10, 1), measurement, [] { return false; }));
   EXPECT_TRUE(simulation.stretches.empty());
   EXPECT_EQ(measurement.windows.size(), 0u);
 }
@@ -186,7 +186,7 @@ TEST(Steady, NumericalFailurePassesThrough) {
     }
   } simulation;
   Measurement measurement = nothing();
-  EXPECT_THROW(run_steady(simulation, plan_of(100, 10, 1), measurement, forever),
+  EXPECT_THROW(run_measured(simulation, plan_of(100, 10, 1), measurement, forever),
                std::runtime_error);
   EXPECT_EQ(measurement.windows.size(), 0u);
 }

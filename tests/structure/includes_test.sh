@@ -21,7 +21,7 @@ src/io               src/config src/state src/statistics
 src/sweep            src/config src/state src/io
 src/start            src/config src/state src/statistics src/engine src/io kernels
 src/analysis         src/config src/state src/statistics src/engine src/io
-src/run              src kernels
+src/run              src/config src/state src/statistics src/engine src/start src/measure src/io kernels
 src/cli              src kernels
 "
 # A folder, and the libraries that it must not know. Kernels know Kokkos and the standard library.

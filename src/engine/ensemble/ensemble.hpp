@@ -31,7 +31,7 @@ class Ensemble {
 
 /// The systems of an ensemble, [S], as simulations of their own. The first that is told to advance
 /// takes all others along, which only hand out what was measured when they are told the same: so
-/// they are to be advanced in turn, as run_steady does. They report no contacts.
+/// they are to be advanced in turn, as run_measured does. They report no contacts.
 std::vector<std::unique_ptr<Simulation>> members_of(std::shared_ptr<Ensemble> const& ensemble);
 
 }  // namespace bagnold

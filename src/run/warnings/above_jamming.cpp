@@ -6,7 +6,7 @@
 
 namespace bagnold {
 
-std::optional<Warning> above_jamming(Finished const& finished) {
+std::optional<Warning> above_jamming(FinishedRun const& finished) {
   double const phi = finished.run.scene.disks.packing_fraction;
   if (phi <= jamming_fraction) return {};
   return Warning{

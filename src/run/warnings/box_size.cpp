@@ -12,7 +12,7 @@ constexpr double least_length = 12;    ///< [d_s]: about 100 disks
 
 }  // namespace
 
-std::optional<Warning> box_size(Finished const& finished) {
+std::optional<Warning> box_size(FinishedRun const& finished) {
   double const anisotropy = finished.mean("R_v"), length = finished.run.box_length;
   if (anisotropy > most_anisotropy)
     return Warning{

@@ -7,7 +7,7 @@
 /// What they go by, and why, is in docs/stability.md.
 namespace bagnold {
 
-using Check = std::optional<Warning>(Finished const&);
+using Check = std::optional<Warning>(FinishedRun const&);
 
 /// phi > phi_J: a yield stress is left as the rate vanishes, so that neither B nor eta has a limit.
 Check above_jamming;
@@ -53,6 +53,6 @@ Check contact_durations;
 ///     sum f_el r_ij = 2 p_el L^2, f_el r_ij ~ (1 - r_ij/d_ij)^(alpha - 1), N Z/2 contacts
 ///
 /// NaN where nothing touched.
-double mean_overlap(Finished const& finished);
+double mean_overlap(FinishedRun const& finished);
 
 }  // namespace bagnold

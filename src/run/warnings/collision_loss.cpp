@@ -16,7 +16,7 @@ constexpr double most_off = 0.02;  ///< as of energy_balance
 
 }  // namespace
 
-std::optional<Warning> collision_loss(Finished const& finished) {
+std::optional<Warning> collision_loss(FinishedRun const& finished) {
   auto const& scene = finished.run.scene;
   double const dt = finished.run.plan.time_step;
   double const off = collision_loss_error(scene, scheme_of(scene), dt);

@@ -17,7 +17,7 @@ constexpr double largest_gap = 0.1;
 
 }  // namespace
 
-std::optional<Warning> contact_durations(Finished const& finished) {
+std::optional<Warning> contact_durations(FinishedRun const& finished) {
   auto const& scene = finished.run.scene;
   if (!scene.measure.contacts || finished.found.empty()) return {};
   double const contacts = finished.mean("Z"), duration = finished.mean("tau_dur");

@@ -7,7 +7,7 @@
 
 namespace bagnold {
 
-std::optional<Warning> contact_network(Finished const& finished) {
+std::optional<Warning> contact_network(FinishedRun const& finished) {
   auto const& scene = finished.run.scene;
   auto const scheme = scheme_of(scene);
   double const taken = finished.run.plan.time_step;

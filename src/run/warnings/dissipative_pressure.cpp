@@ -14,7 +14,7 @@ constexpr double standard_errors = 4;
 
 }  // namespace
 
-std::optional<Warning> dissipative_pressure(Finished const& finished) {
+std::optional<Warning> dissipative_pressure(FinishedRun const& finished) {
   auto const* found = finished.of("p_dis_share");
   if (!found || !found->estimate.all.mean || !found->estimate.all.error) return {};
   double const share = *found->estimate.all.mean, error = *found->estimate.all.error;

@@ -14,7 +14,7 @@ constexpr double standard_errors = 4;
 
 }  // namespace
 
-std::optional<Warning> energy_balance(Finished const& finished) {
+std::optional<Warning> energy_balance(FinishedRun const& finished) {
   auto const* found = finished.of("energy_gap");
   if (!found || !found->estimate.all.mean || !found->estimate.all.error ||
       found->estimate.all.rough)

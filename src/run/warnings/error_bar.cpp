@@ -27,7 +27,7 @@ double scatter_over_errors(statistics::ReplicaEstimate const& found) {
   return count < 2 ? 0 : std::sqrt((squares - sum * sum / count) / (count - 1) / (errors / count));
 }
 
-Warning none_or_rough(Finished const& finished, NamedEstimate const& found) {
+Warning none_or_rough(FinishedRun const& finished, NamedEstimate const& found) {
   auto const& all = found.estimate.all;
   double const strain = finished.measured_strain();
   double const replicas = static_cast<double>(finished.run.replicas.size());
@@ -46,7 +46,7 @@ Warning none_or_rough(Finished const& finished, NamedEstimate const& found) {
 
 }  // namespace
 
-std::optional<Warning> error_bar(Finished const& finished) {
+std::optional<Warning> error_bar(FinishedRun const& finished) {
   for (auto const* name : {"B_p", "B_sigma"}) {
     auto const* found = finished.of(name);
     if (!found) return {};

@@ -27,7 +27,7 @@ double head_on_duration(Scene const& scene) {
 
 }  // namespace
 
-std::optional<Warning> few_collisions(Finished const& finished) {
+std::optional<Warning> few_collisions(FinishedRun const& finished) {
   auto const& scene = finished.run.scene;
   double const contacts = finished.mean("Z");
   double const time = finished.measured_strain() / scene.shear.strain_rate;

@@ -19,7 +19,7 @@ double divergence(double contacts_per_disk) { return contacts_per_disk < 1 ? 1.0
 
 }  // namespace
 
-std::optional<Warning> hard_core_limit(Finished const& finished) {
+std::optional<Warning> hard_core_limit(FinishedRun const& finished) {
   double const phi = finished.run.scene.disks.packing_fraction;
   double const overlap = mean_overlap(finished);
   if (!(phi < jamming_fraction) || !(overlap > 0)) return {};

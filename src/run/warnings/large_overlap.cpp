@@ -13,14 +13,14 @@ constexpr double most_overlap = 0.02;
 
 }  // namespace
 
-double mean_overlap(Finished const& finished) {
+double mean_overlap(FinishedRun const& finished) {
   auto const& disks = finished.run.scene.disks;
   double const area = finished.run.box_length * finished.run.box_length;
   double const contacts = static_cast<double>(disks.count) * finished.mean("Z") / 2;
   return std::pow(2 * finished.mean("p_el") * area / contacts, 1 / (disks.force_exponent - 1));
 }
 
-std::optional<Warning> large_overlap(Finished const& finished) {
+std::optional<Warning> large_overlap(FinishedRun const& finished) {
   double const overlap = mean_overlap(finished);
   if (!(overlap > most_overlap)) return {};
   return Warning{

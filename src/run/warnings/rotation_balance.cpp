@@ -14,7 +14,7 @@ constexpr double most_power = 0.01;
 constexpr double standard_errors = 4;
 
 /// Energy of the rotation over L^2 in a window, if all disks were big, [m / tau_e^2].
-double energy(Finished const& finished, std::size_t window) {
+double energy(FinishedRun const& finished, std::size_t window) {
   auto const& [run, found] = finished;
   double const rate = run.scene.shear.strain_rate;
   double const mean = finished.in_window("spin_mean", window);
@@ -28,7 +28,7 @@ double energy(Finished const& finished, std::size_t window) {
 
 }  // namespace
 
-std::optional<Warning> rotation_balance(Finished const& finished) {
+std::optional<Warning> rotation_balance(FinishedRun const& finished) {
   auto const* found = finished.of("torque_power");
   if (!found || !found->estimate.all.mean || !found->estimate.all.error) return {};
   double const power = *found->estimate.all.mean, error = *found->estimate.all.error;

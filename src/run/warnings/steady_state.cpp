@@ -29,7 +29,7 @@ double mean(std::span<double const> series) {
 
 }  // namespace
 
-std::optional<Warning> steady_state(Finished const& finished) {
+std::optional<Warning> steady_state(FinishedRun const& finished) {
   for (auto const* name : {"B_p", "B_sigma"}) {
     auto const* found = finished.of(name);
     if (!found || !found->estimate.all.mean) return {};

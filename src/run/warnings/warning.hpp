@@ -21,7 +21,7 @@ struct Warning {
 };
 
 /// A finished run as checks see it.
-struct Finished {
+struct FinishedRun {
   Run const& run;
   std::vector<NamedEstimate> const& found;  ///< of estimates(run): empty of a ramp
 
@@ -46,7 +46,7 @@ struct Finished {
 };
 
 /// All that is to be warned of, in a fixed order; none where all is well.
-std::vector<Warning> warnings(Finished const& finished);
+std::vector<Warning> warnings(FinishedRun const& finished);
 
 /// "name: reason; remedy", for the terminal.
 std::string text_of(Warning const& warning);

@@ -8,33 +8,33 @@
 
 namespace bagnold {
 
-NamedEstimate const* Finished::of(std::string_view name) const {
+NamedEstimate const* FinishedRun::of(std::string_view name) const {
   auto const at =
       std::ranges::find(found, name, [](NamedEstimate const& one) { return one.observable.name; });
   return at == found.end() ? nullptr : &*at;
 }
 
-double Finished::mean(std::string_view name) const {
+double FinishedRun::mean(std::string_view name) const {
   auto const* estimate = of(name);
   return estimate && estimate->estimate.all.mean ? *estimate->estimate.all.mean
                                                  : std::numeric_limits<double>::quiet_NaN();
 }
 
-double Finished::measured_strain() const {
+double FinishedRun::measured_strain() const {
   auto const& plan = run.plan;
   double const first =
       plan.discarded_windows == 0 ? 0.0 : plan.strain(plan.window_end(plan.discarded_windows - 1));
   return plan.strain(plan.steps) - first;
 }
 
-double Finished::in_window(std::string_view name, std::size_t window) const {
+double FinishedRun::in_window(std::string_view name, std::size_t window) const {
   double sum = 0;
   for (auto const& replica : run.replicas)
     sum += of(name)->observable.value(replica.measurement.windows.mean(window, window + 1));
   return sum / static_cast<double>(run.replicas.size());
 }
 
-std::vector<Warning> warnings(Finished const& finished) {
+std::vector<Warning> warnings(FinishedRun const& finished) {
   static constexpr Check* all[] = {above_jamming, hard_core_limit, large_overlap,
                                    energy_balance, dissipative_pressure, rotation_balance,
                                    collision_loss, contact_network,

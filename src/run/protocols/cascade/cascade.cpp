@@ -9,7 +9,6 @@
 #include "src/run/pictures.hpp"
 #include "src/run/provenance.hpp"
 #include "src/run/start_or_resume.hpp"
-#include "src/cli/signals.hpp"
 #include "src/config/cascade.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/scene_file.hpp"
@@ -25,18 +24,19 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 /// Runs a stage, or goes on with it; of a finished one draws pictures that a kill left out.
-int run_stage(fs::path const& path, Scene const& scene, Machine const& machine, bool quiet) {
+RunEnd run_stage(fs::path const& path, Scene const& scene, Machine const& machine,
+                 RunMonitor& monitor) {
   if (io::run_finished(path)) {
     auto const folder = RunFolder::open(path);
     folder.remove_trajectory_parts();
     draw_missing_pictures(folder, scene);
-    return 0;
+    return RunEnd::done;
   }
-  if (begun(path)) return go_on_in(RunFolder::open(path), machine, quiet);
+  if (begun(path)) return go_on_in(RunFolder::open(path), machine, monitor);
   auto from_file = states_in_file(scene);
   RunFolder const folder = RunFolder::make(path, /*force=*/true);
   io::replace_text(folder.scene(), write_scene(scene));
-  return run_from_start(folder, scene, machine, quiet, std::move(from_file));
+  return run_from_start(folder, scene, machine, monitor, std::move(from_file));
 }
 
 /// What a stage found.
@@ -76,25 +76,26 @@ std::optional<Scene> cascade_in(RunFolder const& folder) {
   return scene.shear.protocol == "cascade" ? std::optional(scene) : std::nullopt;
 }
 
-int run_cascade(RunFolder const& folder, Scene const& cascade, Machine const& machine, bool quiet) {
+RunEnd run_cascade(RunFolder const& folder, Scene const& cascade, Machine const& machine,
+                   RunMonitor& monitor) {
   KokkosScope const kokkos(machine, cascade);
   auto const stages = cascade.shear.strain_rates.size();
   std::string before;
   for (std::size_t k = 0; k < stages; ++k) {
-    if (stop_signal() != 0) {
+    if (monitor.stop_requested()) {
       say(fmt::format("stopped before rate {} of {}; `bagnold resume {}` goes on", k + 1, stages,
                       folder.path().string()));
-      return 128 + stop_signal();
+      return RunEnd::stopped;
     }
     auto const path = fs::absolute(folder.path()).lexically_normal() / stage_folder(cascade, k);
-    if (!quiet)
-      put(fmt::format("strain rate {}, {} of {}\n", cascade.shear.strain_rates[k], k + 1, stages));
-    int const code = run_stage(path, stage_of(cascade, k, before), machine, quiet);
-    if (code != 0) return code;
+    monitor.status(
+        fmt::format("strain rate {}, {} of {}", cascade.shear.strain_rates[k], k + 1, stages));
+    auto const end = run_stage(path, stage_of(cascade, k, before), machine, monitor);
+    if (end != RunEnd::done) return end;
     before = (path / "state.h5").string();
   }
   write_summary(folder, cascade);
-  return 0;
+  return RunEnd::done;
 }
 
 }  // namespace bagnold

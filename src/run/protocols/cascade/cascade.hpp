@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "src/run/machine.hpp"
+#include "src/run/monitor.hpp"
 #include "src/run/run_folder.hpp"
 #include "src/config/scene.hpp"
 
@@ -13,8 +14,8 @@ namespace bagnold {
 std::optional<Scene> cascade_in(RunFolder const& folder);
 
 /// Runs the stages of a resolved cascade, each in a folder of its own below, those that are not
-/// finished; goes on with one that was begun. In the end summary.json names them all. Returns the
-/// exit code.
-int run_cascade(RunFolder const& folder, Scene const& cascade, Machine const& machine, bool quiet);
+/// finished; goes on with one that was begun. In the end summary.json names them all.
+RunEnd run_cascade(RunFolder const& folder, Scene const& cascade, Machine const& machine,
+                   RunMonitor& monitor);
 
 }  // namespace bagnold

@@ -131,7 +131,7 @@ TEST(RampedSimulation, WindowsHoldTheirEvaluations) {
   Plan const plan = make_plan(scene);
   auto simulation = simulate(scene, first_snapshot(random_start(scene).state));
   Measurement measurement{{static_cast<std::size_t>(simulation.columns()), {}, {}}, {}, Frames{}};
-  EXPECT_TRUE(run_steady(simulation, plan, measurement, [] { return true; }));
+  EXPECT_TRUE(run_measured(simulation, plan, measurement, [] { return true; }));
   ASSERT_EQ(static_cast<std::int64_t>(measurement.windows.size()), plan.windows);
   for (double const weight : measurement.windows.weight)
     EXPECT_EQ(weight, 20);  // 200 steps, every 10

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "src/cli/progress.hpp"
+#include "src/run/monitor.hpp"
+
+namespace bagnold {
+
+/// Shows a run to its user on stdout, unless quiet, and stops it on their signals.
+class Terminal final : public RunMonitor {
+ public:
+  explicit Terminal(bool quiet) : quiet_(quiet) {}
+
+  bool stop_requested() override;
+  bool checkpoint_requested() override;
+  void status(std::string const& text) override;
+  void begin(Scene const& scene, Plan const& plan, std::int64_t steps) override;
+  void progress(std::int64_t steps) override { progress_->show(steps); }
+  void end(std::int64_t steps) override { progress_->finish(steps); }
+
+  /// The table of what was measured, and on stderr what makes it suspect.
+  void finished(RunFolder const& folder, FinishedRun const& run,
+                std::vector<Warning> const& suspect) override;
+
+ private:
+  bool quiet_;
+  std::optional<Progress> progress_;
+};
+
+}  // namespace bagnold

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/run/run.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "src/config/cascade.hpp"
+#include "src/config/errors.hpp"
+#include "src/config/scene_file.hpp"
+#include "src/config/time_step.hpp"
+#include "src/io/atomic_file.hpp"
+#include "src/io/trajectory_parts.hpp"
+#include "src/run/pictures.hpp"
+#include "src/run/protocols/cascade/cascade.hpp"
+#include "src/run/start_or_resume.hpp"
+#include "src/run/validate_scene.hpp"
+
+namespace bagnold {
+
+namespace {
+
+RunMonitor& monitor_of(RunOptions const& options) {
+  static RunMonitor nobody;
+  return options.monitor != nullptr ? *options.monitor : nobody;
+}
+
+void refuse_sweep(std::filesystem::path const& folder) {
+  if (std::filesystem::exists(folder / "points.json"))
+    throw InputError(
+        fmt::format("{}: holds a sweep; the command that began it goes on with it: `bagnold "
+                    "sweep FILE --out {}`",
+                    folder.string(), folder.string()));
+}
+
+}  // namespace
+
+RunEnd run(Scene scene, std::filesystem::path const& name, RunOptions const& options) {
+  parse_scene(write_scene(scene), "scene", {});  // one made in a program was never checked
+  validated_plan(scene, options.allow_unstable);
+  scene = resolved(std::move(scene));
+  Machine const machine = choose(options.machine, scene);
+  auto from_file = states_in_file(runs_of(scene).front());  // read before anything is written
+
+  RunFolder const folder = RunFolder::make(name, options.replace);
+  io::replace_text(folder.scene(), write_scene(scene));
+  if (scene.shear.protocol == "cascade")
+    return run_cascade(folder, scene, machine, monitor_of(options));
+  return run_from_start(folder, scene, machine, monitor_of(options), std::move(from_file));
+}
+
+RunEnd resume(std::filesystem::path const& name, RunOptions const& options) {
+  refuse_sweep(name);
+  RunFolder const folder = RunFolder::open(name);
+  RunMonitor& monitor = monitor_of(options);
+  if (io::run_finished(folder.path())) {
+    folder.remove_trajectory_parts();
+    if (std::filesystem::exists(folder.scene()) && !cascade_in(folder))
+      draw_missing_pictures(folder, read_scene(folder.scene()));
+    monitor.status(fmt::format("{} is finished: nothing to resume", name.string()));
+    return RunEnd::done;
+  }
+  if (auto const scene = cascade_in(folder))
+    return run_cascade(folder, *scene, choose(options.machine, *scene), monitor);
+  return go_on_in(folder, options.machine, monitor);
+}
+
+}  // namespace bagnold
