@@ -1,13 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "src/engine/make_for_law.hpp"
-#include "src/engine/ensemble/make_together.hpp"
+#include "src/engine/law_engines_of.hpp"
 
-namespace bagnold {
-
-template std::unique_ptr<Simulation> make_for_law<General>(Scene const&, Snapshot&,
-                                                         std::string const&);
-template std::shared_ptr<Ensemble> make_together_for_law<General>(Scene const&,
-                                                            std::vector<Snapshot> const&,
-                                                            std::string const&);
-
-}  // namespace bagnold
+template bagnold::LawEngines bagnold::engines_of<bagnold::General>();

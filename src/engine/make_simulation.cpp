@@ -5,40 +5,46 @@
 #include <fmt/ranges.h>
 
 #include "src/config/errors.hpp"
+#include "src/config/time_step.hpp"
 #include "src/engine/backends.hpp"
+#include "src/engine/blocks/block_engine.hpp"
 #include "src/engine/ensemble/ensemble.hpp"
+#include "src/engine/law_engines.hpp"
 #include "src/engine/laws.hpp"
 
 namespace bagnold {
 
-template <ContactLaw Law>
-std::unique_ptr<Simulation> make_for_law(Scene const&, Snapshot&, std::string const&);
-
-template <ContactLaw Law>
-std::shared_ptr<Ensemble> make_together_for_law(Scene const&, std::vector<Snapshot> const&,
-                                                std::string const&);
-
 namespace {
 
-template <class... L>
-std::unique_ptr<Simulation> make_any(std::tuple<L...> const*, Scene const& scene,
-                                     Snapshot& snapshot, std::string const& backend) {
-  std::unique_ptr<Simulation> made;
-  ((scene.disks.model == L::name ? void(made = make_for_law<L>(scene, snapshot, backend)) : void()),
-   ...);
-  return made;
+/// What is compiled for the law of a scene.
+LawEngines engines_for(Scene const& scene) {
+  LawEngines found{};
+  [&]<class... Law>(std::tuple<Law...> const*) {
+    ((scene.disks.model == Law::name ? void(found = engines_of<Law>()) : void()), ...);
+  }(static_cast<Laws const*>(nullptr));
+  return found;
 }
 
-template <class... L>
-std::shared_ptr<Ensemble> make_any_together(std::tuple<L...> const*, Scene const& scene,
-                                            std::vector<Snapshot> const& snapshots,
-                                            std::string const& backend) {
-  std::shared_ptr<Ensemble> made;
-  ((scene.disks.model == L::name
-        ? void(made = make_together_for_law<L>(scene, snapshots, backend))
-        : void()),
-   ...);
-  return made;
+Stepping stepping(std::string const& engine) {
+  return engine == "contact-rich" ? Stepping::many_contacts
+         : engine == "dense"      ? Stepping::few_contacts
+         : engine == "windowed"   ? Stepping::lookahead
+                                  : Stepping::automatic;
+}
+
+/// The engine of a scene on a backend; nullptr if the build has no such backend.
+std::unique_ptr<Simulation> make_engine(Scene const& scene, Snapshot& snapshot,
+                                        std::string const& backend) {
+  auto const& integration = scene.integration;
+  auto const engines = engines_for(scene);
+  if (integration.engine != "reference")
+    if (auto loop = make_block_loop(backend))
+      return std::make_unique<BlockEngine>(std::move(loop), engines.stepper(scene),
+                                           stepping(integration.engine),
+                                           make_species_table(scene.mass_by_area()),
+                                           scene.shear.strain_rate, time_step(scene),
+                                           integration.skin, snapshot);
+  return engines.reference(scene, snapshot, backend);
 }
 
 template <class... Spaces>
@@ -87,7 +93,7 @@ std::unique_ptr<Simulation> make_simulation(Scene const& scene, Snapshot&& snaps
   if (is_device_backend(chosen) && suits_ensembles(scene) &&
       static_cast<std::int64_t>(snapshot.state.count()) <= most_disks_of_a_team)
     return std::move(make_together(scene, {snapshot}, chosen).front());
-  auto made = make_any(static_cast<Laws const*>(nullptr), scene, snapshot, chosen);
+  auto made = make_engine(scene, snapshot, chosen);
   if (!made)
     throw InputError(fmt::format("--backend {}: not in this build (has: {})", backend,
                                  fmt::join(backend_names(), ", ")));
@@ -102,8 +108,7 @@ bool steps_together(Scene const& scene, std::string const& backend) {
 std::vector<std::unique_ptr<Simulation>> make_together(Scene const& scene,
                                                        std::vector<Snapshot> const& snapshots,
                                                        std::string const& backend) {
-  return members_of(
-      make_any_together(static_cast<Laws const*>(nullptr), scene, snapshots, backend));
+  return members_of(engines_for(scene).ensemble(scene, snapshots, backend));
 }
 
 }  // namespace bagnold

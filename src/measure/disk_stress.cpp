@@ -6,7 +6,7 @@
 #include "kernels/device/dynamics/two_stage_leapfrog.hpp"
 #include "src/config/time_step.hpp"
 #include "src/measure/disk_search.hpp"
-#include "src/engine/laws.hpp"
+#include "src/engine/with_physics.hpp"
 
 namespace bagnold {
 
@@ -19,7 +19,7 @@ std::vector<Sums<false>> sums_of(Forces const& forces, std::size_t count) {
   return of;
 }
 
-template <ContactLaw Law, class Repulsion>
+template <Scheme scheme, ContactLaw Law, class Repulsion>
 std::vector<Sums<false>> stress_under(Law const& law, Repulsion const& repulsion,
                                       Scene const& scene, State const& state) {
   auto const search = disk_search(state, 0.0);
@@ -33,35 +33,30 @@ std::vector<Sums<false>> stress_under(Law const& law, Repulsion const& repulsion
       search.box,
       law,
       repulsion};
-  if (scheme_of(scene) != two_stage_scheme) return sums_of(forces, count);
-
-  double const dt = time_step(scene);
-  FirstLook<Law, Repulsion, FrameSpace> const first{
-      forces, dt, Kokkos::View<Motion<Law::rotates>*, FrameSpace>("measure::change", count),
-      Kokkos::View<int*, FrameSpace>("measure::contacts", count)};
-  Real too_deep = 0;  // what engines stop for
-  for (std::uint32_t i = 0; i < count; ++i) first(i, too_deep);
-  auto const shares =
-      to_device<FrameSpace>("measure::second_look", std::vector{SecondLook(law, forces.table, dt)});
-  return sums_of(
-      ChangeForces<Law, Repulsion, FrameSpace>{forces, first.change, first.contacts, shares, dt},
-      count);
+  if constexpr (scheme != Scheme::two_stage_leapfrog) {
+    return sums_of(forces, count);
+  } else {
+    double const dt = time_step(scene);
+    FirstLook<Law, Repulsion, FrameSpace> const first{
+        forces, dt, Kokkos::View<Motion<Law::rotates>*, FrameSpace>("measure::change", count),
+        Kokkos::View<int*, FrameSpace>("measure::contacts", count)};
+    Real too_deep = 0;  // what engines stop for
+    for (std::uint32_t i = 0; i < count; ++i) first(i, too_deep);
+    auto const shares =
+        to_device<FrameSpace>("measure::second_look", std::vector{SecondLook(law, forces.table, dt)});
+    return sums_of(
+        ChangeForces<Law, Repulsion, FrameSpace>{forces, first.change, first.contacts, shares, dt},
+        count);
+  }
 }
 
 }  // namespace
 
 std::vector<Sums<false>> disk_stress(Scene const& scene, State const& state) {
   std::vector<Sums<false>> result;
-  auto const use = [&]<class Law>(std::type_identity<Law>) {
-    if (scene.disks.model != Law::name) return;
-    auto const law = make_law<Law>(scene.disks);
-    result = scene.disks.force_exponent == HertzianRepulsion::force_exponent
-                 ? stress_under(law, HertzianRepulsion{}, scene, state)
-                 : stress_under(law, HarmonicRepulsion{}, scene, state);
-  };
-  [&]<class... Law>(std::tuple<Law...> const*) {
-    (use(std::type_identity<Law>{}), ...);
-  }(static_cast<Laws const*>(nullptr));
+  with_physics(scene, [&](auto const& law, auto const& repulsion, auto scheme) {
+    result = stress_under<scheme()>(law, repulsion, scene, state);
+  });
   return result;
 }
 

@@ -58,6 +58,16 @@ struct Blocks {
   /// Whether a step goes through more than stays in cache from one half to the next.
   bool beyond_cache() const { return slots > 100'000; }
 
+  /// The block that owns a slot.
+  std::uint32_t block_of(std::uint32_t slot) const {
+    std::uint32_t low = 0, high = count;
+    while (high - low > 1) {
+      auto const middle = (low + high) / 2;
+      (block(middle).first <= slot ? low : high) = middle;
+    }
+    return low;
+  }
+
   /// Room that nothing has touched yet.
   template <class T>
   static Array<T> room(std::string const& label, std::size_t size) {

@@ -6,6 +6,7 @@
 #include "kernels/physics/schemes/scheme.hpp"
 #include "kernels/physics/schemes/second_look.hpp"
 #include "kernels/cpu/contacts/lane_watch.hpp"
+#include "kernels/cpu/islands/binary_pair.hpp"
 #include "kernels/cpu/islands/sample_times.hpp"
 #include "kernels/physics/sums/sums.hpp"
 #include "kernels/cpu/simd/pack.hpp"
@@ -23,18 +24,7 @@ struct BinaryCollisions {
   static constexpr int width = simd::width;
   using Pack = simd::Pack;
 
-  /// One disk, before and after.
-  struct Disk {
-    simd::Record record;
-    Real spin;
-    Species species;
-    Real stray2;  ///< out: largest squared distance from its straight flight, [d_s^2]
-  };
-  struct Outcome {
-    std::int64_t touching = 0;  ///< pairs, summed over steps
-    std::int64_t steps = 0;     ///< of a pair
-    bool bad = false;           ///< an overlap too large, or a motion that is no number
-  };
+  using Disk = BinaryDisk;
 
   Law law;
   Repulsion repulsion;
@@ -47,11 +37,11 @@ struct BinaryCollisions {
   /// sums, beyond what their straight flights would, is added to sums[k * times.bins() + bin]. watch
   /// sees every step near a contact.
   template <class Watch>
-  Outcome run(Disk* a, Disk* b, int count, std::int64_t steps, SampleTimes const& times,
-              Sums<rotates>* sums, Watch&& watch) const {
+  BinaryOutcome run(Disk* a, Disk* b, int count, std::int64_t steps, SampleTimes const& times,
+              Sums<true>* sums, Watch&& watch) const {
     Lanes p(*this, a, count), q(*this, b, count);
     Touch const touch(*this, a, b, count);
-    Outcome outcome;
+    BinaryOutcome outcome;
     Pack const end = static_cast<Real>(steps);
     Pack step = first_step(p, q, touch, end);
     p.fly(time_step * step);
@@ -212,7 +202,7 @@ struct BinaryCollisions {
 
     /// Kinetic sums at the times of `powers` of a flight that is at (y, v) at `time`, less those of the
     /// straight flight from the start.
-    void add_flight(Sums<rotates>& sums, int k, Real time, SampleTimes::Powers const& powers,
+    void add_flight(Sums<true>& sums, int k, Real time, SampleTimes::Powers const& powers,
                     Real strain_rate) const {
       using C = SumColumns;
       auto* const to = sums.value;
@@ -318,7 +308,7 @@ struct BinaryCollisions {
   }
 
   /// One evaluated configuration of one pair, less that of its straight flights.
-  void add_sample(Sums<rotates>& sums, Felt const& f, Lanes const& p, Lanes const& q,
+  void add_sample(Sums<true>& sums, Felt const& f, Lanes const& p, Lanes const& q,
                   Touch const& touch, int k, Real step) const {
     using C = SumColumns;
     auto* const to = sums.value;

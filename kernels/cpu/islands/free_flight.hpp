@@ -84,8 +84,8 @@ struct FreeFlightSums {
 };
 
 /// Those of a block's own disks for which free(slot) holds, a pack at a time. Inert disks add zero.
-template <class Step, class Free>
-FreeFlightSums free_flight_sums(Step const& step, Block const& block,
+template <class Free>
+FreeFlightSums free_flight_sums(BlockSystem const& system, Block const& block,
                                 Real strain_rate, Free const& free) {
   using simd::Pack;
   struct Packs {
@@ -108,16 +108,16 @@ FreeFlightSums free_flight_sums(Step const& step, Block const& block,
   for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
     auto const slot = block.first + i;
     auto const here = free(slot);
-    auto const r = simd::load_records(step.now.record.data() + slot);
-    auto const big = simd::nonzero(step.species.data() + slot);
+    auto const r = simd::load_records(system.now.record.data() + slot);
+    auto const big = simd::nonzero(system.species.data() + slot);
     Pack const one = zero_unless(here, 1.0);
     Pack const m = zero_unless(
-        here, select(big, 1 / step.table.inverse_mass[1], 1 / step.table.inverse_mass[0]));
+        here, select(big, 1 / system.table.inverse_mass[1], 1 / system.table.inverse_mass[0]));
     Pack const a = fnma(strain_rate, r.y, r.vx), b = -strain_rate * r.vy;
     mass.add(m, a, b, r.vy);
     plain.add(one, a, b, r.vy);
-    if constexpr (Step::rotates) {
-      Pack const s = zero_unless(here, Pack::load(step.now.spin.data() + slot));
+    if (system.rotates) {
+      Pack const s = zero_unless(here, Pack::load(system.now.spin.data() + slot));
       spin += s;
       spin2 = fma(s, s, spin2);
     }

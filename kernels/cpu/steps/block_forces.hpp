@@ -3,7 +3,7 @@
 
 #include <type_traits>
 
-#include "kernels/cpu/blocks/blocks.hpp"
+#include "kernels/cpu/steps/block_system.hpp"
 #include "kernels/physics/laws/pair_force.hpp"
 
 namespace bagnold {
@@ -19,6 +19,21 @@ struct NoPackObserver {
   void operator()(PackOfPairs const&) const {}
 };
 
+/// DiskPower of eight disks.
+struct PackPower {
+  simd::Pack dissipation = 0.0, torque = 0.0;
+};
+
+/// Keeps the largest overlap and counts contacts.
+struct OverlapWatch {
+  simd::Pack largest = 0.0;
+  std::uint32_t touching = 0;
+  void operator()(PackOfPairs const& p) {
+    touching += __builtin_popcount(p.touching.lanes());
+    largest = max(largest, zero_unless(p.touching, p.force.relative_overlap));
+  }
+};
+
 /// The forces on the disks of one block from one of its near lists, a pack of pairs at once.
 ///
 /// The pairs are added in the order of the list, so the bits depend neither on threads nor on when
@@ -31,14 +46,33 @@ struct BlockForces {
   Law law;
   Repulsion repulsion;
 
-  /// Of one class of pairs. records, spins (thetadot, [1 / tau_e]; null if the law does not rotate) and
-  /// force: the block's slots, halo included.
+  /// force: [block.local()], zeroed here; pairs of the inner list.
   template <class Observer>
-  void operator()(int pair_class, Blocks const& blocks, Block const& block, NearList list,
-                  simd::Record const* records, double const* spins, Force* force,
-                  Observer& observe) const {
-    add_class(pair_class, blocks.near[list].data() + block.pairs[pair_class],
-              block.near[list][pair_class], records, spins, force, observe);
+  void evaluate(BlockSystem const& system, Block const& block, BlockState const& state, Force* force,
+                Observer&& observe) const {
+    clear(block, force);
+    add(system, block, inner_list, state, force, observe);
+  }
+
+  static void clear(Block const& block, Force* force) {
+    std::fill_n(force, block.local(), Force{});
+  }
+
+  /// Adds to force what the pairs of a near list exert.
+  template <class Observer>
+  void add(BlockSystem const& system, Block const& block, NearList list, BlockState const& state,
+           Force* force, Observer&& observe) const {
+    for (int c = 0; c < pair_classes; ++c) add(c, system, block, list, state, force, observe);
+  }
+
+  /// Those of one class.
+  template <class Observer>
+  void add(int pair_class, BlockSystem const& system, Block const& block, NearList list,
+           BlockState const& state, Force* force, Observer&& observe) const {
+    double const* spins = nullptr;
+    if constexpr (rotates) spins = state.spin.data() + block.first;
+    add_class(pair_class, system.blocks.near[list].data() + block.pairs[pair_class],
+              block.near[list][pair_class], state.record.data() + block.first, spins, force, observe);
   }
 
  private:

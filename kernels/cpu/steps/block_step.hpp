@@ -1,105 +1,206 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "kernels/cpu/steps/block_system.hpp"
+#include "kernels/cpu/steps/block_forces.hpp"
+#include "kernels/cpu/steps/block_stepper.hpp"
+#include "kernels/cpu/steps/kick.hpp"
 #include "kernels/physics/schemes/scheme.hpp"
 #include "kernels/physics/schemes/second_look.hpp"
 
 namespace bagnold {
 
-/// The papers' step on a block (P2 Eqs. 21-24), as in modified_velocity_verlet.hpp.
-template <ContactLaw Law, class Repulsion>
-struct BlockStep : BlockSystem<Law, Repulsion, false> {
-  using System = BlockSystem<Law, Repulsion, false>;
-  using typename System::Force;
-  using typename System::Kick;
-  using System::blocks, System::now, System::trial, System::species, System::table,
-      System::time_step, System::rotates;
+/// The papers' step on a block (P2 Eqs. 21-24), as in device/dynamics/modified_velocity_verlet.hpp.
+template <ContactLaw L, class R>
+struct BlockStep {
+  using Law = L;
+  using Repulsion = R;
+  static constexpr bool rotates = Law::rotates;
+  using Forces = BlockForces<Law, Repulsion>;
+  using Force = typename Forces::Force;
+
   static constexpr Scheme scheme = Scheme::modified_velocity_verlet;
-  static constexpr bool lists_contacts = false;
-  static constexpr StepCosts costs{.by_itself = 7, .contact = 39, .dense_below = 0.3};
+  static constexpr int observed_forces = 1;
+  static constexpr StepNeeds needs{.rotates = rotates,
+                                   .lists_contacts = false,
+                                   .trial_spins = rotates,
+                                   .trial_is_change = false,
+                                   .evaluations = 2,
+                                   .observed_forces = observed_forces,
+                                   .force_bytes = sizeof(Force),
+                                   .costs = {.by_itself = 7, .contact = 39, .few_below = 0.3}};
+
+  Forces forces;
+  Real time_step;  ///< dt, [tau_e]
+
+  BlockStep(Law const& law, Repulsion const& repulsion, SpeciesTable const&, Real dt)
+      : forces{law, repulsion}, time_step(dt) {}
 
   SecondLook const* second_look() const { return nullptr; }
 
-  /// First half: trial state at t + dt from forces at t. force: scratch, [most_local].
-  BlockReport predict(std::uint32_t b, ShearedBox const& box, Force* force) const {
-    using simd::Pack;
-    Block const& block = blocks.block(b);
-    refresh_halo(blocks, block, now, box);
-    auto const* record = now.record.data() + block.first;
-    this->evaluate(block, now, force, NoPackObserver{});
-    Kick const kick(table, time_step);
+  /// First half: trial state at t + dt from forces at t.
+  BlockReport predict(BlockSystem const& s, std::uint32_t b, ShearedBox const& box,
+                      Force* force) const {
+    Block const& block = s.blocks.block(b);
+    refresh_halo(s.blocks, block, s.now, box);
+    forces.evaluate(s, block, s.now, force, NoPackObserver{});
+    Kick const kick(s.table, time_step);
     for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
-      auto r = simd::load_records(record + i);
+      auto const slot = block.first + i;
+      auto r = simd::load_records(s.now.record.data() + slot);
       auto const f = simd::load_forces(force + i);
-      auto const big = simd::nonzero(species.data() + block.first + i);
-      Pack const k = kick.per_mass(big);
-      r.x = fma(time_step, r.vx, r.x);
-      r.y = fma(time_step, r.vy, r.y);
-      r.vx = fma(k, f.x, r.vx);
-      r.vy = fma(k, f.y, r.vy);
-      simd::store_records(trial.record.data() + block.first + i, r);
+      auto const big = simd::nonzero(s.species.data() + slot);
+      predict(r, f, kick.per_mass(big));
+      simd::store_records(s.trial.record.data() + slot, r);
       if constexpr (rotates)
-        fma(kick.per_inertia(big), f.turn, Pack::load(now.spin.data() + block.first + i))
-            .store(trial.spin.data() + block.first + i);
+        fma(kick.per_inertia(big), f.turn, Pack::load(s.now.spin.data() + slot))
+            .store(s.trial.spin.data() + slot);
     }
     return {};
   }
 
   /// Second half: the state at t + dt from forces at the trial state, observed or not. seen(slot,
   /// records): called with the new motion of each pack of disks.
-  template <class Watch>
-  BlockReport correct(std::uint32_t b, ShearedBox const& box, Force* force, bool,
-                      Watch&& seen) const {
-    using simd::Pack;
-    Block const& block = blocks.block(b);
-    refresh_halo(blocks, block, trial, box);
-    OverlapWatch watch;
-    this->evaluate(block, trial, force, watch);
-    Kick const kick(table, time_step / 2);
-    Pack fastest2 = 0.0, poison = 0.0;
+  template <class Seen>
+  BlockReport correct(BlockSystem const& s, std::uint32_t b, ShearedBox const& box, Force* force,
+                      bool, Seen const& seen) const {
+    Block const& block = s.blocks.block(b);
+    refresh_halo(s.blocks, block, s.trial, box);
+    OverlapWatch overlaps;
+    forces.evaluate(s, block, s.trial, force, overlaps);
+    Kick const kick(s.table, time_step / 2);
+    SpeedWatch speeds{box.strain_rate};
     for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
       auto const slot = block.first + i;
-      auto r = simd::load_records(now.record.data() + slot);
-      auto const t = simd::load_records(trial.record.data() + slot);
+      auto r = simd::load_records(s.now.record.data() + slot);
+      auto const t = simd::load_records(s.trial.record.data() + slot);
       auto const f = simd::load_forces(force + i);
-      auto const big = simd::nonzero(species.data() + slot);
-      Pack const k = kick.per_mass(big);
-      Pack const vx = fma(k, f.x, 0.5 * (r.vx + t.vx));
-      Pack const vy = fma(k, f.y, 0.5 * (r.vy + t.vy));
-      r.x = fma(time_step / 2, r.vx + vx, r.x);
-      r.y = fma(time_step / 2, r.vy + vy, r.y);
-      r.vx = vx;
-      r.vy = vy;
-      simd::store_records(now.record.data() + slot, r);
+      auto const big = simd::nonzero(s.species.data() + slot);
+      correct(r, t, f, kick.per_mass(big));
+      simd::store_records(s.now.record.data() + slot, r);
       seen(slot, r);
-      if constexpr (rotates)
-        fma(kick.per_inertia(big), f.turn, 0.5 * (Pack::load(now.spin.data() + slot) + Pack::load(trial.spin.data() + slot)))
-            .store(now.spin.data() + slot);
-      Pack const ux = fnma(box.strain_rate, r.y, vx);
-      Pack const speed2 = fma(ux, ux, vy * vy);
-      fastest2 = max(fastest2, speed2);
-      poison = fma(speed2 + r.x, 0.0, poison);
+      if constexpr (rotates) {
+        auto* const spin = s.now.spin.data() + slot;
+        auto const trial = Pack::load(s.trial.spin.data() + slot);
+        corrected_spin(Pack::load(spin), trial, f, kick.per_inertia(big)).store(spin);
+      }
+      speeds(r, r.y);
     }
-    return {simd::largest(fastest2), simd::largest(watch.largest), watch.touching, simd::sum(poison)};
+    return report(speeds, overlaps);
   }
 
-  static constexpr int observed_forces = 1;
+  /// First half where few of the near pairs touch.
+  BlockReport predict_few(BlockSystem const& s, ActiveDisks const& active, std::uint32_t b,
+                          ShearedBox const& box, Force* force) const {
+    Block const& block = s.blocks.block(b);
+    auto const* const now = s.now.record.data() + block.first;
+    auto* const trial = s.trial.record.data() + block.first;
+    refresh_halo(s.blocks, block, s.now, box);
+    active.count(b) = 0;
+    active.find(s.blocks, b, now, force);
+    forces.add(s, block, contact_list, s.now, force, NoPackObserver{});
+    simd::fly(trial, now, block.padded, time_step);
+    if constexpr (rotates)
+      std::copy_n(spins(s.now, block), block.padded, spins(s.trial, block));
+    Kick const kick(s.table, time_step);
+    active.each_pack(block, active.count(b), s.species.data(),
+                     [&](std::uint16_t const* at, simd::Mask big) {
+                       auto r = simd::load_records(now, at);
+                       auto const f = simd::load_forces(force, at);
+                       predict(r, f, kick.per_mass(big));
+                       simd::store_records(trial, at, r);
+                       if constexpr (rotates)
+                         simd::store(spins(s.trial, block), at,
+                                     fma(kick.per_inertia(big), f.turn,
+                                         simd::load(spins(s.now, block), at)));
+                     });
+    return {};
+  }
+
+  /// Second half where few of the near pairs touch. moved: scratch, [most_local].
+  BlockReport correct_few(BlockSystem const& s, ActiveDisks const& active, std::uint32_t b,
+                          ShearedBox const& box, Force* force, bool, simd::Record* moved) const {
+    Block const& block = s.blocks.block(b);
+    auto* const now = s.now.record.data() + block.first;
+    auto const* const trial = s.trial.record.data() + block.first;
+    refresh_halo(s.blocks, block, s.trial, box);
+    active.find(s.blocks, b, trial, force);
+    OverlapWatch overlaps;
+    forces.add(s, block, contact_list, s.trial, force, overlaps);
+    Kick const kick(s.table, time_step / 2);
+    SpeedWatch speeds{box.strain_rate};
+    auto* to = moved;
+    active.each_pack(block, active.count(b), s.species.data(),
+                     [&](std::uint16_t const* at, simd::Mask big) {
+                       auto r = simd::load_records(now, at);
+                       auto const f = simd::load_forces(force, at);
+                       correct(r, simd::load_records(trial, at), f, kick.per_mass(big));
+                       simd::store_records(to, r);
+                       to += simd::width;
+                       if constexpr (rotates) {
+                         auto* const spin = spins(s.now, block);
+                         auto const trial_spin = simd::load(spins(s.trial, block), at);
+                         simd::store(spin, at, corrected_spin(simd::load(spin, at), trial_spin, f,
+                                                              kick.per_inertia(big)));
+                       }
+                       speeds(r, r.y);
+                     });
+    simd::fly(now, now, block.padded, time_step);
+    auto const* const at = active.list.data() + block.first;
+    for (std::uint32_t k = 0; k < active.count(b); ++k) {
+      simd::at(now, at[k]) = moved[k];
+      active.is_active(block.first + at[k] / 4u) = 0;
+    }
+    return report(speeds, overlaps);
+  }
 
   /// Sees all pairs of the inner list as they are between the two halves of a step. force:
   /// [most_local], out: all forces.
   template <class Observer>
-  void observe(Block const& block, Force* force, Observer&& observer) const {
-    this->evaluate(block, now, force, observer);
+  void observe(BlockSystem const& s, Block const& block, Force* force, Observer&& observer) const {
+    forces.evaluate(s, block, s.now, force, observer);
   }
 
   /// Of eight disks from i on, after observe(). spin: theirs.
-  PackPower observed_power(Force const* force, std::uint32_t i, simd::Mask big,
+  PackPower observed_power(BlockSystem const&, Force const* force, std::uint32_t i, simd::Mask big,
                            simd::Pack spin) const {
     PackPower power;
     if constexpr (rotates)
-      power.torque = System::diameter_of(big) * simd::load_forces(force + i).turn * spin;
+      power.torque = diameter_of(big) * simd::load_forces(force + i).turn * spin;
     return power;
+  }
+
+ private:
+  using Pack = simd::Pack;
+
+  BAGNOLD_INLINE void predict(simd::Records& r, simd::ForceComponents const& f, Pack k) const {
+    r.x = fma(time_step, r.vx, r.x);
+    r.y = fma(time_step, r.vy, r.y);
+    r.vx = fma(k, f.x, r.vx);
+    r.vy = fma(k, f.y, r.vy);
+  }
+
+  BAGNOLD_INLINE void correct(simd::Records& r, simd::Records const& trial,
+                              simd::ForceComponents const& f, Pack k) const {
+    Pack const vx = fma(k, f.x, 0.5 * (r.vx + trial.vx));
+    Pack const vy = fma(k, f.y, 0.5 * (r.vy + trial.vy));
+    r.x = fma(time_step / 2, r.vx + vx, r.x);
+    r.y = fma(time_step / 2, r.vy + vy, r.y);
+    r.vx = vx;
+    r.vy = vy;
+  }
+
+  BAGNOLD_INLINE static Pack corrected_spin(Pack spin, Pack trial, simd::ForceComponents const& f,
+                                            Pack per_inertia) {
+    return fma(per_inertia, f.turn, 0.5 * (spin + trial));
+  }
+
+  static BlockReport report(SpeedWatch const& speeds, OverlapWatch const& overlaps) {
+    return {simd::largest(speeds.fastest2), simd::largest(overlaps.largest), overlaps.touching,
+            simd::sum(speeds.nan_flag)};
+  }
+
+  static double* spins(BlockState const& state, Block const& block) {
+    return state.spin.data() + block.first;
   }
 };
 

@@ -2,7 +2,8 @@
 #pragma once
 
 #include <algorithm>
-#include "kernels/cpu/steps/block_system.hpp"
+#include "kernels/cpu/steps/block_forces.hpp"
+#include "kernels/cpu/steps/block_stepper.hpp"
 #include "kernels/physics/sums/sums.hpp"
 
 namespace bagnold {
@@ -43,38 +44,38 @@ struct PackSums {
 /// neighbours have been through the first half of a step, and it has not been through the second.
 /// force: scratch, [Step::observed_forces][most_local].
 template <class Step>
-Sums<Step::rotates> measure_block(Step const& step, std::uint32_t b, Real strain_rate,
-                                  typename Step::Force* force) {
+BlockSums measure_block(Step const& step, BlockSystem const& s, std::uint32_t b, Real strain_rate,
+                        typename Step::Force* force) {
   using simd::Pack;
   using C = SumColumns;
-  Block const& block = step.blocks.block(b);
+  Block const& block = s.blocks.block(b);
   PackSums pairs{block.padded};
-  step.observe(block, force, pairs);
+  step.observe(s, block, force, pairs);
   Pack v[C::count], spin = 0.0, spin2 = 0.0;
   PackPower power;
   for (auto& sum : v) sum = 0.0;
   for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
     auto const slot = block.first + i;
-    auto const r = simd::load_records(step.now.record.data() + slot);
-    auto const big = simd::nonzero(step.species.data() + slot);
-    Pack const mass = select(big, 1 / step.table.inverse_mass[1], 1 / step.table.inverse_mass[0]);
+    auto const r = simd::load_records(s.now.record.data() + slot);
+    auto const big = simd::nonzero(s.species.data() + slot);
+    Pack const mass = select(big, 1 / s.table.inverse_mass[1], 1 / s.table.inverse_mass[0]);
     Pack const ux = fnma(strain_rate, r.y, r.vx), uy = r.vy;
     v[C::kinetic_xx] += mass * ux * ux;
     v[C::kinetic_xy] += mass * ux * uy;
     v[C::kinetic_yy] += mass * uy * uy;
     v[C::velocity_x2] += ux * ux;
     v[C::velocity_y2] += uy * uy;
-    Pack s = 0.0;
+    Pack turning = 0.0;
     if constexpr (Step::rotates) {
-      s = Pack::load(step.now.spin.data() + slot);
-      spin += s;
-      spin2 += s * s;
+      turning = Pack::load(s.now.spin.data() + slot);
+      spin += turning;
+      spin2 += turning * turning;
     }
-    auto const of_disks = step.observed_power(force, i, big, s);
+    auto const of_disks = step.observed_power(s, force, i, big, turning);
     power.dissipation += of_disks.dissipation;
     power.torque += of_disks.torque;
   }
-  Sums<Step::rotates> sums;
+  BlockSums sums;
   for (int c : {C::kinetic_xx, C::kinetic_xy, C::kinetic_yy, C::velocity_x2, C::velocity_y2})
     sums.value[c] = simd::sum(v[c]);
   for (int c = C::elastic_xx; c <= C::dissipation; ++c) sums.value[c] = pairs.first.v[c];

@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-#include "kernels/physics/species.hpp"
-#include "kernels/cpu/steps/block_forces.hpp"
+#include "kernels/cpu/blocks/blocks.hpp"
 
 namespace bagnold {
 
@@ -71,122 +70,31 @@ struct BlockReport {
   }
 };
 
-/// What steps of a scheme cost, by which engines choose, [cycles a disk-step]; from times of CD_n and
-/// CD_rot (0.76 to 0.78, Q = 1 and 50, rates 1e-4 and 1e-5).
-struct StepCosts {
-  Real by_itself;    ///< of a disk without contacts where all disks are stepped
-  Real contact;      ///< and for each contact it has
-  Real dense_below;  ///< contacts per disk below which dense steps cost less than contact-rich ones
-};
-
-/// Keeps the largest overlap and counts contacts.
-struct OverlapWatch {
-  simd::Pack largest = 0.0;
-  std::uint32_t touching = 0;
-  void operator()(PackOfPairs const& p) {
-    touching += __builtin_popcount(p.touching.lanes());
-    largest = max(largest, zero_unless(p.touching, p.force.relative_overlap));
-  }
-};
-
-/// DiskPower of eight disks.
-struct PackPower {
-  simd::Pack dissipation = 0.0, torque = 0.0;
-};
-
-/// All blocks, and what a step of a scheme needs of them. The scheme has two halves with a barrier between
-/// them, as `trial` of a block is read by its neighbours: see BlockStep, TwoStageBlockStep.
-template <ContactLaw L, class R, bool Counting>
+/// Disks in blocks, and their state.
 struct BlockSystem {
-  using Law = L;
-  using Repulsion = R;
-  using Forces = BlockForces<Law, Repulsion, Counting>;
-  using Force = typename Forces::Force;
-  static constexpr bool rotates = Law::rotates;
-
-  Forces forces;
   Blocks blocks;
   Blocks::Array<Species> species;  ///< by slot
   SpeciesTable table;
   BlockState now;
-  BlockState trial;
-  Real time_step;
+  BlockState trial;             ///< what the first half of a step leaves for the second
+  bool rotates = false;         ///< spins are there
+  std::int64_t arrangement = 0;  ///< counts how often disks got other slots
+  std::int64_t listing = 0;      ///< counts how often the inner lists were taken anew
 
-  /// What does not depend on disks.
-  void set_laws(Law const& law, SpeciesTable const& of_species, Real dt) {
-    forces.law = law;
-    table = of_species;
-    time_step = dt;
-  }
-  void take_laws(BlockSystem const& from) { set_laws(from.forces.law, from.table, from.time_step); }
-
-  /// (d_i thetadot_i + d_j thetadot_j) / (d_i + d_j) of two slots, [1/tau_e].
-  Real common_spin(std::uint32_t i, std::uint32_t j) const
-    requires rotates
-  {
+  /// (d_i thetadot_i + d_j thetadot_j) / (d_i + d_j) of two slots, [1/tau_e]; 0 without spins.
+  Real common_spin(std::uint32_t i, std::uint32_t j) const {
+    if (!rotates) return 0;
     Real const a = table.diameter[species(i)], b = table.diameter[species(j)];
     return (a * now.spin(i) + b * now.spin(j)) / (a + b);
   }
 
-  /// Likewise of a pair of a class, halo included; 0 if the law does not rotate.
+  /// Likewise of a pair of a class, halo included.
   Real common_spin(Block const& block, int pair_class, simd::LocalPair const& pair) const {
-    if constexpr (rotates) {
-      Real const a = pair_class == 2 ? big_diameter : small_diameter;
-      Real const b = pair_class == 0 ? small_diameter : big_diameter;
-      return (a * now.spin(block.first + pair.a()) + b * now.spin(block.first + pair.b())) /
-             (a + b);
-    }
-    return 0;
+    if (!rotates) return 0;
+    Real const a = pair_class == 2 ? big_diameter : small_diameter;
+    Real const b = pair_class == 0 ? small_diameter : big_diameter;
+    return (a * now.spin(block.first + pair.a()) + b * now.spin(block.first + pair.b())) / (a + b);
   }
-
-  /// force: [block.local()], zeroed here.
-  template <class Observer>
-  void evaluate(Block const& block, BlockState const& state, Force* force,
-                Observer&& observe) const {
-    clear(block, force);
-    add_forces(block, inner_list, state, force, observe);
-  }
-
-  static void clear(Block const& block, Force* force) {
-    std::fill_n(force, block.local(), Force{});
-  }
-
-  /// Adds to force what the pairs of a near list exert.
-  template <class Observer>
-  void add_forces(Block const& block, NearList list, BlockState const& state, Force* force,
-                  Observer&& observe) const {
-    for (int c = 0; c < pair_classes; ++c)
-      add_forces(c, block, list, state, force, observe);
-  }
-
-  /// Those of one class.
-  template <class Observer>
-  void add_forces(int pair_class, Block const& block, NearList list, BlockState const& state,
-                  Force* force, Observer&& observe) const {
-    double const* spins = nullptr;
-    if constexpr (rotates) spins = state.spin.data() + block.first;
-    forces(pair_class, blocks, block, list, state.record.data() + block.first, spins, force, observe);
-  }
-
-  static simd::Pack diameter_of(simd::Mask big) {
-    return select(big, simd::Pack(big_diameter), simd::Pack(small_diameter));
-  }
-
-  /// What turns forces on eight disks into changes of motion, by species.
-  struct Kick {
-    simd::Pack mass[2], inertia[2];
-
-    Kick(SpeciesTable const& table, Real time) {
-      for (int s = 0; s < 2; ++s) {
-        mass[s] = time * table.inverse_mass[s];
-        inertia[s] = time * table.diameter[s] * table.inverse_inertia[s];
-      }
-    }
-    simd::Pack per_mass(simd::Mask big) const { return select(big, mass[1], mass[0]); }  ///< dt / m
-    simd::Pack per_inertia(simd::Mask big) const {  ///< dt d / I
-      return select(big, inertia[1], inertia[0]);
-    }
-  };
 };
 
 }  // namespace bagnold

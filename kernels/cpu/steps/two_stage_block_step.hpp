@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "kernels/cpu/steps/block_system.hpp"
+#include "kernels/cpu/steps/block_forces.hpp"
+#include "kernels/cpu/steps/block_stepper.hpp"
+#include "kernels/cpu/steps/kick.hpp"
 #include "kernels/physics/schemes/scheme.hpp"
 #include "kernels/physics/schemes/second_look.hpp"
 
@@ -10,142 +12,209 @@ namespace bagnold {
 /// TwoStageLeapfrog (two_stage_leapfrog.hpp) on a block. `trial` holds what the first look changes: as
 /// a record {v_x, v_y, thetadot, contacts} a disk. The first look lists the pairs that touch for the
 /// second one.
-template <TwoStageLaw Law, class Repulsion>
-struct TwoStageBlockStep : BlockSystem<Law, Repulsion, true> {
-  using System = BlockSystem<Law, Repulsion, true>;
-  using typename System::Force;
-  using typename System::Kick;
-  using System::blocks, System::now, System::trial, System::species, System::table,
-      System::time_step, System::rotates, System::forces;
-  static constexpr Scheme scheme = Scheme::two_stage_leapfrog;
-  static constexpr bool lists_contacts = true;
-  static constexpr StepCosts costs{.by_itself = 5, .contact = 33, .dense_below = 0.6};
+template <TwoStageLaw L, class R>
+struct TwoStageBlockStep {
+  using Law = L;
+  using Repulsion = R;
+  static constexpr bool rotates = Law::rotates;
+  using Forces = BlockForces<Law, Repulsion, true>;
+  using Force = typename Forces::Force;
 
+  static constexpr Scheme scheme = Scheme::two_stage_leapfrog;
+  static constexpr int observed_forces = 2;
+  static constexpr StepNeeds needs{.rotates = rotates,
+                                   .lists_contacts = true,
+                                   .trial_spins = false,
+                                   .trial_is_change = true,
+                                   .evaluations = 1,
+                                   .observed_forces = observed_forces,
+                                   .force_bytes = sizeof(Force),
+                                   .costs = {.by_itself = 5, .contact = 33, .few_below = 0.6}};
+
+  Forces forces;
+  Real time_step;  ///< dt, [tau_e]
   SecondLook shares;
 
-  void set_laws(Law const& law, SpeciesTable const& of_species, Real dt) {
-    System::set_laws(law, of_species, dt);
-    shares = SecondLook(law, of_species, dt);
-  }
-  void take_laws(TwoStageBlockStep const& from) {
-    System::take_laws(from);
-    shares = from.shares;
-  }
+  TwoStageBlockStep(Law const& law, Repulsion const& repulsion, SpeciesTable const& table, Real dt)
+      : forces{law, repulsion}, time_step(dt), shares(law, table, dt) {}
+
   SecondLook const* second_look() const { return &shares; }
 
   /// First half: what the forces at t change. force: scratch, [most_local].
-  BlockReport predict(std::uint32_t b, ShearedBox const& box, Force* force) const {
-    using simd::Pack;
-    Block& block = blocks.block(b);
-    refresh_halo(blocks, block, now, box);
-    this->clear(block, force);
+  BlockReport predict(BlockSystem const& s, std::uint32_t b, ShearedBox const& box,
+                      Force* force) const {
+    Block& block = s.blocks.block(b);
+    refresh_halo(s.blocks, block, s.now, box);
+    Forces::clear(block, force);
     BlockReport report;
     for (int c = 0; c < pair_classes; ++c) {
-      Lister lister{blocks.near[contact_list].data() + block.pairs[c]};
-      this->add_forces(c, block, inner_list, now, force, lister);
+      Lister lister{s.blocks.near[contact_list].data() + block.pairs[c]};
+      forces.add(c, s, block, inner_list, s.now, force, lister);
       block.near[contact_list][c] = lister.finish(block);
       report.touching += block.near[contact_list][c];
       report.largest_overlap = std::max(report.largest_overlap, simd::largest(lister.largest_overlap));
     }
-    Kick const kick(table, time_step);
+    Kick const kick(s.table, time_step);
     for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
       auto const f = simd::load_forces(force + i);
-      auto const big = simd::nonzero(species.data() + block.first + i);
-      simd::store_records(trial.record.data() + block.first + i, change_of(kick, f, big));
+      auto const big = simd::nonzero(s.species.data() + block.first + i);
+      simd::store_records(s.trial.record.data() + block.first + i, change_of(kick, f, big));
     }
     return report;
   }
 
   /// Second half: the damping of the changes, and the state at t + dt. observed: force is as observe()
   /// left it. seen(slot, records): called with the new motion of each pack of disks.
-  template <class Watch>
-  BlockReport correct(std::uint32_t b, ShearedBox const& box, Force* force, bool observed,
-                      Watch&& seen) const {
-    using simd::Pack;
-    Block const& block = blocks.block(b);
+  template <class Seen>
+  BlockReport correct(BlockSystem const& s, std::uint32_t b, ShearedBox const& box, Force* force,
+                      bool observed, Seen const& seen) const {
+    Block const& block = s.blocks.block(b);
     if (observed) {
-      force += blocks.most_local;
+      force += s.blocks.most_local;
     } else {
-      this->clear(block, force);
-      add_second(block, force);
+      Forces::clear(block, force);
+      add_second(s, block, force);
     }
-    Kick const kick(table, time_step);
-    Pack fastest2 = 0.0, poison = 0.0;
+    Kick const kick(s.table, time_step);
+    SpeedWatch speeds{box.strain_rate};
     for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
       auto const slot = block.first + i;
-      auto r = simd::load_records(now.record.data() + slot);
-      auto const change = simd::load_records(trial.record.data() + slot);
+      auto r = simd::load_records(s.now.record.data() + slot);
+      auto const change = simd::load_records(s.trial.record.data() + slot);
       auto const f = simd::load_forces(force + i);
-      auto const big = simd::nonzero(species.data() + slot);
+      auto const big = simd::nonzero(s.species.data() + slot);
       accelerate(r, change, f, kick.per_mass(big));
       r.x = fma(time_step, r.vx, r.x);
       r.y = fma(time_step, r.vy, r.y);
-      simd::store_records(now.record.data() + slot, r);
+      simd::store_records(s.now.record.data() + slot, r);
       seen(slot, r);
-      if constexpr (rotates)
-        spun(Pack::load(now.spin.data() + slot), change, f, kick.per_inertia(big))
-            .store(now.spin.data() + slot);
-      Pack const ux = fnma(box.strain_rate, r.y, r.vx);
-      Pack const speed2 = fma(ux, ux, r.vy * r.vy);
-      fastest2 = max(fastest2, speed2);
-      poison = fma(speed2 + r.x, 0.0, poison);
+      if constexpr (rotates) {
+        auto* const spin = s.now.spin.data() + slot;
+        spun(Pack::load(spin), change, f, kick.per_inertia(big)).store(spin);
+      }
+      speeds(r, r.y);
     }
-    return {simd::largest(fastest2), 0, 0, simd::sum(poison)};
+    return {simd::largest(speeds.fastest2), 0, 0, simd::sum(speeds.nan_flag)};
   }
 
-  static constexpr int observed_forces = 2;
+  /// First half where few of the near pairs touch.
+  BlockReport predict_few(BlockSystem const& s, ActiveDisks const& active, std::uint32_t b,
+                          ShearedBox const& box, Force* force) const {
+    Block const& block = s.blocks.block(b);
+    auto* const change = s.trial.record.data() + block.first;
+    refresh_halo(s.blocks, block, s.now, box);
+    auto const* const before = active.list.data() + block.first;
+    for (std::uint32_t k = 0; k < active.count(b); ++k) simd::at(change, before[k]) = {};
+    active.count(b) = 0;
+    active.find(s.blocks, b, s.now.record.data() + block.first, force);
+    OverlapWatch overlaps;
+    forces.add(s, block, contact_list, s.now, force, overlaps);
+    Kick const kick(s.table, time_step);
+    active.each_pack(block, active.count(b), s.species.data(),
+                     [&](std::uint16_t const* at, simd::Mask big) {
+                       simd::store_records(change, at,
+                                           change_of(kick, simd::load_forces(force, at), big));
+                     });
+    return {0, simd::largest(overlaps.largest), overlaps.touching, 0};
+  }
+
+  /// Second half where few of the near pairs touch. observed: force is as observe() left it.
+  BlockReport correct_few(BlockSystem const& s, ActiveDisks const& active, std::uint32_t b,
+                          ShearedBox const& box, Force* force, bool observed, simd::Record*) const {
+    Block const& block = s.blocks.block(b);
+    auto* const now = s.now.record.data() + block.first;
+    auto* const change = s.trial.record.data() + block.first;
+    if (observed) {
+      force += s.blocks.most_local;
+    } else {
+      clear_touching(s, block, force);
+      add_second(s, block, force);
+    }
+    Kick const kick(s.table, time_step);
+    SpeedWatch speeds{box.strain_rate};
+    auto const* const list = active.list.data() + block.first;
+    for (auto k = active.count(b); k < simd::round_up(active.count(b)); ++k)
+      simd::at(force, list[k]) = Force{};
+    active.each_pack(block, active.count(b), s.species.data(),
+                     [&](std::uint16_t const* at, simd::Mask big) {
+                       auto r = simd::load_records(now, at);
+                       auto const of_first = simd::load_records(change, at);
+                       auto const f = simd::load_forces(force, at);
+                       accelerate(r, of_first, f, kick.per_mass(big));
+                       simd::store_records(now, at, r);
+                       if constexpr (rotates) {
+                         auto* const spin = s.now.spin.data() + block.first;
+                         simd::store(spin, at, spun(simd::load(spin, at), of_first, f,
+                                                    kick.per_inertia(big)));
+                       }
+                       speeds(r, fma(time_step, r.vy, r.y));
+                     });
+    simd::fly(now, now, block.padded, time_step);
+    for (std::uint32_t k = 0; k < active.count(b); ++k)
+      active.is_active(block.first + list[k] / 4u) = 0;
+    return {simd::largest(speeds.fastest2), 0, 0, simd::sum(speeds.nan_flag)};
+  }
 
   /// Sees the pairs that touch, both looks together; between the two halves of a step. force:
   /// [2][most_local], out: the damping of both looks, and that of the second one.
   template <class Observer>
-  void observe(Block const& block, Force* force, Observer&& observer) const {
-    copy_halo(block);
-    this->clear(block, force);
-    this->clear(block, force + blocks.most_local);
-    look<true>(block, force, observer);
+  void observe(BlockSystem const& s, Block const& block, Force* force, Observer&& observer) const {
+    copy_halo(s, block);
+    Forces::clear(block, force);
+    Forces::clear(block, force + s.blocks.most_local);
+    look<true>(s, block, force, observer);
   }
 
   /// Of eight disks from i on, after observe(), as ChangeForces has it. spin: theirs.
-  PackPower observed_power(Force const* force, std::uint32_t i, simd::Mask big,
+  PackPower observed_power(BlockSystem const& s, Force const* force, std::uint32_t i, simd::Mask big,
                            simd::Pack spin) const {
     auto const both = simd::load_forces(force + i);
-    auto const second = simd::load_forces(force + blocks.most_local + i);
-    Kick const half(table, time_step / 2);
+    auto const second = simd::load_forces(force + s.blocks.most_local + i);
+    Kick const half(s.table, time_step / 2);
     PackPower power;
     power.dissipation = -(half.per_mass(big) * fma(both.x, second.x, both.y * second.y));
     if constexpr (rotates) {
-      Pack const torque = System::diameter_of(big) * both.turn, per_inertia = half.per_inertia(big);
+      Pack const torque = diameter_of(big) * both.turn, per_inertia = half.per_inertia(big);
       power.dissipation = fnma(per_inertia * second.turn, torque, power.dissipation);
       power.torque = torque * fma(per_inertia, both.turn, spin);
     }
     return power;
   }
 
-  /// Adds what the second look exerts to force, which is cleared where pairs touch.
-  void add_second(Block const& block, Force* force) const {
-    copy_halo(block);
-    look<false>(block, force, NoPackObserver{});
-  }
+ private:
+  using Pack = simd::Pack;
 
   /// What the first look changes, as in `trial`.
-  static simd::Records change_of(Kick const& kick, simd::ForceComponents const& f, simd::Mask big) {
-    simd::Pack const k = kick.per_mass(big), most = SecondLook::most;
+  BAGNOLD_INLINE static simd::Records change_of(Kick const& kick, simd::ForceComponents const& f,
+                                                simd::Mask big) {
+    Pack const k = kick.per_mass(big), most = SecondLook::most;
     return {k * f.x, k * f.y, kick.per_inertia(big) * f.turn, select(most < f.count, most, f.count)};
   }
 
-  static void accelerate(simd::Records& r, simd::Records const& change,
+  BAGNOLD_INLINE static void accelerate(simd::Records& r, simd::Records const& change,
                          simd::ForceComponents const& second, simd::Pack per_mass) {
     r.vx += fma(per_mass, second.x, change.x);
     r.vy += fma(per_mass, second.y, change.y);
   }
 
-  static simd::Pack spun(simd::Pack spin, simd::Records const& change,
+  BAGNOLD_INLINE static Pack spun(simd::Pack spin, simd::Records const& change,
                          simd::ForceComponents const& second, simd::Pack per_inertia) {
     return spin + fma(per_inertia, second.turn, change.vx);
   }
 
- private:
-  using Pack = simd::Pack;
+  /// Adds what the second look exerts to force, which is cleared where pairs touch.
+  void add_second(BlockSystem const& s, Block const& block, Force* force) const {
+    copy_halo(s, block);
+    look<false>(s, block, force, NoPackObserver{});
+  }
+
+  static void clear_touching(BlockSystem const& s, Block const& block, Force* force) {
+    for (int c = 0; c < pair_classes; ++c) {
+      auto const* pairs = s.blocks.near[contact_list].data() + block.pairs[c];
+      for (std::uint32_t k = 0; k < simd::round_up(block.near[contact_list][c]); ++k)
+        simd::at(force, pairs[k].a4) = simd::at(force, pairs[k].b4) = Force{};
+    }
+  }
 
   /// Lists the pairs of one class that touch.
   struct Lister {
@@ -167,17 +236,17 @@ struct TwoStageBlockStep : BlockSystem<Law, Repulsion, true> {
   };
 
   /// A change is the same for all images.
-  void copy_halo(Block const& block) const {
-    auto const* halo = blocks.halo.data() + block.halo_first;
-    auto* const record = trial.record.data();
+  static void copy_halo(BlockSystem const& s, Block const& block) {
+    auto const* halo = s.blocks.halo.data() + block.halo_first;
+    auto* const record = s.trial.record.data();
     for (std::uint32_t h = 0; h < block.halo; ++h)
       record[block.first + block.padded + h] = record[halo[h].index()];
   }
 
   template <bool Whole, class Observer>
-  void look(Block const& block, Force* force, Observer&& observe) const {
+  void look(BlockSystem const& s, Block const& block, Force* force, Observer&& observe) const {
     for (int c = 0; c < pair_classes; ++c)
-      look_at_class<Whole>(c, block, blocks.near[contact_list].data() + block.pairs[c],
+      look_at_class<Whole>(c, s, block, s.blocks.near[contact_list].data() + block.pairs[c],
                            block.near[contact_list][c], force, observe);
   }
 
@@ -200,7 +269,8 @@ struct TwoStageBlockStep : BlockSystem<Law, Repulsion, true> {
 
   /// Adds the forces of the second look, or shows those of both looks together and adds both.
   template <bool Whole, class Observer>
-  void look_at_class(int pair_class, Block const& block, simd::LocalPair const* pairs,
+  void look_at_class(int pair_class, BlockSystem const& s, Block const& block,
+                     simd::LocalPair const* pairs,
                      std::uint32_t count, Force* force, Observer& observe) const {
     Pack const share_normal = Pack::load(shares.normal[pair_class]);
     Pack const share_tangential = Pack::load(shares.tangential[pair_class]);
@@ -209,8 +279,8 @@ struct TwoStageBlockStep : BlockSystem<Law, Repulsion, true> {
     Repulsion const repulsion = forces.repulsion;
     Real const diameter_a = pair_class == 2 ? big_diameter : small_diameter;
     Real const diameter_b = pair_class == 0 ? small_diameter : big_diameter;
-    auto const* const records = now.record.data() + block.first;
-    auto const* const changes = trial.record.data() + block.first;
+    auto const* const records = s.now.record.data() + block.first;
+    auto const* const changes = s.trial.record.data() + block.first;
     simd::Record const weight{-1, -1, diameter_b / diameter_a, simd::CountPairs::base};
     if (count == 0) return;
     Loaded next = load(pairs, records, changes, weight);
@@ -236,11 +306,11 @@ struct TwoStageBlockStep : BlockSystem<Law, Repulsion, true> {
       contact.velocity = looked_at<Law>(change, contact.normal, normal, tangential);
       PairForce<Pack> f{separation, {}, law.dissipative_force(contact), {}, {}};
       if constexpr (Whole) {
-        scatter(force + blocks.most_local, pairs + k, touching, f, inverse_distance);
+        scatter(force + s.blocks.most_local, pairs + k, touching, f, inverse_distance);
         Vec2<Pack> velocity{d.vx, d.vy};
         if constexpr (rotates)
           velocity = velocity -
-                     turned(diameter_a * simd::load_sums(now.spin.data() + block.first, pairs + k,
+                     turned(diameter_a * simd::load_sums(s.now.spin.data() + block.first, pairs + k,
                                                          diameter_b / diameter_a));
         f.velocity = velocity + Pack(0.5) * change;
         contact.velocity = contact.velocity + velocity;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "kernels/cpu/contacts/contact_changes.hpp"
 #include "kernels/cpu/contacts/lane_watch.hpp"
 #include "kernels/cpu/islands/sample_times.hpp"
 #include "src/engine/contacts/contact_watch.hpp"
@@ -13,8 +14,7 @@ class WindowContacts {
  public:
   /// Before a window, when all contacts of the configurations before it have been told; first
   /// closes those that have parted in its own first one, which no unit may see.
-  template <class Step>
-  void begin(ContactWatch& watch, Step const& all, ShearedBox const& box, std::int64_t step,
+  void begin(ContactWatch& watch, BlockSystem const& all, ShearedBox const& box, std::int64_t step,
              Sampling const& sampling, OpenWindows& windows) {
     on_ = windows.contacts != nullptr;
     if (!on_) return;
@@ -47,8 +47,7 @@ class WindowContacts {
   }
 
   /// A pair of slots, as a unit, is to be lane k.
-  template <class Step>
-  void set_lane(Step const& all, LaneWatch& lanes, int k, std::size_t unit, std::uint32_t slot_a,
+  void set_lane(BlockSystem const& all, LaneWatch& lanes, int k, std::size_t unit, std::uint32_t slot_a,
                 std::uint32_t slot_b) {
     lanes.begin = begin_;
     lanes.choice = choice_;
@@ -85,8 +84,8 @@ class WindowContacts {
   }
 
   /// What begins or ends in batch b of `step` after `steps` steps of the window, and velocities.
-  template <class Step, class Slot>
-  void look(Step const& step, std::uint32_t b, std::size_t unit, std::int64_t steps,
+  template <class Slot>
+  void look(BlockSystem const& step, std::uint32_t b, std::size_t unit, std::int64_t steps,
             Slot const& slot) {
     Block const& block = step.blocks.block(b);
     auto const* const records = step.now.record.data() + block.first;
@@ -103,9 +102,7 @@ class WindowContacts {
     for (auto& contact : watched_[b]) {
       if (contact.due != now) continue;
       auto const &p = records[contact.a], &q = records[contact.b];
-      Real spin = 0;
-      if constexpr (Step::rotates)
-        spin = step.common_spin(block.first + contact.a, block.first + contact.b);
+      Real const spin = step.common_spin(block.first + contact.a, block.first + contact.b);
       samples_[unit].push_back(
           {now, disk(contact.a), disk(contact.b),
            contact_velocities({p.x - q.x, p.y - q.y}, {p.vx - q.vx, p.vy - q.vy}, spin,
@@ -115,8 +112,8 @@ class WindowContacts {
   }
 
   /// Adds a batch's sums after `steps` steps of the window to a measurement window.
-  template <class Step, class Slot>
-  void sample(Step const& step, std::uint32_t b, std::size_t unit, std::size_t bin,
+  template <class Slot>
+  void sample(BlockSystem const& step, std::uint32_t b, std::size_t unit, std::size_t bin,
               std::int64_t steps, Slot const& slot) {
     Block const& block = step.blocks.block(b);
     motion_[unit * bins_ + bin] += contact_motion(

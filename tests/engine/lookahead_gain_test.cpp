@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "src/engine/blocks/window_costs.hpp"
+#include "src/engine/blocks/lookahead_gain.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,14 +12,14 @@ namespace {
 constexpr Real one_by_one = 16;  // cycles a disk-step
 
 /// Windows of 16 steps at a price a disk-step, till they are given up; how many they were.
-int windows_until_left(WindowsPay& pay, Real contacts, Real price, int most = 10000) {
+int windows_until_left(LookaheadGain& pay, Real contacts, Real price, int most = 10000) {
   for (int k = 1; k <= most; ++k)
     if (!pay.window_done(16, contacts, 16 * price, 16 * one_by_one)) return k;
   return most + 1;
 }
 
-TEST(WindowsPay, AreTriedOnceContactsAreFewInTheMean) {
-  WindowsPay pay;
+TEST(LookaheadGain, AreTriedOnceContactsAreFewInTheMean) {
+  LookaheadGain pay;
   for (int k = 0; k < 20; ++k) pay.steps_done(256, 0.5);
   pay.steps_done(256, 0);  // a fluctuation
   EXPECT_FALSE(pay.enter());
@@ -28,39 +28,39 @@ TEST(WindowsPay, AreTriedOnceContactsAreFewInTheMean) {
   EXPECT_NEAR(looks * 256, 2048, 1024);
 }
 
-TEST(WindowsPay, GoOnThroughDearOnesThatOthersMakeUpFor) {
-  WindowsPay pay;
+TEST(LookaheadGain, GoOnThroughDearOnesThatOthersMakeUpFor) {
+  LookaheadGain pay;
   for (int k = 0; k < 100; ++k) {
     EXPECT_EQ(windows_until_left(pay, 0.2, 2 * one_by_one, 50), 51) << k;  // loses 12800
     EXPECT_EQ(windows_until_left(pay, 0.2, one_by_one / 2, 150), 151) << k;
   }
 }
 
-TEST(WindowsPay, AreGivenUpAfterTheLossOfAThousandSteps) {
-  WindowsPay pay;
+TEST(LookaheadGain, AreGivenUpAfterTheLossOfAThousandSteps) {
+  LookaheadGain pay;
   int const windows = windows_until_left(pay, 0.2, 2 * one_by_one);
   EXPECT_NEAR(windows * 16, 1024, 16);
 }
 
 /// A trial of four windows of twice the length does not end them.
-TEST(WindowsPay, BearATrialOfLongOnes) {
-  WindowsPay pay;
+TEST(LookaheadGain, BearATrialOfLongOnes) {
+  LookaheadGain pay;
   for (int k = 0; k < 4; ++k)
     EXPECT_TRUE(pay.window_done(16384, 0.01, 16384 * 2.5 * one_by_one, 16384 * one_by_one));
   EXPECT_TRUE(pay.window_done(8192, 0.01, 8192 * 0.5 * one_by_one, 8192 * one_by_one));
 }
 
 /// Also where nothing touches at all.
-TEST(WindowsPay, AreNeverLockedOut) {
-  WindowsPay pay;
+TEST(LookaheadGain, AreNeverLockedOut) {
+  LookaheadGain pay;
   while (pay.window_done(16384, 0, 16384 * 2 * one_by_one, 16384 * one_by_one)) {
   }
   EXPECT_TRUE(pay.enter());
 }
 
 /// In a burst of contacts windows that had paid are left; once it is over they are entered again.
-TEST(WindowsPay, AreEnteredAgainAfterABurst) {
-  WindowsPay pay;
+TEST(LookaheadGain, AreEnteredAgainAfterABurst) {
+  LookaheadGain pay;
   EXPECT_EQ(windows_until_left(pay, 0.2, one_by_one / 2, 5000), 5001);
   EXPECT_LT(windows_until_left(pay, 0.5, 3 * one_by_one), 5000);
   pay.steps_done(256, 0.5);
@@ -70,8 +70,8 @@ TEST(WindowsPay, AreEnteredAgainAfterABurst) {
 }
 
 /// Where they did not pay they are tried again only with fewer contacts.
-TEST(WindowsPay, AreTriedLessAndLessWhereTheyDoNotPay) {
-  WindowsPay pay;
+TEST(LookaheadGain, AreTriedLessAndLessWhereTheyDoNotPay) {
+  LookaheadGain pay;
   auto const enters = [&](Real contacts) {
     for (int k = 0; k < 64; ++k) pay.steps_done(256, contacts);
     return pay.enter();
@@ -87,15 +87,15 @@ TEST(WindowsPay, AreTriedLessAndLessWhereTheyDoNotPay) {
   EXPECT_FALSE(enters(0.06));
 }
 
-TEST(WindowsPay, GoesOnFromItsMemory) {
-  WindowsPay straight;
+TEST(LookaheadGain, GoesOnFromItsMemory) {
+  LookaheadGain straight;
   int left = 0;
   for (int k = 0; k < 20000; ++k) {
-    WindowsPay copy;
+    LookaheadGain copy;
     std::map<std::string, double> memory;
     straight.for_each_memory([&](char const* name, auto& value) { memory[name] = value; });
     copy.for_each_memory([&](char const* name, auto& value) { value = memory.at(name); });
-    auto const goes_on = [k](WindowsPay& pay) {
+    auto const goes_on = [k](LookaheadGain& pay) {
       return pay.window_done(16, 0.2 + 0.1 * (k % 7), 16.0 * (k / 1000 % 2 == 0 ? 10 : 30), 16 * one_by_one);
     };
     bool const straight_on = goes_on(straight);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "src/engine/blocks/window_choice.hpp"
+#include "src/engine/blocks/lookahead_tuning.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,15 +11,15 @@ namespace bagnold {
 namespace {
 
 /// Looking costs a/M, stepping b M; caution costs a tenth more or less.
-Real cost(WindowChoice const& choice, Real best_steps, bool caution_pays) {
+Real cost(LookaheadTuning const& choice, Real best_steps, bool caution_pays) {
   Real const ratio = static_cast<Real>(choice.steps()) / best_steps;
   return (ratio + 1 / ratio) * (choice.cautious() == caution_pays ? 1.0 : 1.1);
 }
 
-TEST(WindowChoice, FindsTheCheapestFromAnywhere) {
+TEST(LookaheadTuning, FindsTheCheapestFromAnywhere) {
   for (Real const best : {16.0, 64.0, 1024.0, 16384.0})
     for (bool const caution_pays : {false, true}) {
-      WindowChoice choice;
+      LookaheadTuning choice;
       for (int k = 0; k < 2000; ++k) choice.done(cost(choice, best, caution_pays));
       std::map<std::pair<std::int64_t, bool>, int> done;
       for (int k = 0; k < 360; ++k) {
@@ -30,18 +30,18 @@ TEST(WindowChoice, FindsTheCheapestFromAnywhere) {
     }
 }
 
-TEST(WindowChoice, ARefusalMakesWindowsShorterUntilThereIsNone) {
-  WindowChoice choice;
+TEST(LookaheadTuning, ARefusalMakesWindowsShorterUntilThereIsNone) {
+  LookaheadTuning choice;
   for (std::int64_t const steps : {64, 32, 16, 16}) {
     EXPECT_EQ(choice.steps(), steps);
     EXPECT_EQ(choice.refused(), steps > 16);
   }
 }
 
-TEST(WindowChoice, GoesOnFromItsMemory) {
-  WindowChoice straight;
+TEST(LookaheadTuning, GoesOnFromItsMemory) {
+  LookaheadTuning straight;
   for (int k = 0; k < 777; ++k) {
-    WindowChoice copy;
+    LookaheadTuning copy;
     std::map<std::string, double> memory;
     straight.for_each_memory([&](char const* name, auto& value) {
       memory[name] = static_cast<double>(value);

@@ -12,7 +12,7 @@ namespace bagnold {
 /// turn out to have been missed. Finds the cheapest by trying: most windows are done in the best way
 /// known, now and then a few in one of its neighbours, which takes over if it costs less. Costs are
 /// counted, not timed, so that the choice is the same on every machine.
-class WindowChoice {
+class LookaheadTuning {
  public:
   static constexpr int shortest = 4, longest = 14;  ///< log2 of steps
 

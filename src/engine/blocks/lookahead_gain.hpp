@@ -27,7 +27,7 @@ struct WindowWork {
 /// Whether windows cost less than to step all disks, of which Z decides most. Windows are tried once Z,
 /// in the mean over some thousand steps as far as it is known, is low enough, and given up when they
 /// have lost too much.
-class WindowsPay {
+class LookaheadGain {
  public:
   /// Steps were done one by one.
   void steps_done(Real steps, Real contacts) { remember(steps, contacts); }

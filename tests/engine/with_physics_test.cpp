@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Laws that two-stage damping cannot do are refused by name, not run.
-#include "src/engine/with_scheme.hpp"
+#include "src/engine/with_physics.hpp"
 
 #include "tests/support/typed.hpp"
 
@@ -50,14 +50,14 @@ constexpr bool all_do_two_stages(std::tuple<Law...> const*) {
 }
 static_assert(all_do_two_stages(static_cast<Laws const*>(nullptr)));
 
-constexpr auto as_it_is = [](auto scheme) { return scheme(); };
+constexpr auto as_it_is = [](auto const&, auto const&, auto scheme) { return scheme(); };
 
 template <class Law>
 void expect_refusal(char const* scheme) {
   Scene scene;
   scene.integration.scheme = scheme;
   try {
-    with_scheme<Law>(scene, as_it_is);
+    with_physics_of<Law>(scene, as_it_is);
     FAIL() << Law::name << " is run with " << scheme;
   } catch (InputError const& error) {
     std::string const said = error.what();
@@ -79,13 +79,13 @@ TEST(WithScheme, ALawThatTwoStagesCannotDoIsRefused) {
 TEST(WithScheme, ThePapersSchemeDoesEveryLaw) {
   Scene scene;
   scene.integration.scheme = papers_scheme;
-  EXPECT_EQ(with_scheme<Quadratic>(scene, as_it_is), Scheme::modified_velocity_verlet);
-  EXPECT_EQ(with_scheme<Sliding>(scene, as_it_is), Scheme::modified_velocity_verlet);
-  EXPECT_EQ(with_scheme<CDrot>(scene, as_it_is), Scheme::modified_velocity_verlet);
+  EXPECT_EQ(with_physics_of<Quadratic>(scene, as_it_is), Scheme::modified_velocity_verlet);
+  EXPECT_EQ(with_physics_of<Sliding>(scene, as_it_is), Scheme::modified_velocity_verlet);
+  EXPECT_EQ(with_physics_of<CDrot>(scene, as_it_is), Scheme::modified_velocity_verlet);
 }
 
 TEST(WithScheme, TheLawsOfTheProgramDoTwoStages) {
-  EXPECT_EQ(with_scheme<General>(Scene{}, as_it_is), Scheme::two_stage_leapfrog);
+  EXPECT_EQ(with_physics_of<General>(Scene{}, as_it_is), Scheme::two_stage_leapfrog);
 }
 
 }  // namespace bagnold::test

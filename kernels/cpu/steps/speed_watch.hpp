@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kernels/cpu/steps/block_system.hpp"
+
+namespace bagnold {
+
+/// Keeps the largest peculiar speed of the disks it is shown, and whether a motion is NaN.
+struct SpeedWatch {
+  Real strain_rate;
+  simd::Pack fastest2 = 0.0, nan_flag = 0.0;
+
+  /// y: where they are at the end of the step, [d_s].
+  BAGNOLD_INLINE void operator()(simd::Records const& r, simd::Pack y) {
+    simd::Pack const ux = fnma(strain_rate, y, r.vx);
+    simd::Pack const speed2 = fma(ux, ux, r.vy * r.vy);
+    fastest2 = max(fastest2, speed2);
+    nan_flag = fma(speed2 + r.x, 0.0, nan_flag);
+  }
+};
+
+/// Keeps how far disks come from the straight flight they were predicted by: at the new position, and
+/// at the next trial position.
+struct DeviationWatch {
+  simd::Record const* origin;
+  Real* deviation2;
+  Real time;       ///< since the start of the flight, at the end of the step
+  Real time_step;
+
+  /// A block after `steps` steps.
+  void all_of(Block const& block, simd::Record const* records, std::int64_t steps) {
+    time = static_cast<Real>(steps) * time_step;
+    for (std::uint32_t i = 0; i < block.padded; i += simd::width)
+      (*this)(block.first + i, simd::load_records(records + block.first + i));
+  }
+
+  void operator()(std::uint32_t slot, simd::Records const& r) const {
+    using simd::Pack;
+    auto const o = simd::load_records(origin + slot);
+    Pack const x = r.x - fma(time, o.vx, o.x), y = r.y - fma(time, o.vy, o.y);
+    Pack const next_x = fma(time_step, r.vx - o.vx, x), next_y = fma(time_step, r.vy - o.vy, y);
+    Pack const now2 = fma(x, x, y * y), next2 = fma(next_x, next_x, next_y * next_y);
+    max(Pack::load(deviation2 + slot), max(now2, next2)).store(deviation2 + slot);
+  }
+};
+
+struct NoDeviationWatch {
+  void operator()(std::uint32_t, simd::Records const&) const {}
+};
+
+}  // namespace bagnold

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kernels/cpu/islands/binary_collisions.hpp"
+#include "kernels/cpu/steps/block_sums.hpp"
+
+namespace bagnold {
+
+/// BlockStepper of one law, repulsion and scheme. Step: BlockStep or TwoStageBlockStep.
+template <class Step>
+class StepperOf final : public BlockStepper {
+ public:
+  using Law = typename Step::Law;
+  using Repulsion = typename Step::Repulsion;
+
+  StepperOf(Law const& law, Repulsion const& repulsion, SpeciesTable const& table, Real time_step)
+      : BlockStepper(Step::needs), step_(law, repulsion, table, time_step), table_(table) {}
+
+  BlockReport predict(BlockSystem const& s, std::uint32_t b, ShearedBox const& box,
+                      void* force) const override {
+    return step_.predict(s, b, box, forces(force));
+  }
+
+  BlockReport correct(BlockSystem const& s, std::uint32_t b, ShearedBox const& box, void* force,
+                      bool observed, DeviationWatch* seen) const override {
+    if (seen != nullptr) return step_.correct(s, b, box, forces(force), observed, *seen);
+    return step_.correct(s, b, box, forces(force), observed, NoDeviationWatch{});
+  }
+
+  BlockReport predict_few(BlockSystem const& s, ActiveDisks const& active, std::uint32_t b,
+                          ShearedBox const& box, void* force) const override {
+    return step_.predict_few(s, active, b, box, forces(force));
+  }
+
+  BlockReport correct_few(BlockSystem const& s, ActiveDisks const& active, std::uint32_t b,
+                          ShearedBox const& box, void* force, bool observed,
+                          simd::Record* moved) const override {
+    return step_.correct_few(s, active, b, box, forces(force), observed, moved);
+  }
+
+  BlockSums measure(BlockSystem const& s, std::uint32_t b, Real strain_rate,
+                    void* force) const override {
+    return measure_block(step_, s, b, strain_rate, forces(force));
+  }
+
+  BinaryOutcome collide(BinaryDisk* a, BinaryDisk* b, int count, std::int64_t steps,
+                        Real strain_rate, SampleTimes const& times, BlockSums* sums,
+                        LaneWatch* watch) const override {
+    BinaryCollisions<Law, Repulsion, Step::scheme> const collisions{
+        step_.forces.law, step_.forces.repulsion, table_,
+        step_.time_step,  strain_rate,            step_.second_look()};
+    if (watch != nullptr) return collisions.run(a, b, count, steps, times, sums, *watch);
+    return collisions.run(a, b, count, steps, times, sums, NoLaneWatch{});
+  }
+
+ private:
+  static typename Step::Force* forces(void* scratch) {
+    return static_cast<typename Step::Force*>(scratch);
+  }
+
+  Step step_;
+  SpeciesTable table_;
+};
+
+}  // namespace bagnold

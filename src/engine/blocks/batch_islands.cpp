@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/engine/blocks/batch_islands.hpp"
+
+#include <cmath>
+
+#include "src/engine/blocks/lookahead_sums.hpp"
+
+namespace bagnold {
+
+bool BatchIslands::run(BlockDisks const& disks, LookaheadWindow& window, WindowScratch& scratch) {
+  if (islands.disks.empty()) return true;
+  auto const& needs = disks.stepper->needs;
+  if (!batches_.fill(islands, disks.system, needs.lists_contacts, scratch.start)) return false;
+  auto& system = batches_.system;
+  auto& results = scratch.results;
+  auto const count = system.blocks.count;
+  window.work.others += static_cast<Real>(islands.disks.size());
+  window.work.batches += static_cast<Real>(count);
+  add_units(scratch);
+  outcome_.assign(count, {});
+  if (scratch.contacts)
+    scratch.contacts.list_batches(system.blocks, [&](auto b, auto local) { return slot(b, local); });
+  auto const room = system.blocks.most_local * static_cast<std::size_t>(needs.observed_forces) *
+                    needs.force_bytes;
+  disks.loop->with_scratch<std::byte>(count, room, [&](std::uint32_t b, std::byte* force) {
+    run_batch(b, disks, window, scratch, force);
+  });
+  for (std::uint32_t b = 0; b < count; ++b) {
+    if (outcome_[b].bad) return false;
+    Real& touching = results.units[first_unit_ + b].touching;
+    touching = static_cast<Real>(outcome_[b].touching) / static_cast<Real>(window.steps());
+    window.work.touching += touching;
+  }
+  for (std::size_t d = 0; d < islands.disks.size(); ++d) {
+    auto const from = batches_.slot_of[d];
+    auto& result = results.of(islands.disks[d].slot);
+    result.record = system.now.record(from);
+    if (system.rotates) result.spin = system.now.spin(from);
+    result.deviation = std::sqrt(batches_.deviation2(from));
+  }
+  return true;
+}
+
+void BatchIslands::add_units(WindowScratch& scratch) {
+  auto& results = scratch.results;
+  first_unit_ = results.units.size();
+  for (std::uint32_t b = 0; b < batches_.system.blocks.count; ++b) {
+    scratch.add_unit(true);
+    auto const [begin, end] = batches_.stretch(b);
+    for (auto p = islands.first_pair[begin]; p < islands.first_pair[end]; ++p)
+      results.add_pair(islands, islands.pairs[p]);
+    for (auto d = islands.first_disk[begin]; d < islands.first_disk[end]; ++d)
+      results.add_disk(islands.disks[d]);
+  }
+}
+
+/// Brings one batch through the window, step by step or by leaps.
+void BatchIslands::run_batch(std::uint32_t b, BlockDisks const& disks, LookaheadWindow const& window,
+                             WindowScratch& scratch, void* force) {
+  auto const& system = batches_.system;
+  auto const& stepper = *disks.stepper;
+  auto const& clock = disks.clock;
+  auto const& times = scratch.times;
+  auto& contacts = scratch.contacts;
+  auto const unit = first_unit_ + b;
+  auto const slot_of = [&](std::uint32_t batch, std::uint32_t local) { return slot(batch, local); };
+  ShearedBox box = scratch.start;  // islands are unfolded: no image is asked for
+  box.offset = 0;
+  DeviationWatch watch{batches_.origin.data(), batches_.deviation2.data(), 0, clock.time_step};
+  std::size_t sample = 0;
+  bool idle = true;
+  for (std::int64_t s = 0; s < window.steps(); ++s) {
+    if (contacts) contacts.look(system, b, unit, s, slot_of);
+    if (idle) {
+      auto const last = s + leap(b, clock, s, window.steps() - s, sample, scratch);
+      if (last > s) watch.all_of(system.blocks.block(b), system.now.record.data(), last);
+      s = last;
+      if (s == window.steps()) break;
+      if (contacts) contacts.look(system, b, unit, s, slot_of);
+    }
+    auto report = stepper.predict(system, b, box, force);
+    bool const sampled = sample < times.size() && s == times.step(sample);
+    if (sampled) {
+      auto const bin = times.bin(sample);
+      scratch.results.sums[scratch.results.units[unit].sums + bin] +=
+          stepper.measure(system, b, clock.strain_rate, force);
+      if (contacts) contacts.sample(system, b, unit, bin, s, slot_of);
+      ++sample;
+    }
+    watch.time = static_cast<Real>(s + 1) * clock.time_step;
+    report += stepper.correct(system, b, box, force, sampled, &watch);
+    idle = report.touching == 0;
+    outcome_[b].touching += report.touching;
+    outcome_[b].bad = outcome_[b].bad || report.poison != 0 ||
+                      report.largest_overlap > largest_relative_overlap;
+  }
+}
+
+/// Flies batch b straight for as many steps as none of its pairs touches, which it returns; adds the
+/// configurations sampled on the way.
+std::int64_t BatchIslands::leap(std::uint32_t b, Clock const& clock, std::int64_t from,
+                                std::int64_t most, std::size_t& sample, WindowScratch& scratch) {
+  auto const& system = batches_.system;
+  auto const& times = scratch.times;
+  Block const& block = system.blocks.block(b);
+  auto* const records = system.now.record.data() + block.first;
+  auto const steps = free_steps(system.blocks, block, records, clock.time_step, most);
+  if (steps == 0) return 0;
+  auto const end = times.from(from + steps);
+  if (end > sample) {
+    auto const free = free_flight_sums(system, block, clock.strain_rate,
+                                       [](std::uint32_t) { return simd::Mask::of(0xff); });
+    auto const first = scratch.results.units[first_unit_ + b].sums;
+    times.some(sample, end, from, clock.time_step,
+               [&](std::size_t bin, SampleTimes::Powers const& powers) {
+                 add_free_flight(scratch.results.sums[first + bin], free, powers);
+               });
+    sample = end;
+  }
+  fly(block, records, static_cast<Real>(steps) * clock.time_step);
+  return steps;
+}
+
+}  // namespace bagnold

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "kernels/cpu/steps/block_stepper.hpp"
+#include "src/engine/blocks/block_loop.hpp"
+#include "src/engine/clock.hpp"
+#include "src/state/state.hpp"
+
+namespace bagnold {
+
+/// Disks in the order of the start, as they go into blocks and come out of them.
+struct DiskList {
+  std::vector<Vec2<Real>> position, velocity;  ///< [N], [d_s] and [d_s/tau_e]
+  std::vector<double> spin;                    ///< [N], [1/tau_e]; empty if the law does not rotate
+};
+
+/// What all parts of the block engine share: the disks, and how they are stepped.
+struct BlockDisks {
+  std::unique_ptr<BlockLoop> loop;
+  std::unique_ptr<BlockStepper> stepper;
+  Clock clock;
+  std::int64_t step = 0;
+  std::int64_t list_step = 0;    ///< of the outer list, since which images move
+  std::vector<double> diameter;  ///< [N], [d_s], in the order of the start
+  BlockSystem system;
+
+  std::size_t count() const { return diameter.size(); }
+  ShearedBox box_at(std::int64_t at) const {
+    return {clock.box_length, clock.offset(at, list_step), clock.strain_rate};
+  }
+
+  /// Those of SumColumns that there are.
+  int columns() const {
+    return system.rotates ? SumColumns::count_rotating : SumColumns::count;
+  }
+  std::span<Real const> columns_of(BlockSums const& sums) const {
+    return {sums.value, static_cast<std::size_t>(columns())};
+  }
+
+  /// Largest |v - gammadot y x^|, [d_s/tau_e], and a disk that has it.
+  Real fastest() const;
+  std::size_t fastest_disk() const;
+
+  DiskList disks() const;
+
+  /// The disks as they are, outside the box perhaps.
+  State state() const;
+
+  /// Throws the NumericalError of a motion that is NaN or an overlap beyond its limit.
+  [[noreturn]] void fail() const;
+
+ private:
+  std::pair<Real, std::size_t> deepest() const;
+};
+
+/// Takes a state's arrays.
+DiskList take_disks(State& state);
+
+}  // namespace bagnold

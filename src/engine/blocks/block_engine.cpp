@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/engine/blocks/block_engine.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "src/engine/device_copy.hpp"
+#include "src/engine/engine_memory.hpp"
+#include "src/engine/in_box.hpp"
+
+namespace bagnold {
+
+namespace {
+
+constexpr std::int64_t look_every = 256;  ///< steps between choices
+constexpr Real most_active = 0.6;         ///< share of the disks in a window
+
+}  // namespace
+
+BlockEngine::BlockEngine(std::unique_ptr<BlockLoop> loop, std::unique_ptr<BlockStepper> stepper,
+                         Stepping stepping, SpeciesTable const& table, double strain_rate,
+                         double time_step, double skin, Snapshot& snapshot)
+    : stepping_(stepping),
+      disks_{.loop = std::move(loop),
+             .stepper = std::move(stepper),
+             .clock = {strain_rate, time_step, snapshot.state.box_length, snapshot.initial_offset,
+                       snapshot.initial_time},
+             .step = snapshot.step,
+             .list_step = snapshot.list_step,
+             .diameter = std::move(snapshot.state.diameter),
+             .system = {}},
+      lists_(disks_, skin),
+      single_(disks_, lists_, watch_, stepping),
+      lookahead_(disks_, watch_) {
+  disks_.system.table = table;
+  disks_.system.rotates = disks_.stepper->needs.rotates;
+  lists_.builds = snapshot.list_builds;
+  auto list = take_disks(snapshot.state);
+  for_each_counter(RestoreCounter{snapshot.counters});
+  if (snapshot.list_position.empty() || snapshot.memory.empty()) {  // another engine's: no blocks
+    single_.touching = disks_.count();  // not known yet: many
+    lists_.build(std::move(list));
+    single_.prune();
+    in_windows_ = stepping == Stepping::lookahead;
+  } else {
+    auto const listed = vectors(std::exchange(snapshot.list_position, {}));
+    lists_.arrange(std::move(list), &listed);
+    for_each_memory(RestoreMemory{snapshot.memory});
+    lists_.fill_inner();
+  }
+}
+
+void BlockEngine::advance(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) {
+  if (disks_.system.trial.record.extent(0) == 0) lists_.take_scratch();
+  for (auto const end = std::min(disks_.step + steps, sampling.last_step); disks_.step < end;) {
+    if (in_windows_)
+      advance_window(sampling, windows);
+    else
+      advance_step(sampling, windows);
+  }
+}
+
+Snapshot BlockEngine::snapshot() const {
+  Snapshot s;
+  s.state = disks_.state();
+  s.list_position = lists_.at_build();
+  s.list_step = disks_.list_step;
+  s.step = disks_.step;
+  s.initial_offset = disks_.clock.initial_offset;
+  s.initial_time = disks_.clock.initial_time;
+  s.list_builds = lists_.builds;
+  auto& self = const_cast<BlockEngine&>(*this);  // what is written down is not changed
+  self.for_each_memory(WriteDown{s.memory});
+  self.for_each_counter(WriteDown{s.counters});
+  return s;
+}
+
+State BlockEngine::state() const { return in_box(disks_.state()); }
+
+/// What must be known to go on bit for bit, beside the state and the list.
+template <class Visit>
+void BlockEngine::for_each_memory(Visit const& visit) {
+  visit("fastest", lists_.fastest);  // with few contacts a bound that depends on the steps before
+  visit("outer_drift", lists_.outer_drift);
+  visit("prune_step", lists_.inner.step);
+  visit("inner_drift", lists_.inner.drift);
+  visit("inner_margin", lists_.inner.margin);
+  visit("near_pairs", lists_.near_pairs);
+  visit("touching", single_.touching);
+  visit("dense", single_.few);
+  visit("in_windows", in_windows_);
+  visit("window_allowance", lookahead_.allowance);
+  visit("window_usual_stray", lookahead_.usual);
+  visit("window_allowance_steps", allowance_steps_);
+  tuning_.for_each_memory(visit);
+  gain_.for_each_memory(visit);
+}
+
+/// What reports count; no bit depends on it.
+template <class Visit>
+void BlockEngine::for_each_counter(Visit const& visit) {
+  visit("pairs_evaluated", single_.counters.pairs_evaluated);
+  visit("prunings", single_.counters.prunings);
+  visit("steps_dense", single_.counters.few_contacts);
+  visit("steps_one_by_one", single_.counters.steps);
+  visit("windows", lookahead_.counters.windows);
+  visit("steps_in_windows", lookahead_.counters.steps);
+  visit("windows_refused", windows_refused_);
+  visit("pairs_missed_and_added", lookahead_.counters.again);
+  visit("binary_islands", lookahead_.counters.binary);
+  visit("binary_steps", lookahead_.counters.binary_steps);
+  visit("disks_in_larger_islands", lookahead_.counters.others);
+  visit("touching_in_windows", lookahead_.counters.touching);
+}
+
+void BlockEngine::advance_step(Sampling const& sampling, OpenWindows& windows) {
+  single_.advance(sampling, windows);
+  if (stepping_ != Stepping::automatic || disks_.step % look_every != 0) return;
+  gain_.steps_done(look_every, single_.contacts_per_disk());
+  in_windows_ = gain_.enter();
+}
+
+/// Windows end at multiples of their length, so that it does not matter where a run is interrupted.
+void BlockEngine::advance_window(Sampling const& sampling, OpenWindows& windows) {
+  auto const length = tuning_.steps();
+  auto const begin = disks_.step;
+  auto const end = std::min((begin / length + 1) * length, sampling.last_step);
+  lookahead_.cautious = tuning_.cautious();
+  set_allowance(length);
+  Real farthest = lists_.farthest_at(end);
+  LookaheadWindow window{begin, end, lists_.room_at(end, farthest)};
+  if (window.most_deviation < 2 * lookahead_.allowance && disks_.list_step != begin) {
+    single_.rebuild();
+    farthest = lists_.farthest_at(end);
+    window.most_deviation = lists_.room_at(end, farthest);
+  }
+  if (!lookahead_.run(window, sampling, windows,
+                      stepping_ == Stepping::lookahead ? 1 : most_active))
+    return step_through(window, sampling, windows);
+  disks_.step = end;
+  lists_.outer_drift = farthest + window.deviation;
+  if (window.steps() != length) return;
+  tuning_.done(cost_of(window) / static_cast<Real>(length));
+  weigh(window, 2 * window.contacts / static_cast<Real>(disks_.count()), 0);
+}
+
+/// How far a disk may deviate grows with the length of the window.
+void BlockEngine::set_allowance(std::int64_t length) {
+  Real const longer = static_cast<Real>(length) / static_cast<Real>(allowance_steps_);
+  if (lookahead_.allowance == 0)
+    lookahead_.allowance = disks_.fastest() * disks_.clock.time_step * static_cast<Real>(length) / 4;
+  else if (length != allowance_steps_)
+    lookahead_.allowance *= longer;
+  if (lookahead_.usual == 0)
+    lookahead_.usual = lookahead_.allowance / 4;
+  else if (length != allowance_steps_)
+    lookahead_.usual *= longer;
+  allowance_steps_ = length;
+}
+
+/// Steps through a window that cannot be done as one.
+void BlockEngine::step_through(LookaheadWindow const& window, Sampling const& sampling,
+                               OpenWindows& windows) {
+  ++windows_refused_;
+  lookahead_.allowance /= 2;
+  lists_.fastest = disks_.fastest();
+  lists_.outer_drift = lists_.farthest();
+  single_.prune();
+  while (disks_.step < window.end) single_.advance(sampling, windows);
+  auto const contacts = single_.contacts_per_disk();
+  if (!tuning_.refused()) weigh(window, contacts, single_.cost(contacts));
+}
+
+/// Whether windows go on, after one that was done (then `stepped_through` is 0), or was tried in vain
+/// and stepped through for so many cycles a disk-step.
+void BlockEngine::weigh(LookaheadWindow const& window, Real contacts, Real stepped_through) {
+  if (stepping_ != Stepping::automatic) return;
+  auto const steps = static_cast<Real>(window.steps());
+  in_windows_ = gain_.window_done(steps, contacts, cost_of(window) + steps * stepped_through,
+                                  steps * single_.cost(contacts));
+  if (in_windows_) return;
+  lists_.fastest = disks_.fastest();
+  single_.prune();
+}
+
+/// [cycles a disk].
+Real BlockEngine::cost_of(LookaheadWindow const& window) const {
+  auto const disks = static_cast<Real>(disks_.count());
+  return window.work.cost(static_cast<Real>(window.steps()), disks,
+                          static_cast<Real>(disks_.system.blocks.outer.extent(0))) /
+         disks;
+}
+
+}  // namespace bagnold

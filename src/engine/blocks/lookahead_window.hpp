@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "src/engine/blocks/lookahead_gain.hpp"
+#include "src/engine/blocks/meeting_results.hpp"
+#include "src/engine/contacts/window_contacts.hpp"
+
+namespace bagnold {
+
+/// A window of steps that is done at one go.
+struct LookaheadWindow {
+  std::int64_t begin, end;  ///< [steps]
+  Real most_deviation;      ///< from straight flights that the outer list allows, [d_s]
+  Real deviation = 0;       ///< out: the largest one, [d_s]
+  Real contacts = 0;  ///< out: pairs touching, mean over steps; of islands of two done again, both times
+  WindowWork work = {};     ///< out
+
+  std::int64_t steps() const { return end - begin; }
+};
+
+/// What the parts that do a window share; kept from one to the next.
+struct WindowScratch {
+  ShearedBox start;  ///< at the window's first configuration
+  SampleTimes times;
+  WindowContacts contacts;
+  MeetingResults results;
+
+  MeetingResults::Unit& add_unit(bool batch) {
+    if (contacts) contacts.add_unit(times.bins());
+    return results.add_unit(batch, times.bins());
+  }
+};
+
+}  // namespace bagnold

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "src/engine/blocks/block_disks.hpp"
+#include "src/engine/blocks/lookahead_window.hpp"
+
+namespace bagnold {
+
+/// Islands of two disks: eight at a time, one a lane, each at its own time.
+class PairIslands {
+ public:
+  std::vector<Islands::Pair> pairs;  ///< places in the islands' disks
+
+  /// Brings all through the window. False where an overlap is too large or a motion NaN.
+  bool run(BlockDisks const& disks, Islands const& islands, LookaheadWindow& window,
+           WindowScratch& scratch);
+
+ private:
+  std::vector<BinaryOutcome> outcome_;  ///< by eight pairs
+};
+
+}  // namespace bagnold

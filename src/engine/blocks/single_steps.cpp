@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/engine/blocks/single_steps.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/engine/failure.hpp"
+
+namespace bagnold {
+
+void SingleSteps::advance(Sampling const& sampling, OpenWindows& windows) {
+  keep_lists();
+  make_room();
+  auto const step = disks_.step;
+  bool const sampled = sampling.sampled(step);
+  if (windows.contacts) {  // they are looked for in all blocks, between the halves of the step
+    auto const count = disks_.system.blocks.count;
+    first_half(0, count);
+    watch_.look(*disks_.loop, disks_.system, disks_.box_at(step), step, sampling, windows);
+    second_half(0, count, sampled);
+  } else {
+    Wavefront::Stage from{0, 0};
+    for (auto const& to : lists_.wavefront().stages) {
+      first_half(from.first_half, to.first_half);
+      second_half(from.second_half, to.second_half, sampled);
+      from = to;
+    }
+  }
+  if (sampled) {
+    auto const total = sums();
+    windows.add(sampling.window(step), disks_.columns_of(total), 1);
+  }
+  count_step();
+}
+
+/// Renews what would not hold through the next step.
+void SingleSteps::keep_lists() {
+  if (!lists_.outer_holds(lists_.outer_drift)) {
+    lists_.outer_drift = lists_.farthest();
+    if (!lists_.outer_holds(1.25 * lists_.outer_drift)) {
+      rebuild();
+      if (!lists_.outer_holds(lists_.outer_drift))
+        failure::too_fast(disks_.clock, disks_.step, disks_.fastest_disk(),
+                          lists_.fastest * disks_.clock.time_step, lists_.skin());
+    }
+  }
+  if (!lists_.inner_holds()) prune();
+}
+
+void SingleSteps::rebuild() {
+  lists_.give_back_scratch();
+  lists_.build(disks_.disks());
+  prune();
+}
+
+void SingleSteps::prune() {
+  if (few) lists_.fastest = disks_.fastest();
+  auto const use = use_of_inner();
+  if (stepping_ == Stepping::automatic)
+    few = contacts_per_disk() < disks_.stepper->needs.costs.few_below * (few ? 1.2 : 1.0);
+  else
+    few = stepping_ == Stepping::few_contacts;
+  lists_.prune(use);
+  ++counters.prunings;
+}
+
+ListUse SingleSteps::use_of_inner() const {
+  int const evaluations = disks_.stepper->needs.evaluations;
+  ListUse use;
+  use.wanted = touching;
+  use.step_cost = 12.5 * evaluations;
+  if (few) {  // a pair that does not touch costs less, and near pairs are few
+    use.step_cost = 3 * evaluations;
+    use.fewest_steps = 12;
+  }
+  return use;
+}
+
+/// For new blocks, and for the disks that touch of a new inner list.
+void SingleSteps::make_room() {
+  auto& system = disks_.system;
+  auto& loop = *disks_.loop;
+  if (arrangement_ != system.arrangement) {
+    reports_ = loop.zeros<BlockReport>("dynamics::reports", system.blocks.count);
+    sums_ = loop.zeros<BlockSums>("observables::block_sums", system.blocks.count);
+    arrangement_ = system.arrangement;
+  }
+  if (!few || listing_ == system.listing) return;
+  active_.resize(loop, system.blocks);
+  if (disks_.stepper->needs.trial_is_change)  // of which nothing has changed yet
+    loop(system.blocks.count, [&](std::uint32_t b) {
+      Block const& block = system.blocks.block(b);
+      active_.count(b) = 0;
+      std::fill_n(system.trial.record.data() + block.first, block.padded, simd::Record{});
+    });
+  listing_ = system.listing;
+}
+
+/// The first half of the step for some blocks, in the order of the wavefront: changes what is not seen
+/// from outside.
+void SingleSteps::first_half(std::uint32_t begin, std::uint32_t end) {
+  auto const& system = disks_.system;
+  auto const& stepper = *disks_.stepper;
+  auto const box = disks_.box_at(disks_.step);
+  auto const room = system.blocks.most_local * stepper.needs.force_bytes;
+  disks_.loop->with_scratch<std::byte>(end - begin, room, [&](std::uint32_t k, std::byte* force) {
+    auto const b = lists_.wavefront().first_half[begin + k];
+    reports_(b) = few ? stepper.predict_few(system, active_, b, box, force)
+                      : stepper.predict(system, b, box, force);
+  });
+}
+
+/// The second half, and before it the sums of the configuration where the step began.
+void SingleSteps::second_half(std::uint32_t begin, std::uint32_t end, bool sampled) {
+  if (begin == end) return;
+  auto const& system = disks_.system;
+  auto const& stepper = *disks_.stepper;
+  auto const box = disks_.box_at(disks_.step + 1);
+  auto const rate = disks_.clock.strain_rate;
+  std::size_t const most = system.blocks.most_local;
+  std::size_t const moved = few ? most * sizeof(simd::Record) : 0;
+  auto const room =
+      most * static_cast<std::size_t>(stepper.needs.observed_forces) * stepper.needs.force_bytes;
+  disks_.loop->with_scratch<std::byte>(
+      end - begin, moved + room, [&](std::uint32_t k, std::byte* scratch) {
+        auto const b = lists_.wavefront().second_half[begin + k];
+        auto* const force = scratch + moved;
+        if (sampled) sums_(b) = stepper.measure(system, b, rate, force);
+        reports_(b) += few ? stepper.correct_few(system, active_, b, box, force, sampled,
+                                                 reinterpret_cast<simd::Record*>(scratch))
+                           : stepper.correct(system, b, box, force, sampled, nullptr);
+      });
+}
+
+void SingleSteps::count_step() {
+  ++disks_.step;
+  ++counters.steps;
+  counters.few_contacts += few;
+  BlockReport total;
+  std::uint64_t pairs = 0;
+  for (std::uint32_t b = 0; b < disks_.system.blocks.count; ++b) {
+    pairs += reports_(b).touching;
+    total += reports_(b);
+  }
+  touching = pairs;
+  if (total.poison != 0 || total.largest_overlap > largest_relative_overlap) disks_.fail();
+  Real const before = lists_.fastest;
+  lists_.fastest = std::sqrt(total.fastest2);
+  if (few)  // of those in flight
+    lists_.fastest = std::max(lists_.fastest, before * lists_.step_strain_factor());
+  // |dw| of a step; the last factor: the mean flow at the new place, not the old one.
+  Real const moved = disks_.clock.time_step * (before + lists_.fastest) / 2 * lists_.step_strain_factor();
+  lists_.outer_drift += moved;
+  lists_.inner.drift += moved;
+  counters.pairs_evaluated +=
+      disks_.stepper->needs.evaluations * static_cast<std::int64_t>(lists_.near_pairs);
+}
+
+BlockSums SingleSteps::sums() const {
+  BlockSums total;
+  for (std::uint32_t b = 0; b < disks_.system.blocks.count; ++b) total += sums_(b);
+  return total;
+}
+
+}  // namespace bagnold

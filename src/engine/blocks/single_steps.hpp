@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "src/engine/blocks/block_lists.hpp"
+#include "src/engine/contacts/contact_watch.hpp"
+#include "src/engine/sampling.hpp"
+
+namespace bagnold {
+
+/// How an engine goes from step to step.
+enum class Stepping { automatic, few_contacts, many_contacts, lookahead };
+
+/// Steps of all disks, one after the other, with lists that are renewed before they are outrun.
+///
+/// Blocks are cut by place and not by thread, and each adds up its own disks' forces, so the bits do
+/// not depend on threads.
+class SingleSteps {
+ public:
+  struct Counters {
+    std::int64_t steps = 0, few_contacts = 0, pairs_evaluated = 0, prunings = 0;
+  };
+
+  Counters counters;
+  std::uint64_t touching = 0;  ///< pairs at the last step, those across edges twice
+  bool few = false;            ///< steps for few contacts, until the next pruning
+
+  SingleSteps(BlockDisks& disks, BlockLists& lists, ContactWatch& watch, Stepping stepping)
+      : disks_(disks), lists_(lists), watch_(watch), stepping_(stepping) {}
+
+  /// One step of all disks.
+  void advance(Sampling const& sampling, OpenWindows& windows);
+
+  /// Z, contacts across edges of blocks counted twice.
+  Real contacts_per_disk() const {
+    return 2 * static_cast<Real>(touching) / static_cast<Real>(disks_.count());
+  }
+
+  /// [cycles a disk-step].
+  Real cost(Real contacts) const {
+    auto const& costs = disks_.stepper->needs.costs;
+    return costs.by_itself + costs.contact * contacts;
+  }
+
+  /// Takes the inner list anew, and chooses between steps for few and for many contacts.
+  void prune();
+
+  /// Cuts the disks into blocks anew, where they are now.
+  void rebuild();
+
+
+ private:
+  void keep_lists();
+  void make_room();
+  void first_half(std::uint32_t begin, std::uint32_t end);
+  void second_half(std::uint32_t begin, std::uint32_t end, bool sampled);
+  void count_step();
+  ListUse use_of_inner() const;
+  BlockSums sums() const;
+
+  BlockDisks& disks_;
+  BlockLists& lists_;
+  ContactWatch& watch_;
+  Stepping stepping_;
+  ActiveDisks active_;
+  std::int64_t arrangement_ = 0, listing_ = 0;  ///< of the system, that there is room for
+  Blocks::Array<BlockReport> reports_;          ///< by block
+  Blocks::Array<BlockSums> sums_;               ///< by block
+};
+
+}  // namespace bagnold

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kernels/cpu/steps/block_step.hpp"
+#include "kernels/cpu/steps/stepper_of.hpp"
+#include "kernels/cpu/steps/two_stage_block_step.hpp"
+#include "src/engine/backends.hpp"
+#include "src/engine/ensemble/ensemble_engine.hpp"
+#include "src/engine/law_engines.hpp"
+#include "src/engine/reference/reference_engine.hpp"
+#include "src/engine/with_physics.hpp"
+
+namespace bagnold {
+
+namespace detail {
+
+/// An Engine<Space> on the backend of that name, if the build has it and wants(Space).
+template <class Made, class Make>
+Made on_backend(std::string const& backend, Make const& make) {
+  Made made;
+  [&]<class... Space>(std::tuple<Space...> const*) {
+    ((backend == backend_name<Space> ? void(made = make(std::type_identity<Space>{})) : void()), ...);
+  }(static_cast<Backends const*>(nullptr));
+  return made;
+}
+
+template <ContactLaw Law>
+std::unique_ptr<BlockStepper> make_stepper(Scene const& scene) {
+  return with_physics_of<Law>(scene, [&]<class R>(Law const& law, R const& repulsion, auto scheme) {
+    auto const make = [&]<class Step>(std::type_identity<Step>) -> std::unique_ptr<BlockStepper> {
+      return std::make_unique<StepperOf<Step>>(
+          law, repulsion, make_species_table(scene.mass_by_area()), time_step(scene));
+    };
+    if constexpr (scheme() == Scheme::two_stage_leapfrog)
+      return make(std::type_identity<TwoStageBlockStep<Law, R>>{});
+    else
+      return make(std::type_identity<BlockStep<Law, R>>{});
+  });
+}
+
+template <ContactLaw Law>
+std::unique_ptr<Simulation> make_reference(Scene const& scene, Snapshot const& snapshot,
+                                           std::string const& backend) {
+  using Made = std::unique_ptr<Simulation>;
+  return with_physics_of<Law>(scene, [&]<class R>(Law const& law, R const&, auto scheme) {
+    return on_backend<Made>(backend, [&]<class Space>(std::type_identity<Space>) -> Made {
+      return std::make_unique<ReferenceEngine<Law, R, Space, scheme()>>(
+          law, make_species_table(scene.mass_by_area()), scene.shear.strain_rate, time_step(scene),
+          scene.integration.skin, snapshot);
+    });
+  });
+}
+
+template <ContactLaw Law>
+std::shared_ptr<Ensemble> make_ensemble(Scene const& scene, std::vector<Snapshot> const& snapshots,
+                                        std::string const& backend) {
+  using Made = std::shared_ptr<Ensemble>;
+  return with_physics_of<Law>(scene, [&]<class R>(Law const& law, R const&, auto scheme) {
+    return on_backend<Made>(backend, [&]<class Space>(std::type_identity<Space>) -> Made {
+      if constexpr (is_device<Space>)
+        return std::make_shared<EnsembleEngine<Law, R, Space, scheme()>>(
+            law, make_species_table(scene.mass_by_area()), scene.shear.strain_rate,
+            time_step(scene), scene.integration.skin, snapshots);
+      else
+        return static_cast<void>(snapshots), nullptr;
+    });
+  });
+}
+
+}  // namespace detail
+
+/// To be instantiated once for each law.
+template <class Law>
+LawEngines engines_of() {
+  return {Law::name, detail::make_stepper<Law>, detail::make_reference<Law>,
+          detail::make_ensemble<Law>};
+}
+
+}  // namespace bagnold
