@@ -2,6 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "kernels/device/dynamics/modified_velocity_verlet.hpp"
+#include "kernels/device/neighbors/verlet_list.hpp"
 #include "src/engine/device_copy.hpp"
 #include "src/engine/laws.hpp"
 #include "src/start/start.hpp"

@@ -15,10 +15,10 @@ struct PairLoop {
   using Step = BlockStep<Law, HarmonicRepulsion>;
 
   /// The evaluation of the second half of a step, which looks at overlaps.
-  [[gnu::noinline]] static BlockReport run(Step const& step, Block const& block,
-                                           typename Step::Force* force) {
+  [[gnu::noinline]] static BlockReport run(Step const& step, BlockSystem const& system,
+                                           Block const& block, typename Step::Force* force) {
     OverlapWatch watch;
-    step.evaluate(block, step.trial, force, watch);
+    step.forces.evaluate(system, block, system.trial, force, watch);
     return {0, simd::largest(watch.largest), watch.touching, 0};
   }
 };
