@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# `cmake --install`: the program, the kernel headers, and what find_package(Bagnold) needs to offer the
+# `cmake --install`: the program (if it was built), the kernel headers, and what find_package(Bagnold) needs to offer the
 # target Bagnold::kernels. Headers keep their path from the root of the repository: with Bagnold::kernels
 # linked, #include "kernels/physics/laws/cd_n.hpp" works as it does here.
 
@@ -15,10 +15,13 @@ target_include_directories(bagnold_kernels INTERFACE
 set_target_properties(bagnold_kernels PROPERTIES EXPORT_NAME kernels)
 add_library(Bagnold::kernels ALIAS bagnold_kernels)
 
-install(TARGETS bagnold RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+if(BAGNOLD_PROGRAM)
+  install(TARGETS bagnold RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/inputs/figures"
+    DESTINATION "${CMAKE_INSTALL_DATADIR}/bagnold")
+endif()
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/kernels" DESTINATION "${bagnold_headers}"
   FILES_MATCHING PATTERN "*.hpp")
-install(DIRECTORY "${PROJECT_SOURCE_DIR}/inputs/figures" DESTINATION "${CMAKE_INSTALL_DATADIR}/bagnold")
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 
 install(TARGETS bagnold_kernels EXPORT BagnoldTargets)
