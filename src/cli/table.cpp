@@ -56,16 +56,15 @@ void print_ends(Run const& run) {
 
 void print_table(Run const& run, std::vector<NamedEstimate> const& list) {
   if (run.plan.ramp) return print_loop(run);
-  double const window_strain = run.plan.strain(run.plan.window_steps);
   fmt::print("\n{:<13} {:<26} {:<17} {:<19} {}\n", "quantity", "mean +- standard error", "unit",
              "correlation strain", "what it is");
-  for (auto const& [observable, estimate] : list)
-    fmt::print("{:<13} {:<26} {:<17} {:<19} {}\n", observable.name, with_error(estimate.all),
-               observable.unit,
-               estimate.all.correlation
-                   ? fmt::format("{:.2g}", *estimate.all.correlation * window_strain)
-                   : "-",
-               observable.meaning);
+  for (auto const& named : list) {
+    auto const& [name, unit, meaning, value] = named.observable;
+    auto const& all = named.estimate.all;
+    fmt::print("{:<13} {:<26} {:<17} {:<19} {}\n", name, with_error(all), unit,
+               all.correlation ? fmt::format("{:.2g}", *all.correlation * named.sample_strain) : "-",
+               meaning);
+  }
 
   print_ends(run);
   if (run.replicas.size() > 1)

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "src/config/scene.hpp"
+#include "src/statistics/windows.hpp"
 
 namespace bagnold {
 
@@ -15,8 +16,15 @@ struct Observable {
   std::string_view name;
   std::string_view unit;
   std::string_view meaning;
-  /// From the averages of the columns of SumColumns to the value; NaN where it is undefined.
+  /// From the averages to the value, NaN where it is undefined: of the columns of SumColumns, or of
+  /// those that an observer of frames keeps.
   std::function<double(std::span<double const>)> value;
+};
+
+/// An observable, and what it is measured from: a table of each system, of windows or of frames.
+struct SampledObservable {
+  Observable observable;
+  std::vector<statistics::Windows const*> samples;  ///< [R]
 };
 
 /// All observables of a scene in their order of output; `strain_rate` in [1/tau_e], `box_length` in

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "src/engine/observables.hpp"
 #include "src/state/state.hpp"
-#include "src/statistics/replicas.hpp"
 #include "src/statistics/tables.hpp"
 
 namespace bagnold {
@@ -22,20 +22,11 @@ struct Frame {
 /// What observers know, by name, as a checkpoint keeps it.
 using ObserverState = std::map<std::string, std::vector<double>>;
 
-/// A mean over the frames of all systems.
-struct FrameScalar {
-  std::string name;
-  std::string unit;
-  std::string meaning;
-  statistics::ReplicaEstimate estimate;  ///< its windows are frames
-};
-
-/// What observers found.
+/// What observers found, beside observables.
 struct FrameResults {
   std::vector<statistics::Histogram> histograms;
   std::vector<statistics::Profile> profiles;
   std::vector<statistics::Samples> samples;
-  std::vector<FrameScalar> scalars;
 };
 
 /// Measures something on a frame now and then.
@@ -59,6 +50,9 @@ class FrameObserver {
   /// itself the first; errors are those of statistics/replicas.hpp.
   virtual void report(std::vector<FrameObserver const*> const& systems,
                       FrameResults& results) const = 0;
+
+  /// Numbers that it measures, from a table whose rows are its frames.
+  virtual std::vector<SampledObservable> observables() const { return {}; }
 
   /// A run begins that is not resumed; its last frame has been shown; all its results are written.
   virtual void begin() {}

@@ -2,6 +2,7 @@
 #include "src/measure/frames.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 namespace bagnold {
@@ -60,14 +61,38 @@ std::vector<std::string> Frames::lost() const {
   return all;
 }
 
+std::vector<FrameObserver const*> Frames::observers(std::vector<Frames const*> const& systems,
+                                                    std::size_t which) {
+  std::vector<FrameObserver const*> of_each;
+  for (Frames const* frames : systems) of_each.push_back(frames->watched_[which].observer.get());
+  return of_each;
+}
+
 FrameResults Frames::join(std::vector<Frames const*> const& systems) {
   FrameResults results;
   for (std::size_t k = 0; k < systems.front()->watched_.size(); ++k) {
-    std::vector<FrameObserver const*> of_each;
-    for (Frames const* frames : systems) of_each.push_back(frames->watched_[k].observer.get());
+    auto const of_each = observers(systems, k);
     of_each.front()->report(of_each, results);
   }
   return results;
+}
+
+std::vector<SampledObservable> Frames::observables(std::vector<Frames const*> const& systems) {
+  std::vector<SampledObservable> all;
+  for (std::size_t k = 0; k < systems.front()->watched_.size(); ++k)
+    std::ranges::move(joined_observables(observers(systems, k)), std::back_inserter(all));
+  return all;
+}
+
+std::vector<SampledObservable> joined_observables(
+    std::vector<FrameObserver const*> const& systems) {
+  auto all = systems.front()->observables();
+  for (auto system = systems.begin() + 1; system != systems.end(); ++system) {
+    auto const other = (*system)->observables();
+    for (std::size_t k = 0; k < all.size(); ++k)
+      all[k].samples.push_back(other[k].samples.front());
+  }
+  return all;
 }
 
 }  // namespace bagnold

@@ -41,6 +41,7 @@ class Frames {
 
   /// What the same observers found on the frames of several systems, [R], one at least.
   static FrameResults join(std::vector<Frames const*> const& systems);
+  static std::vector<SampledObservable> observables(std::vector<Frames const*> const& systems);
 
  private:
   struct Watched {
@@ -51,7 +52,13 @@ class Frames {
     bool waits(std::int64_t from, std::int64_t to) const;
   };
   double step_strain_;
+  static std::vector<FrameObserver const*> observers(std::vector<Frames const*> const& systems,
+                                                     std::size_t which);
+
   std::vector<Watched> watched_;
 };
+
+/// What observers of one kind measure, [R], of each system one.
+std::vector<SampledObservable> joined_observables(std::vector<FrameObserver const*> const& systems);
 
 }  // namespace bagnold

@@ -8,6 +8,7 @@
 #include "src/measure/band.hpp"
 #include "src/measure/disk_stress.hpp"
 #include "src/measure/profile_quantities.hpp"
+#include "src/statistics/replicas.hpp"
 
 namespace bagnold {
 
@@ -140,23 +141,26 @@ void Profiles::report(std::vector<FrameObserver const*> const& systems,
                              "centre of the band that shears fastest, in each frame averaged",
                              {"strain [1]", "y [d_s]"},
                              bands});
+}
 
+std::vector<SampledObservable> Profiles::observables() const {
   double const rate = scene_.shear.strain_rate;
   auto const quantities = profile_quantities(slices_, rate, scene_.rotates());
   auto const share = [&](std::string_view name, double level, double sign) {
     auto const quantity = *std::ranges::find(quantities, name, &ProfileQuantity::name);
-    return statistics::estimate(aligned, 0, [=, this](Averages all) {
-      auto values = profile(slices_, quantity, all);
+    return [=, slices = slices_](Averages all) {
+      auto values = profile(slices, quantity, all);
       for (double& value : values) value *= sign;
       return share_below(values, sign * level);
-    });
+    };
   };
-  results.scalars.push_back({"band_fraction_phi", "1",
-                             "f of P2 App. B: share of L where phi(y) is below phi",
-                             share("phi", scene_.disks.packing_fraction, 1.0)});
-  results.scalars.push_back({"band_fraction_gammadot", "1",
-                             "f' of P2 App. B: share of L where gammadot(y) is above gammadot",
-                             share("gammadot", rate, -1.0)});
+  return {{{"band_fraction_phi", "1", "f of P2 App. B: share of L where phi(y) is below phi",
+            share("phi", scene_.disks.packing_fraction, 1.0)},
+           {&aligned_}},
+          {{"band_fraction_gammadot", "1",
+            "f' of P2 App. B: share of L where gammadot(y) is above gammadot",
+            share("gammadot", rate, -1.0)},
+           {&aligned_}}};
 }
 
 }  // namespace bagnold

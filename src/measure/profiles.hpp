@@ -26,6 +26,7 @@ class Profiles final : public FrameObserver {
   void load(ObserverState const& numbers) override;
   void report(std::vector<FrameObserver const*> const& systems,
               FrameResults& results) const override;
+  std::vector<SampledObservable> observables() const override;
 
  private:
   /// frames: [R]

@@ -85,11 +85,16 @@ std::vector<std::int64_t> seeds(Run const& run) {
   return list;
 }
 
-/// What observers found on the frames of all replicas.
-FrameResults on_frames(Run const& run) {
+std::vector<statistics::Windows const*> windows_of(Run const& run) {
+  std::vector<statistics::Windows const*> windows;
+  for (auto const& replica : run.replicas) windows.push_back(&replica.measurement.windows);
+  return windows;
+}
+
+std::vector<Frames const*> frames_of(Run const& run) {
   std::vector<Frames const*> frames;
   for (auto const& replica : run.replicas) frames.push_back(&replica.measurement.frames);
-  return Frames::join(frames);
+  return frames;
 }
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -110,8 +115,7 @@ io::Series series(Run const& run, std::string_view name, std::string_view unit,
 }  // namespace
 
 statistics::ReplicaEstimate estimate(Run const& run, statistics::Function const& f) {
-  std::vector<statistics::Windows const*> windows;
-  for (auto const& replica : run.replicas) windows.push_back(&replica.measurement.windows);
+  auto const windows = windows_of(run);
   auto found = statistics::estimate(windows, discarded(run), f);
   if (!run.scene.shear.target_error.empty()) found.all = statistics::cautious(found);
   return found;
@@ -127,8 +131,15 @@ std::string errors_from(Run const& run) {
 std::vector<NamedEstimate> estimates(Run const& run) {
   std::vector<NamedEstimate> list;
   if (run.plan.ramp) return list;  // there is no one rate to average at
+  auto const windows = windows_of(run);
   for (auto const& observable : observables(run.scene, run.box_length))
-    list.push_back({observable, estimate(run, observable.value)});
+    list.push_back({{observable, windows},
+                    estimate(run, observable.value),
+                    run.plan.strain(run.plan.window_steps)});
+  for (auto const& of_frames : Frames::observables(frames_of(run)))
+    list.push_back({of_frames,
+                    statistics::estimate(of_frames.samples, 0, of_frames.observable.value),
+                    run.plan.strain(run.plan.frame_steps)});
   return list;
 }
 
@@ -220,7 +231,7 @@ void write_result_file(RunFolder const& folder, Run const& run) {
                                      return run.plan.direction(static_cast<std::int64_t>(w));
                                    }));
   add_observables(run, result.series);
-  auto found = on_frames(run);
+  auto found = Frames::join(frames_of(run));
   result.histograms = std::move(found.histograms);
   result.profiles = std::move(found.profiles);
   result.samples = std::move(found.samples);
@@ -229,22 +240,16 @@ void write_result_file(RunFolder const& folder, Run const& run) {
 
 namespace {
 
-/// What one name of the summary stands for.
-struct JsonEstimate {
-  std::string name;
-  statistics::ReplicaEstimate estimate;
-  double sample_strain;  ///< between its samples
-
-  Json json(statistics::Estimate const& of) const {
-    auto const& tau = of.correlation;
-    Json all{{"mean", number(of.mean)},
-             {"error", number(of.error)},
-             {"correlation_strain", tau ? number(*tau * sample_strain) : Json(nullptr)},
-             {"samples", of.samples}};
-    if (of.rough) all["rough"] = true;
-    return all;
-  }
-};
+/// What one name of the summary stands for, its samples so much strain apart.
+Json estimate_json(statistics::Estimate const& of, double sample_strain) {
+  auto const& tau = of.correlation;
+  Json all{{"mean", number(of.mean)},
+           {"error", number(of.error)},
+           {"correlation_strain", tau ? number(*tau * sample_strain) : Json(nullptr)},
+           {"samples", of.samples}};
+  if (of.rough) all["rough"] = true;
+  return all;
+}
 
 Json bins_json(std::vector<LoopBin> const& bins) {
   Json all = Json::array();
@@ -290,13 +295,14 @@ Json warnings_json(std::vector<Warning> const& warnings) {
 }
 
 /// Each replica's own means and errors.
-Json replicas_json(Run const& run, std::vector<JsonEstimate> const& list) {
+Json replicas_json(Run const& run, std::vector<NamedEstimate> const& list) {
   Json all = Json::array();
   auto const seed = seeds(run);
   for (std::size_t r = 0; r < seed.size(); ++r) {
     Json one{{"seed", seed[r]}};
     for (auto const& named : list)
-      one["observables"][named.name] = named.json(named.estimate.each[r]);
+      one["observables"][std::string(named.observable.name)] =
+          estimate_json(named.estimate.each[r], named.sample_strain);
     all.push_back(std::move(one));
   }
   return all;
@@ -324,19 +330,14 @@ void write_summary(RunFolder const& folder, Run const& run, std::vector<NamedEst
       number(run.wall_seconds > 0 ? disk_steps / run.wall_seconds : nan);
   summary["warnings"] = warnings_json(warnings);
   add_protocol(summary, run);
-  double const window_strain = run.plan.strain(run.plan.window_steps);
-  double const frame_strain = run.plan.strain(run.plan.frame_steps);
   bool const several = run.replicas.size() > 1 && !run.plan.ramp;
   if (several)
     summary["errors_from"] = errors_from(run);
-  std::vector<JsonEstimate> all;
-  for (auto const& [observable, estimate] : list)
-    all.push_back({std::string(observable.name), estimate, window_strain});
-  for (auto const& scalar : on_frames(run).scalars)
-    all.push_back({scalar.name, scalar.estimate, frame_strain});
   summary["observables"] = Json::object();
-  for (auto const& one : all) summary["observables"][one.name] = one.json(one.estimate.all);
-  if (several) summary["replicas"] = replicas_json(run, all);
+  for (auto const& named : list)
+    summary["observables"][std::string(named.observable.name)] =
+        estimate_json(named.estimate.all, named.sample_strain);
+  if (several) summary["replicas"] = replicas_json(run, list);
   io::replace_text(folder.summary(), summary.dump(2) + "\n");
 }
 

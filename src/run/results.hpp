@@ -39,9 +39,10 @@ struct Run {
 
 struct Warning;
 
-struct NamedEstimate {
-  Observable observable;
+/// An observable, its samples, and what they come to.
+struct NamedEstimate : SampledObservable {
   statistics::ReplicaEstimate estimate;
+  double sample_strain = 0;  ///< between samples
 };
 
 /// Mean and standard error of a function of averages over the measured windows. Where the scene has
@@ -52,7 +53,7 @@ statistics::ReplicaEstimate estimate(Run const& run, statistics::Function const&
 /// How it comes by the error for several replicas, in words.
 std::string errors_from(Run const& run);
 
-/// Mean and standard error of all observables.
+/// Mean and standard error of all observables, those of frames last.
 std::vector<NamedEstimate> estimates(Run const& run);
 
 /// A quantity in each window that all replicas have finished, averaged over them.

@@ -9,6 +9,7 @@
 
 #include "src/config/errors.hpp"
 #include "src/config/nearest_word.hpp"
+#include "src/measure/make_frames.hpp"
 #include "src/statistics/steady_start.hpp"
 #include "src/statistics/stopping.hpp"
 
@@ -41,6 +42,17 @@ statistics::SteadyStart steady_start(Run const& run, std::size_t windows) {
 std::size_t discarded_of(Run const& run, std::int64_t windows) {
   if (!run.scene.shear.discard) return steady_start(run, static_cast<std::size_t>(windows)).first;
   return static_cast<std::size_t>(shortened(run.scene, run.plan, windows).discarded_windows);
+}
+
+/// What is measured on frames, were all of it switched on.
+std::vector<std::string> names_of_frames(Scene scene) {
+  scene.measure.profiles = scene.measure.fields = scene.measure.rotation = true;
+  State start;
+  start.box_length = scene.box_length();
+  auto const frames = make_frames(scene, {}, start, {}, {});
+  std::vector<std::string> names;
+  for (auto const& one : Frames::observables({&frames})) names.emplace_back(one.observable.name);
+  return names;
 }
 
 /// Whether the first `windows` windows meet the target of every name.
@@ -84,11 +96,19 @@ void discard_transient(Run& run) {
 }
 
 void check_target(Scene const& scene) {
+  if (!has_target(scene)) return;
   std::vector<std::string> names;
   for (auto const& observable : observables(scene, scene.box_length()))
     names.emplace_back(observable.name);
+  auto const of_frames = names_of_frames(scene);
   for (auto const& [name, error] : scene.shear.target_error)
-    if (std::ranges::find(names, name) == names.end())
+    if (std::ranges::find(of_frames, name) != of_frames.end())
+      throw InputError(
+          fmt::format("shear.target_error = {{ {} = {} }} (is measured on frames, and where these "
+                      "begin depends on where the run ends); name what every window has, as B_p, or "
+                      "give shear.strain alone",
+                      name, error));
+    else if (std::ranges::find(names, name) == names.end())
       throw InputError(
           fmt::format("shear.target_error = {{ {} = {} }} (no such NAME in this scene's "
                       "summary.json); did you mean {}?",

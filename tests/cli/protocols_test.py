@@ -317,6 +317,12 @@ class Steady(ProtocolTest):
         self.refused(self.scene(shear__target_error=Raw("{ B_pp = 0.1 }")), "shear.target_error = { B_pp = 0.1 }",
                      "did you mean B_p?")
 
+    def test_names_of_frames(self):
+        for profiles, words in ((False, ["shear.target_error = { band_fraction_phi = 0.1 }", "measured on frames"]),
+                                (True, ["shear.target_error does not go with measure.profiles", "frames begin"])):
+            self.refused(self.scene(shear__target_error=Raw("{ band_fraction_phi = 0.1 }"),
+                                    measure__profiles=profiles), *words)
+
 
 def mser5(values):
     """White's MSER-5, sum by sum."""

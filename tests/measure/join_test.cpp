@@ -8,6 +8,7 @@
 #include "src/measure/fields.hpp"
 #include "src/measure/profiles.hpp"
 #include "src/measure/rotation.hpp"
+#include "tests/measure/seen.hpp"
 #include "tests/measure/states.hpp"
 
 namespace bagnold {
@@ -29,7 +30,7 @@ State frame_state(int frame) {
 
 /// What two systems of six frames each found together, and one of all twelve.
 template <class Observer>
-std::pair<FrameResults, FrameResults> joined_and_whole(Observer const& fresh) {
+std::pair<test::Seen, test::Seen> joined_and_whole(Observer const& fresh) {
   Observer whole = fresh, first = fresh, second = fresh;
   for (int f = 0; f < 12; ++f) {
     State const state = frame_state(f);
@@ -37,10 +38,7 @@ std::pair<FrameResults, FrameResults> joined_and_whole(Observer const& fresh) {
     whole.add(frame);
     (f < 6 ? first : second).add(frame);
   }
-  std::pair<FrameResults, FrameResults> found;
-  first.report({&first, &second}, found.first);
-  whole.report({&whole}, found.second);
-  return found;
+  return {test::seen_by({&first, &second}), test::seen_by({&whole})};
 }
 
 TEST(Join, HistogramsCountAllFrames) {
@@ -68,8 +66,9 @@ TEST(Join, ProfilesAreOfTheAveragesOverAllFrames) {
       EXPECT_NEAR(joined.profiles[k].value[b], expected, 1e-9 * std::abs(expected) + 1e-15)
           << whole.profiles[k].name;
     }
-  for (std::size_t k = 0; k < whole.scalars.size(); ++k)
-    EXPECT_NEAR(*joined.scalars[k].estimate.all.mean, *whole.scalars[k].estimate.all.mean, 1e-9);
+  EXPECT_EQ(whole.scalars.size(), 2u);
+  for (auto const& [name, estimate] : whole.scalars)
+    EXPECT_NEAR(*joined.scalars.at(name).all.mean, *estimate.all.mean, 1e-9);
   EXPECT_EQ(joined.samples[0].rows, whole.samples[0].rows);
 }
 
@@ -78,18 +77,17 @@ TEST(Join, ErrorsAreThoseOfTheScatterOverSystems) {
   Profiles const fresh(test::plain_scene("CD_rot", rate), 12 * 1.3);
   std::vector<Profiles> systems(4, fresh);
   std::vector<FrameObserver const*> all;
-  std::vector<FrameResults> alone(4);
+  std::vector<test::Seen> alone(4);
   for (std::size_t r = 0; r < 4; ++r) {
     for (int f = 0; f < 3; ++f) {
       auto const frame = static_cast<int>(3 * r) + f;
       State const state = frame_state(frame * frame);
       systems[r].add({state, f, 0.1 * f});
     }
-    systems[r].report({&systems[r]}, alone[r]);
+    alone[r] = test::seen_by({&systems[r]});
     all.push_back(&systems[r]);
   }
-  FrameResults found;
-  systems[0].report(all, found);
+  auto const found = test::seen_by(all);
   auto const& phi = test::named(found.profiles, "phi");
   for (std::size_t b = 0; b < phi.value.size(); ++b) {
     double mean = 0.0, squares = 0.0;
@@ -100,11 +98,10 @@ TEST(Join, ErrorsAreThoseOfTheScatterOverSystems) {
     ASSERT_GT(squares, 0.0);
     EXPECT_NEAR(phi.error[b] / std::sqrt(squares / (4 * 3)), 1.0, 1e-9);
   }
-  auto const& share = test::named(found.scalars, "band_fraction_phi").estimate;
+  auto const& share = found.scalars.at("band_fraction_phi");
   ASSERT_EQ(share.each.size(), 4u);
   for (std::size_t r = 0; r < 4; ++r)
-    EXPECT_EQ(share.each[r].mean,
-              test::named(alone[r].scalars, "band_fraction_phi").estimate.all.mean);
+    EXPECT_EQ(share.each[r].mean, alone[r].scalars.at("band_fraction_phi").all.mean);
   EXPECT_EQ(share.all.samples, 12u);
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/measure/seen.hpp"
 #include "tests/measure/states.hpp"
 
 namespace bagnold {
@@ -43,14 +44,12 @@ double packing_fraction(State const& state) {
   return static_cast<double>(state.count()) * std::numbers::pi / 4 / (L * L);
 }
 
-FrameResults profiles_of(std::vector<State> const& states) {
+test::Seen profiles_of(std::vector<State> const& states) {
   Scene scene = test::plain_scene("CD_n", rate);
   scene.disks.packing_fraction = packing_fraction(states.front());
   Profiles profiles(scene, L);
   for (auto const& state : states) profiles.add({state, 0, 0.0});
-  FrameResults results;
-  profiles.report({&profiles}, results);
-  return results;
+  return test::seen_by({&profiles});
 }
 
 TEST(Profiles, OfLinearFlow) {
@@ -84,7 +83,7 @@ TEST(Profiles, OfAHandMadeBand) {
     EXPECT_NEAR(phi.value[b], h < 0 ? dense / 2 : dense, 1e-12) << phi.y[b];
   }
   auto const value = [&](char const* name) {
-    return *test::named(results.scalars, name).estimate.all.mean;
+    return *results.scalars.at(name).all.mean;
   };
   EXPECT_NEAR(value("band_fraction_phi"), share, 1.0 / 40);
   EXPECT_NEAR(value("band_fraction_gammadot"), share, 1.0 / 40);
@@ -102,8 +101,8 @@ TEST(Profiles, FollowABandThatDrifts) {
     if (std::abs(h) < 3) continue;
     EXPECT_NEAR(aligned.value[b], h < 0 ? fast_rate : slow_rate, 1e-5);
   }
-  EXPECT_NEAR(*test::named(results.scalars, "band_fraction_phi").estimate.all.mean, share, 0.03);
-  EXPECT_NEAR(*test::named(results.scalars, "band_fraction_gammadot").estimate.all.mean, share,
+  EXPECT_NEAR(*results.scalars.at("band_fraction_phi").all.mean, share, 0.03);
+  EXPECT_NEAR(*results.scalars.at("band_fraction_gammadot").all.mean, share,
               0.03);
   auto const& place = test::named(results.samples, "band_position").rows;
   for (int f = 0; f < 40; ++f)

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "src/config/errors.hpp"
 #include "src/io/state_file.hpp"
 #include "tests/io/equal.hpp"
@@ -57,6 +59,28 @@ TEST(Run, GoesOnAfterItWasStopped) {
   EXPECT_EQ(resume(stopped), RunEnd::done);  // nothing is left
   EXPECT_EQ(run(quick_scene(), whole), RunEnd::done);
   EXPECT_TRUE(io::same(io::read_states(stopped / "state.h5"), io::read_states(whole / "state.h5")));
+}
+
+/// What is measured on frames is told like what is measured in windows.
+TEST(Run, TellsAllObservables) {
+  struct Reader final : RunMonitor {
+    void finished(RunFolder const&, FinishedRun const& run, std::vector<Warning> const&) override {
+      for (auto const* name : {"B_p", "band_fraction_phi"}) {
+        ASSERT_NE(run.of(name), nullptr) << name;
+        EXPECT_EQ(run.mean(name), *run.of(name)->estimate.all.mean);
+        EXPECT_TRUE(std::isfinite(run.in_window(name, 0))) << name;
+        EXPECT_GT(run.of(name)->sample_strain, 0) << name;
+      }
+      seen = true;
+    }
+    bool seen = false;
+  };
+  io::TestFolder folder;
+  Scene scene = quick_scene();
+  scene.measure.profiles = true;
+  Reader reader;
+  EXPECT_EQ(run(scene, folder.path() / "run", {.monitor = &reader}), RunEnd::done);
+  EXPECT_TRUE(reader.seen);
 }
 
 /// A scene that was never a file is checked as one.

@@ -33,7 +33,7 @@ struct FinishedRun {
 
   double measured_strain() const;  ///< of each replica
 
-  /// What a name of /series was in a window, mean over replicas.
+  /// What a name of /series was in a window, mean over replicas; of one of frames, in a frame.
   double in_window(std::string_view name, std::size_t window) const;
 
   /// Change of a function of the window from the first to the last of those measured, without sign.

@@ -28,10 +28,10 @@ double FinishedRun::measured_strain() const {
 }
 
 double FinishedRun::in_window(std::string_view name, std::size_t window) const {
+  auto const& [observable, samples] = static_cast<SampledObservable const&>(*of(name));
   double sum = 0;
-  for (auto const& replica : run.replicas)
-    sum += of(name)->observable.value(replica.measurement.windows.mean(window, window + 1));
-  return sum / static_cast<double>(run.replicas.size());
+  for (auto const* of_replica : samples) sum += observable.value(of_replica->mean(window, window + 1));
+  return sum / static_cast<double>(samples.size());
 }
 
 std::vector<Warning> warnings(FinishedRun const& finished) {
