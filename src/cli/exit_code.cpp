@@ -3,6 +3,7 @@
 
 #include <new>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <system_error>
 
@@ -46,6 +47,11 @@ ExitCode exit_code_of(std::exception_ptr const& failure) {
     return told(error.what(), file_failure);
   } catch (std::bad_alloc const&) {
     return told("out of memory; use fewer disks or a machine with more", bad_input);
+  } catch (std::length_error const& error) {
+    return told(std::string(error.what()) +
+                    ": disks.count and integration.skin ask for more than lists can hold; use fewer "
+                    "disks or a smaller skin",
+                bad_input);
   } catch (std::exception const& error) {
     return told(
         std::string("internal error (") + error.what() + "); please report it, with the scene",

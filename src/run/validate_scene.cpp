@@ -5,6 +5,8 @@
 
 #include <vector>
 
+#include "kernels/cpu/blocks/blocks.hpp"
+#include "kernels/physics/species.hpp"
 #include "src/run/messages.hpp"
 #include "src/run/target_error.hpp"
 #include "src/config/cascade.hpp"
@@ -23,9 +25,30 @@ void refuse_less_than_a_window(Scene const& scene, Plan const& plan) {
       scene.shear.strain.at(0), scene.output.sample_strain));
 }
 
+/// Least number of pairs in the lists of disks placed evenly: of disks within d_s + skin of each other,
+///
+///     N n pi (d_s + skin)^2 / 2,    n = phi / [pi (d_s^2 + d_b^2) / 8]
+///
+/// What is found to be too many only when lists are built is std::length_error there.
+double least_pairs(Scene const& scene) {
+  double const reach = 1 + scene.integration.skin;
+  return 4 * static_cast<double>(scene.disks.count) * scene.disks.packing_fraction * reach * reach /
+         (1 + big_diameter * big_diameter);
+}
+
+void refuse_too_many_pairs(Scene const& scene) {
+  double const pairs = least_pairs(scene);
+  if (pairs < static_cast<double>(most_pairs) || scene.integration.engine == "reference") return;
+  throw InputError(fmt::format(
+      "disks.count = {} with integration.skin = {} (makes lists of {:.2g} pairs or more, limit "
+      "{:.2g}); use fewer disks or a smaller skin",
+      scene.disks.count, scene.integration.skin, pairs, static_cast<double>(most_pairs)));
+}
+
 }  // namespace
 
 void validate_scene(Scene const& scene, Plan const& plan, bool allow_unstable) {
+  refuse_too_many_pairs(scene);
   check_feasible(scene, plan, allow_unstable);
   check_target(scene);
   refuse_less_than_a_window(scene, plan);

@@ -25,6 +25,14 @@ TEST(ExitCode, IsThatOfTheKindOfFailure) {
   EXPECT_EQ(code_of(std::bad_alloc()), 2);
 }
 
+TEST(ExitCode, OfListsThatCannotHoldThePairsNamesTheKeys) {
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(code_of(std::length_error("too many disks for one process")), 2);
+  auto const said = testing::internal::GetCapturedStderr();
+  for (auto const* word : {"too many disks", "disks.count", "integration.skin", "fewer"})
+    EXPECT_NE(said.find(word), std::string::npos) << said;
+}
+
 TEST(ExitCode, OfWhatNobodyForesawIsAnInternalErrorToBeReported) {
   testing::internal::CaptureStderr();
   EXPECT_EQ(code_of(std::out_of_range("vector::at")), 5);

@@ -21,6 +21,9 @@ constexpr Real class_distance(int pair_class) {  ///< d_ij, [d_s]
 /// pruning, and of those the ones that touch now.
 enum NearList : int { inner_list, contact_list, near_lists };
 
+/// Pairs that the lists of all blocks may hold: places in them are 32-bit numbers.
+inline constexpr std::uint64_t most_pairs = std::uint64_t{1} << 32;
+
 /// A compact patch of disks and all that they may touch, as a stretch of slots:
 ///
 ///     own disks | inert ones, to a multiple of the pack width, at least two | halo

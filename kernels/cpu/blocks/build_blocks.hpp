@@ -105,7 +105,7 @@ Blocks build_blocks(Space const& space, Kokkos::View<Vec2<Real>*, Space> const& 
     }
     blocks.most_local = std::max(blocks.most_local, simd::round_up(mine.local()));
   }
-  if (slots >= Neighbor::max_count || pairs >> 32 != 0)
+  if (slots >= Neighbor::max_count || pairs >= most_pairs)
     throw std::length_error("too many disks for one process");
   blocks.slots = static_cast<std::uint32_t>(slots);
 

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/run/validate_scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include "src/config/errors.hpp"
+
+namespace bagnold {
+namespace {
+
+Scene scene_of(std::int64_t count, double skin) {
+  Scene scene;
+  scene.disks = {"CD_n", count, 0.82, 1.0, "area"};
+  scene.shear.strain_rate = 1e-3;
+  scene.shear.strain = 1.0;
+  scene.integration.skin = skin;
+  return scene;
+}
+
+/// What it is refused for, or "".
+std::string refusal(Scene const& scene) {
+  try {
+    validate_scene(scene, make_plan(scene), false);
+  } catch (InputError const& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// 1.3e2 pairs a disk, of 2^32 in all; whatever memory the machine has.
+TEST(ValidateScene, RefusesMorePairsThanListsCanName) {
+  auto const said = refusal(scene_of(40'000'000, 10.0));
+  for (auto const* word : {"disks.count = 40000000 with integration.skin = 10", "pairs", "fewer disks"})
+    EXPECT_NE(said.find(word), std::string::npos) << said;
+  Scene plain = scene_of(40'000'000, 10.0);
+  plain.integration.engine = "reference";
+  for (auto const& scene : {scene_of(40'000'000, 0.35), scene_of(20'000'000, 10.0), plain})
+    EXPECT_EQ(refusal(scene).find("pairs"), std::string::npos) << refusal(scene);
+}
+
+}  // namespace
+}  // namespace bagnold
