@@ -2,9 +2,15 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace bagnold::io {
+
+/// What in a folder has a name that matches all of `pattern`, a regular expression; nothing where
+/// it cannot be read.
+std::vector<std::filesystem::path> entries(std::filesystem::path const& folder,
+                                           std::string const& pattern);
 
 /// The folders of parts in a run's folder: trajectory.parts, trajectory_SEED.parts. Those that
 /// stand beside a NAME.h5md have been joined.

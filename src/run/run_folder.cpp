@@ -4,9 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <initializer_list>
-#include <regex>
-#include <string_view>
+#include <iterator>
 #include <vector>
 
 #include "src/run/messages.hpp"
@@ -25,38 +23,10 @@ constexpr char const* run_files[] = {
     "scene.toml", "summary.json", "result.h5",  "state.h5",      "failed_state.h5",
     "plot.png",   "profiles.png", "fields.png", "checkpoint.h5", "checkpoint.previous.h5"};
 
-/// Those there are of trajectory.h5md, trajectory_SEED.h5md and so on, with one of these
-/// extensions.
-std::vector<fs::path> trajectories(fs::path const& folder,
-                                   std::initializer_list<std::string_view> extensions) {
-  std::regex const name("trajectory(_[0-9]+)?");
-  std::vector<fs::path> found;
-  std::error_code none_there;
-  for (fs::directory_iterator file(folder, none_there), end; !none_there && file != end;
-       file.increment(none_there)) {
-    auto const& path = file->path();
-    if (std::regex_match(path.stem().string(), name) &&
-        std::ranges::count(extensions, path.extension().string()) > 0)
-      found.push_back(path);
-  }
-  return found;
-}
-
-/// Those of a cascade.
-std::vector<fs::path> stages(fs::path const& folder) {
-  std::regex const name("[0-9]{4}_strain_rate=[-+.e0-9]+");
-  std::vector<fs::path> found;
-  std::error_code none_there;
-  for (fs::directory_iterator file(folder, none_there), end; !none_there && file != end;
-       file.increment(none_there))
-    if (std::regex_match(file->path().filename().string(), name)) found.push_back(file->path());
-  return found;
-}
-
 std::vector<fs::path> files_of_run(fs::path const& folder) {
-  auto files = trajectories(folder, {".h5md", ".xdmf", ".parts"});
-  auto const below = stages(folder);
-  files.insert(files.end(), below.begin(), below.end());
+  auto files = io::entries(folder, "trajectory(_[0-9]+)?[.](h5md|xdmf|parts)");
+  std::ranges::move(io::entries(folder, "[0-9]{4}_strain_rate=[-+.e0-9]+"),  // stages of a cascade
+                    std::back_inserter(files));
   std::error_code ignored;
   for (auto const* name : run_files)
     if (fs::exists(folder / name, ignored)) files.push_back(folder / name);

@@ -9,6 +9,9 @@ namespace bagnold {
 
 using Check = std::optional<Warning>(FinishedRun const&);
 
+/// Standard errors beyond which a deviation is no accident: of Gaussian noise in less than 1 of 10^4 cases.
+inline constexpr double standard_errors = 4;
+
 /// phi > phi_J: a yield stress is left as the rate vanishes, so that neither B nor eta has a limit.
 Check above_jamming;
 

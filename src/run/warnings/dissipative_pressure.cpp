@@ -10,7 +10,6 @@ namespace bagnold {
 namespace {
 
 constexpr double most_share = 0.05;
-constexpr double standard_errors = 4;
 
 }  // namespace
 

@@ -10,7 +10,6 @@ namespace bagnold {
 namespace {
 
 constexpr double most_gap = 0.02;
-constexpr double standard_errors = 4;
 
 }  // namespace
 

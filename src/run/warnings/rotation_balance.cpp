@@ -11,7 +11,6 @@ namespace bagnold {
 namespace {
 
 constexpr double most_power = 0.01;
-constexpr double standard_errors = 4;
 
 /// Energy of the rotation over L^2 in a window, if all disks were big, [m / tau_e^2].
 double energy(FinishedRun const& finished, std::size_t window) {
