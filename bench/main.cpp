@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "bench/rows.hpp"
-#include "kernels/physics/kokkos_compat.hpp"
+#include "kernels/device/initialize_kokkos.hpp"
 
 int main(int argc, char** argv) {
   bagnold::bench::RowOptions options;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "kernels/physics/kokkos_compat.hpp"
+#include "kernels/device/initialize_kokkos.hpp"
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);

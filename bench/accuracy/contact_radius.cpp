@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "bench/accuracy/damped_contact.hpp"
+#include "kernels/physics/schemes/second_stage.hpp"
 #include "src/config/errors.hpp"
-#include "src/config/stability.hpp"
 
 namespace bagnold::accuracy {
 
@@ -67,7 +67,7 @@ ContactRadius contact_radius(Scene const& scene, std::string const& scheme, doub
   if (scheme == "increment-sweep")
     return {radius(kick_and_fly(std::exp(-z), h * k * held(z), h)), std::exp(-y)};
   if (scheme == "two-stage") {
-    double const a = second_stage_share(z), b = second_stage_share(y);
+    double const a = SecondStage::share(z), b = SecondStage::share(y);
     return {radius(kick_and_fly(1 - z + a * z * z, h * k * (1 - a * z), h)),
             std::abs(1 - y + b * y * y)};
   }

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "bench/accuracy/commands.hpp"
-#include "kernels/physics/kokkos_compat.hpp"
+#include "kernels/device/initialize_kokkos.hpp"
 #include "src/config/errors.hpp"
 
 int main(int argc, char** argv) {

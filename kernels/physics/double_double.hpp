@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "kernels/physics/kokkos_compat.hpp"
+#include "kernels/physics/math.hpp"
 
 namespace bagnold {
 

@@ -8,14 +8,6 @@
 
 namespace bagnold {
 
-/// Share alpha of the second stage of that scheme for a contact with N z, where z = k_d dt/mu and N
-/// is the larger number of contacts of its two disks:
-///
-///     alpha = max{1/7, (N z - 1 + exp(-N z)) / (N z)^2}
-///
-/// Two disks alone relax by exp(-z) with it; rates up to 7/dt do not grow.
-double second_stage_share(double contacts_z);
-
 /// Spectral radius of one step for two small disks, the lightest pair, held in contact: the larger
 /// one of the normal and the tangential motion. Above 1 the step makes energy.
 ///
@@ -30,9 +22,7 @@ double contact_spectral_radius(Scene const& scene, double time_step);
 /// damping and elastic force each for itself, [tau_e]; sufficient, not necessary.
 ///
 /// Cut in six parts a disk takes part in six contacts alone: rates of damping are at most 6 k_d/mu,
-/// squared frequencies 6 k/mu. The papers' step bears a rate of 2/dt, and no oscillation without
-/// damping: its own limit on it is that of one contact. Two stages bear 7/dt and, as a leapfrog,
-/// the frequency 2/dt.
+/// squared frequencies 6 k/mu. What a scheme bears of both stands with it.
 double largest_stable_time_step(Scene const& scene, std::string_view scheme);
 
 /// The time step up to which the damping of a dense flow was seen not to grow, [tau_e]; measured.

@@ -37,13 +37,13 @@ std::vector<Sums<false>> stress_under(Law const& law, Repulsion const& repulsion
     return sums_of(forces, count);
   } else {
     double const dt = time_step(scene);
-    FirstLook<Law, Repulsion, FrameSpace> const first{
+    FirstStage<Law, Repulsion, FrameSpace> const first{
         forces, dt, Kokkos::View<Motion<Law::rotates>*, FrameSpace>("measure::change", count),
         Kokkos::View<int*, FrameSpace>("measure::contacts", count)};
     Real too_deep = 0;  // what engines stop for
     for (std::uint32_t i = 0; i < count; ++i) first(i, too_deep);
     auto const shares =
-        to_device<FrameSpace>("measure::second_look", std::vector{SecondLook(law, forces.table, dt)});
+        to_device<FrameSpace>("measure::second_stage", std::vector{SecondStage(law, forces.table, dt)});
     return sums_of(
         ChangeForces<Law, Repulsion, FrameSpace>{forces, first.change, first.contacts, shares, dt},
         count);

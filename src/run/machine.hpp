@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "kernels/physics/kokkos_compat.hpp"
+#include "kernels/device/initialize_kokkos.hpp"
 #include "src/config/scene.hpp"
 
 namespace bagnold {

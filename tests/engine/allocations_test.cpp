@@ -202,7 +202,7 @@ TEST(Allocations, AStepKeepsWhatItsSchemeUses) {
   two_stages.integration.scheme = two_stage_scheme;
   std::set<std::string> const of_papers{"dynamics::trial_position", "dynamics::trial_motion"};
   std::set<std::string> of_two_stages = of_papers;
-  of_two_stages.insert({"dynamics::contacts", "dynamics::second_look"});
+  of_two_stages.insert({"dynamics::contacts", "dynamics::second_stage"});
   auto const found = [](Scene const& scene, decltype(alone)* make) {
     return labels(held(scene, false, make).views, "dynamics::");
   };

@@ -23,6 +23,8 @@ folder="$1"
 expect 0 kernels/device/b.hpp '#include "kernels/physics/a.hpp"' '#include <Kokkos_Core.hpp>'
 expect 0 kernels/device/neighbors/b.hpp 'parallel_for("neighbors::Search", n, f);'
 expect 1 kernels/physics/b.hpp '#include "kernels/device/a.hpp"'
+expect 0 kernels/physics/b.hpp '#include <Kokkos_Macros.hpp>'
+expect 1 kernels/physics/b.hpp '#include <Kokkos_Core.hpp>'
 expect 1 kernels/device/b.hpp '#include "kernels/cpu/a.hpp"'
 expect 0 kernels/cpu/b.hpp '#include "kernels/device/a.hpp"'
 expect 1 kernels/device/b.hpp '#include "b2.hpp"'

@@ -3,12 +3,12 @@
 
 #include "bench/accuracy/schemes/increments.hpp"
 #include "bench/accuracy/schemes/pair_relaxation.hpp"
-#include "src/config/stability.hpp"
+#include "kernels/physics/schemes/second_stage.hpp"
 
 namespace bagnold::accuracy {
 
-/// One evaluation of the force, and a second look at its contacts: the damping of the change that
-/// it makes.
+/// One evaluation of the force, and a second stage for its contacts: the damping of the change
+/// that it makes.
 ///
 ///     a_i = [f_el(r_n) + f_dis(r_n, v)]_i dt/m_i
 ///     b_i = sum_c alpha_c f_dis,c(r_n, a) dt/m_i
@@ -20,7 +20,7 @@ namespace bagnold::accuracy {
 /// 1/alpha, the polynomial of a two-stage Runge-Kutta-Chebyshev method. Normal and tangential, each
 /// with its z,
 ///
-///     alpha = second_stage_share(N z),   N the larger number of contacts of the two disks.
+///     alpha = SecondStage::share(N z),   N the larger number of contacts of the two disks.
 ///
 /// Two disks alone (N = 1) relax exactly. For more, dt A = G C G^T with the matrix C of the z, and
 /// the second stage takes off S = G (alpha C) G^T; masses cut in N parts bound it, S <= 1, so that
@@ -51,7 +51,7 @@ struct TwoStage {
       auto const& t = touches[k];
       int const n = std::max(contacts[t.i], contacts[t.j]);
       auto const share = [n](Relaxing const& r) {
-        return r.mass * r.steps * second_stage_share(n * r.steps);
+        return r.mass * r.steps * SecondStage::share(n * r.steps);
       };
       impulse[k] = along(t, change_of(world, t, first).velocity, share(by.normal[t.big]),
                          share(by.tangential[t.big]));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Kokkos_Core.hpp>
+
 #include "kernels/cpu/blocks/large_pages.hpp"
 #include "kernels/physics/species.hpp"
 #include "kernels/physics/box/sheared_box.hpp"

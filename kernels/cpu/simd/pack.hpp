@@ -125,6 +125,9 @@ BAGNOLD_INLINE Pack fma(Pack a, Pack b, Pack c) {
 #endif
 }
 
+/// The same by the name that kernels/physics calls.
+BAGNOLD_INLINE Pack multiply_add(Pack a, Pack b, Pack c) { return fma(a, b, c); }
+
 /// c - a b
 BAGNOLD_INLINE Pack fnma(Pack a, Pack b, Pack c) {
 #if BAGNOLD_AVX512

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Kokkos_Core.hpp>
+
 #include "kernels/physics/laws/pair_force.hpp"
 #include "kernels/physics/motion.hpp"
 #include "kernels/physics/species.hpp"

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Kokkos_Core.hpp>
+
 #include "kernels/physics/motion.hpp"
 #include "kernels/physics/box/list_criterion.hpp"
 #include "kernels/physics/box/sheared_box.hpp"
+#include "kernels/physics/schemes/flight_and_kick.hpp"
 
 namespace bagnold {
 
@@ -30,7 +33,7 @@ struct NextStep {
   KOKKOS_FUNCTION void operator()(std::int64_t i,
                                   Kokkos::ValLocScalar<Real, std::int64_t>& farthest) const {
     Real const moved2 =
-        excursion2(position(i) + time_step * motion(i).velocity, position(i), strain);
+        excursion2(flown(position(i), motion(i).velocity, time_step), position(i), strain);
     if (moved2 > farthest.val) farthest = {moved2, i};
   }
 };

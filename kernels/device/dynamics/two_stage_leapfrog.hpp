@@ -3,23 +3,14 @@
 
 #include "kernels/device/dynamics/contact_forces.hpp"
 #include "kernels/device/dynamics/modified_velocity_verlet.hpp"
-#include "kernels/physics/schemes/second_look.hpp"
+#include "kernels/physics/schemes/two_stage_leapfrog.hpp"
 #include "kernels/physics/box/list_criterion.hpp"
 
 namespace bagnold {
 
-/// Leapfrog with the damping in two stages. v belongs half a step before r:
-///
-///     a_i  = f_i(r_n, v_-) dt/m_i                    first look: all forces, once a step
-///     b_i  = sum_j f_dis(r_n, alpha (a_i - a_j)) dt/m_i   second look: the damping of the changes
-///     v_+  = v_- + a + b,   r_n+1 = r_n + v_+ dt
-///
-/// and the same for the spins. To second order in the damping it is exp(-A dt) v_-, A v = -f_dis/m;
-/// alpha, see SecondLook, makes lone pairs relax exactly and holds it stable. Every contact reads the
-/// same starting data: nothing depends on an order of pairs. A disk that touches nothing flies exactly
-/// r_n + v dt. First look: what the forces change, and how many contacts each disk has.
+/// First stage of TwoStageLeapfrog: what the forces change, and how many contacts each disk has.
 template <ContactLaw Law, class Repulsion, class Space>
-struct FirstLook {
+struct FirstStage {
   ContactForces<Law, Repulsion, Space> forces;  ///< at t
   Real time_step;                               ///< dt, [tau_e]
   Kokkos::View<Motion<Law::rotates>*, Space> change;
@@ -38,17 +29,21 @@ struct FirstLook {
   KOKKOS_FUNCTION void operator()(std::uint32_t i, Real& failed) const {
     int count = 0;
     bool too_deep = false;
-    change(i) = kicked(Motion<Law::rotates>{}, forces(i, Counter{count, too_deep}), time_step,
-                       forces.table, forces.species(i));
-    contacts(i) = count < SecondLook::most ? count : SecondLook::most;
+    auto const action = forces(i, Counter{count, too_deep});
+    TimePerMass const per(time_step, forces.table, forces.species(i));
+    Motion<Law::rotates> changed;
+    changed.velocity = TwoStageLeapfrog::change(action.force, per.mass);
+    if constexpr (Law::rotates) changed.spin = TwoStageLeapfrog::change(action.torque, per.inertia);
+    change(i) = changed;
+    contacts(i) = count < SecondStage::most ? count : SecondStage::most;
     if (too_deep) failed = 1;
   }
 };
 
-/// The damping of the changes. Observers see the forces of both looks together, and the velocity halfway
-/// through the step, but for what second looks change of it, which power() adds up disk by disk:
+/// The damping of the changes. Observers see the forces of both stages together, and the velocity halfway
+/// through the step, but for what second stages change of it, which power() adds up disk by disk:
 ///
-///     sum_pairs f_ij . (b_i - b_j) = sum_i f_i . b_i,   f: the damping of both looks
+///     sum_pairs f_ij . (b_i - b_j) = sum_i f_i . b_i,   f: the damping of both stages
 ///
 /// and the same with torques and spins.
 template <ContactLaw Law, class Repulsion, class Space>
@@ -57,7 +52,7 @@ struct ChangeForces {
   ContactForces<Law, Repulsion, Space> forces;  ///< at t
   Kokkos::View<Motion<rotates> const*, Space> change;
   Kokkos::View<int const*, Space> contacts;
-  Kokkos::View<SecondLook const*, Space> shares;  ///< [1]: looked up by index, so in memory
+  Kokkos::View<SecondStage const*, Space> shares;  ///< [1]: looked up by index, so in memory
   Real time_step;                                 ///< dt, [tau_e]
 
   KOKKOS_FUNCTION ContactForces<Law, Repulsion, Space> const& now() const { return forces; }
@@ -83,7 +78,7 @@ struct ChangeForces {
   }
 
  private:
-  /// On one disk, of the second look and of both.
+  /// On one disk, of the second stage and of both.
   struct Damping {
     Action<rotates> second, both;
   };
@@ -105,15 +100,15 @@ struct ChangeForces {
         at_contact = velocity - turned(spins);
       }
       int const most = contacts(i) > contacts(j) ? contacts(i) : contacts(j);
-      int const n = most % SecondLook::most;
+      int const n = most % SecondStage::most;
       int const c = forces.species(i) + forces.species(j);
       Real const inverse = math::inverse_sqrt(distance2);
       Contact<Real> contact;
       contact.normal = inverse * separation;
       contact.relative_overlap = 1 - distance2 * inverse * inverse_distance;
       contact.inverse_distance = inverse_distance;
-      SecondLook const& share = shares(0);
-      contact.velocity = looked_at<Law>(changed, contact.normal, share.normal[c][n],
+      SecondStage const& share = shares(0);
+      contact.velocity = second_stage_velocity<Law>(changed, contact.normal, share.normal[c][n],
                                         share.tangential[c][n]);
       PairForce<Real> pair{separation, forces.repulsion.magnitude(contact) * contact.normal,
                            forces.law.dissipative_force(contact), contact.relative_overlap,
@@ -132,7 +127,7 @@ struct ChangeForces {
   }
 };
 
-/// Second look, and the step. Reduces (Max) as Correct does; new positions go to another array, as
+/// Second stage of TwoStageLeapfrog, and the step. Reduces (Max) as Correct does; new positions go to another array, as
 /// neighbours still read the old ones.
 template <ContactLaw Law, class Repulsion, class Space>
 struct LeapOn {
@@ -145,16 +140,20 @@ struct LeapOn {
   Real next_strain_since_build;  ///< at t + 2 dt
 
   KOKKOS_FUNCTION void operator()(std::uint32_t i, Real& largest) const {
-    auto const& plain = forces.forces;
-    auto after = kicked(forces.change(i), forces(i, NoObserver{}), time_step, plain.table,
-                        plain.species(i));
-    after.velocity += motion(i).velocity;
-    if constexpr (Law::rotates) after.spin += motion(i).spin;
-    Vec2<Real> const moved = plain.position(i) + time_step * after.velocity;
+    using Scheme = TwoStageLeapfrog;
+    auto const& now = forces.now();
+    auto const before = motion(i), change = forces.change(i);
+    auto const second = forces(i, NoObserver{});
+    TimePerMass const per(time_step, now.table, now.species(i));
+    Motion<Law::rotates> after;
+    after.velocity = Scheme::velocity(before.velocity, change.velocity, second.force, per.mass);
+    if constexpr (Law::rotates)
+      after.spin = Scheme::velocity(before.spin, change.spin, second.torque, per.inertia);
+    auto const moved = Scheme::position(now.position(i), after.velocity, time_step);
     motion(i) = after;
     next_position(i) = moved;
     keep_largest(largest, excursion2(moved, at_build(i), strain_since_build),
-                 excursion2(moved + time_step * after.velocity, at_build(i),
+                 excursion2(flown(moved, after.velocity, time_step), at_build(i),
                             next_strain_since_build),
                  true);
   }

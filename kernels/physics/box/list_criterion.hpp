@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "kernels/physics/kokkos_compat.hpp"
+#include "kernels/physics/math.hpp"
 #include "kernels/physics/species.hpp"
 #include "kernels/physics/vec2.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "kernels/physics/kokkos_compat.hpp"
+#include "kernels/physics/math.hpp"
 #include "kernels/physics/vec2.hpp"
 
 namespace bagnold {

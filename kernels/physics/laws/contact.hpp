@@ -39,8 +39,8 @@ concept ContactLaw = requires(Law const law, Contact<Real> const contact) {
   { law.dissipative_force(contact) } -> std::same_as<Vec2<Real>>;
 } && (!Law::linear || DampingConstants<Law>);
 
-/// A law for two-stage damping, whose second look acts on weighed changes of the velocity
-/// (kernels/physics/schemes/second_look.hpp): linear in them and, without spins, with one weight for both
+/// A law for two-stage damping, whose second stage acts on weighed changes of the velocity
+/// (kernels/physics/schemes/second_stage.hpp): linear in them and, without spins, with one weight for both
 /// directions.
 template <class Law>
 concept TwoStageLaw = ContactLaw<Law> && Law::linear && (Law::rotates || Law::one_constant);

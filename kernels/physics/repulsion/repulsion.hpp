@@ -2,7 +2,7 @@
 #pragma once
 
 #include "kernels/physics/laws/contact.hpp"
-#include "kernels/physics/kokkos_compat.hpp"
+#include "kernels/physics/math.hpp"
 
 namespace bagnold {
 

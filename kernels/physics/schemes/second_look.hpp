@@ -1,70 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cmath>
+#include "kernels/physics/schemes/second_stage.hpp"
 
-#include "kernels/physics/laws/pair_force.hpp"
-#include "kernels/physics/species.hpp"
-
+/// Old names.
 namespace bagnold {
 
-/// What share of the damping of the changes acts in the second look of TwoStageLeapfrog:
-///
-///     alpha(z) = max{1/7, (z - 1 + e^-z) / z^2},   z = N k_d dt (1/m_i + 1/m_j),
-///
-/// with three times that z along the tangent of disks that rotate (d_i^2/4I_i + d_j^2/4I_j = 2/mu).
-/// N: the contacts of the one of the two disks that has more. For N = 1 the pair slows down by e^-z
-/// exactly; 1 - z + alpha z^2 stays within (-1, 1] up to z = 7 for any N.
-struct SecondLook {
-  static constexpr int most = 8;  ///< N beyond it counts as it
-  static constexpr int classes = 3;  ///< small-small, small-big, big-big
-  Real normal[classes][most];      ///< by N mod 8
-  Real tangential[classes][most];  ///< by N mod 8
+using SecondLook = SecondStage;
 
-  SecondLook() = default;
-
-  template <TwoStageLaw Law>
-  SecondLook(Law const& law, SpeciesTable const& table, Real time_step) {
-    for (int c = 0; c < classes; ++c) {
-      Species const a = c == 2, b = c != 0;
-      Real const per_force = time_step * (table.inverse_mass[a] + table.inverse_mass[b]);
-      for (int n = 1; n <= most; ++n) {
-        Real const z = n * per_force;
-        normal[c][n % most] = share(law.normal_damping() * z);
-        tangential[c][n % most] = share(law.tangential_damping() * z * (Law::rotates ? 3 : 1));
-      }
-    }
-  }
-
-  static Real share(Real z) {
-    Real const exact = z < Real(1e-3) ? Real(0.5) - z / 6 + z * z / 24
-                                      : (z + std::expm1(-z)) / (z * z);
-    return exact > Real(1) / 7 ? exact : Real(1) / 7;
-  }
-};
-
-/// The velocity at a contact whose damping the second look adds. change: of v_i - v_j, at the point of
-/// contact if the law rotates.
 template <TwoStageLaw Law, class T>
 KOKKOS_FUNCTION Vec2<T> looked_at(Vec2<T> const& change, Vec2<T> const& normal, T const& share_normal,
                                   T const& share_tangential) {
-  if constexpr (Law::rotates)
-    return share_tangential * change +
-           ((share_normal - share_tangential) * dot(change, normal)) * normal;
-  else
-    return share_normal * change;  // CD: one and the same share; CD_n: no force along the tangent
+  return second_stage_velocity<Law>(change, normal, share_normal, share_tangential);
 }
 
-/// What the second look at a pair changes of its velocity at the contact, by itself. damping: that of
-/// the second look, with its separation; the velocity is of no account.
 template <ContactLaw Law, class T>
 KOKKOS_FUNCTION Vec2<T> own_change(PairForce<T> const& damping, T const& inverse_distance,
                                    T const& per_force, T const& per_turn) {
-  Vec2<T> change = per_force * damping.dissipative;
-  if constexpr (Law::rotates)
-    change = change - (T(0.5) * inverse_distance * per_turn * damping.turn(inverse_distance)) *
-                          perpendicular(damping.separation);
-  return change;
+  return change_of_pair<Law>(damping.dissipative, damping.turn(inverse_distance),
+                             damping.separation, inverse_distance, per_force, per_turn);
 }
 
 }  // namespace bagnold

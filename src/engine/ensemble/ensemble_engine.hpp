@@ -30,8 +30,8 @@ class EnsembleEngine final : public Ensemble {
         views_(snapshots.size(), disks_) {
     if constexpr (Stepped == Scheme::two_stage_leapfrog)
       views_.step = {SystemTable<int, Space>("dynamics::contacts", snapshots.size(), disks_),
-                     to_device<Space>("dynamics::second_look",
-                                      std::vector{SecondLook(law, table, time_step)})};
+                     to_device<Space>("dynamics::second_stage",
+                                      std::vector{SecondStage(law, table, time_step)})};
     int most_along = 0;
     for (auto const& snapshot : snapshots) {
       add(snapshot, strain_rate, time_step);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "kernels/physics/schemes/scheme.hpp"
-#include "kernels/physics/schemes/second_look.hpp"
+#include "kernels/physics/schemes/second_stage.hpp"
 #include "kernels/device/neighbors/neighbor_search.hpp"
 #include "kernels/device/sums/measure.hpp"
 #include "src/engine/clock.hpp"
@@ -22,14 +22,14 @@ KOKKOS_FUNCTION Kokkos::View<T*, Space> part(SystemTable<T, Space> const& table,
 
 /// What a step keeps of one system's disks beside trial positions and motions: nothing, or with two
 /// stages how many contacts each has. There the trial Views hold the next positions and what the
-/// first look changes.
+/// first stage changes.
 template <Scheme, class Space>
 struct StepViews {};
 
 template <class Space>
 struct StepViews<Scheme::two_stage_leapfrog, Space> {
   Kokkos::View<int*, Space> contacts;             ///< [N]
-  Kokkos::View<SecondLook const*, Space> shares;  ///< [1]
+  Kokkos::View<SecondStage const*, Space> shares;  ///< [1]
 };
 
 /// The same of many systems.
@@ -41,10 +41,10 @@ struct StepTables {
 template <class Space>
 struct StepTables<Scheme::two_stage_leapfrog, Space> {
   SystemTable<int, Space> contacts;
-  Kokkos::View<SecondLook*, Space> shares;
+  Kokkos::View<SecondStage*, Space> shares;
 
   KOKKOS_FUNCTION StepViews<Scheme::two_stage_leapfrog, Space> of(std::size_t s) const {
-    return {part(contacts, s), Kokkos::View<SecondLook const*, Space>(shares.data(), 1)};
+    return {part(contacts, s), Kokkos::View<SecondStage const*, Space>(shares.data(), 1)};
   }
 };
 

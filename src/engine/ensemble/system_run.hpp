@@ -47,7 +47,7 @@ class SystemRun {
       if (sampled && progress_.samples == static_cast<std::int32_t>(views_.samples.extent(0)))
         progress_.wait = SystemProgress::Wait::for_samples;
       else if constexpr (two_stage)
-        look();
+        first_stage();
       if (!goes_on()) return;
       if (sampled) {
         measure();
@@ -87,11 +87,11 @@ class SystemRun {
             constants_.clock.time_step};
   }
 
-  /// The first look of a two-stage step; the changes are in the trial motions.
-  KOKKOS_FUNCTION void look() {
+  /// The first stage of a two-stage step; the changes are in the trial motions.
+  KOKKOS_FUNCTION void first_stage() {
     Real failed = 0;
     team::reduce(team_, count(),
-                 FirstLook<Law, Repulsion, Space>{forces_now(), constants_.clock.time_step,
+                 FirstStage<Law, Repulsion, Space>{forces_now(), constants_.clock.time_step,
                                                   views_.trial_motion, views_.step.contacts},
                  Kokkos::Max<Real>(failed));
     if (failed > 0) progress_.wait = SystemProgress::Wait::unsound;

@@ -44,8 +44,8 @@ class ReferenceEngine final : public Simulation {
     trial_motion_ = Motions("dynamics::trial_motion", count);
     if constexpr (two_stage) {
       contacts_ = Kokkos::View<int*, Space>("dynamics::contacts", count);
-      shares_ = to_device<Space>("dynamics::second_look",
-                                 std::vector{SecondLook(law, table, time_step)});
+      shares_ = to_device<Space>("dynamics::second_stage",
+                                 std::vector{SecondStage(law, table, time_step)});
     }
     block_sums_ = Kokkos::View<Sums<rotates>*, Space>("observables::block_sums", blocks());
     list_.skin = skin;
@@ -64,7 +64,7 @@ class ReferenceEngine final : public Simulation {
 
   void advance(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) override {
     for (auto const end = std::min(step_ + steps, sampling.last_step); step_ < end;) {
-      if constexpr (two_stage) look();
+      if constexpr (two_stage) first_stage();
       if (sampling.sampled(step_)) windows.add(sampling.window(step_), measure().value, 1);
       if (windows.contacts)
         look_along_rows(forces_at(step_, position_, motion_), step_, sampling, windows);
@@ -105,12 +105,12 @@ class ReferenceEngine final : public Simulation {
     return {position, motion, species_, list_.rows, table_, box_at(step), law_, Repulsion{}};
   }
 
-  /// The first look of a two-stage step; the changes are in trial_motion_.
-  void look() {
+  /// The first stage of a two-stage step; the changes are in trial_motion_.
+  void first_stage() {
     Real failed = 0;
     side_by_side::parallel_reduce(
-        "dynamics::FirstLook", Policy(space_, 0, count()),
-        FirstLook<Law, Repulsion, Space>{forces_at(step_, position_, motion_), clock_.time_step,
+        "dynamics::FirstStage", Policy(space_, 0, count()),
+        FirstStage<Law, Repulsion, Space>{forces_at(step_, position_, motion_), clock_.time_step,
                                          trial_motion_, contacts_},
         Kokkos::Max<Real>(failed));
     if (failed > 0)
@@ -205,9 +205,9 @@ class ReferenceEngine final : public Simulation {
   Motions motion_;
   Kokkos::View<Species*, Space> species_;
   Positions trial_position_;
-  Motions trial_motion_;  ///< two-stage: what the first look changes
+  Motions trial_motion_;  ///< two-stage: what the first stage changes
   Kokkos::View<int*, Space> contacts_;  ///< two-stage: of each disk
-  Kokkos::View<SecondLook*, Space> shares_;  ///< two-stage: [1]
+  Kokkos::View<SecondStage*, Space> shares_;  ///< two-stage: [1]
   VerletList<Space> list_;
   Kokkos::View<Sums<rotates>*, Space> block_sums_;
 };

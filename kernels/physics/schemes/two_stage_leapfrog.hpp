@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kernels/physics/schemes/flight_and_kick.hpp"
+#include "kernels/physics/schemes/lone_contact.hpp"
+#include "kernels/physics/schemes/scheme.hpp"
+#include "kernels/physics/schemes/second_stage.hpp"
+
+namespace bagnold {
+
+/// Leapfrog with the damping in two stages. v belongs half a step before r:
+///
+///     a_i = f_i(r_n, v_-) dt/m_i                            first stage: all forces, once a step
+///     b_i = sum_j f_dis(r_n, alpha (a_i - a_j)) dt/m_i      second stage: the damping of the changes
+///     v_+ = v_- + a + b,   r_n+1 = r_n + v_+ dt
+///
+/// and the spins alike. To second order in the damping it is exp(-A dt) v_-, A v = -f_dis/m; alpha, see
+/// SecondStage, makes lone pairs relax exactly and holds it stable. Every contact reads the same
+/// starting data: nothing depends on an order of pairs. A disk that touches nothing flies exactly
+/// r_n + v dt. T: a number or pack; V: Vec2<T>, or T for the spin.
+struct TwoStageLeapfrog {
+  static constexpr std::string_view name = two_stage_scheme;
+  static constexpr Scheme scheme = Scheme::two_stage_leapfrog;
+
+  /// Largest rate of damping that does not grow, times dt: |1 - y + y^2/7| <= 1.
+  static constexpr Real largest_rate = 7;
+  /// Largest frequency without damping, times dt: of a leapfrog.
+  static constexpr Real largest_frequency = 2;
+
+  /// a of the force of the first stage.
+  template <class T, class V>
+  KOKKOS_FORCEINLINE_FUNCTION static V change(V const& force, T const& per_mass) {
+    return per_mass * force;
+  }
+
+  /// v_+ of v_-, a and the force of the second stage.
+  template <class T, class V>
+  KOKKOS_FORCEINLINE_FUNCTION static V velocity(V const& before, V const& change,
+                                                V const& second, T const& per_mass) {
+    return before + multiply_add(per_mass, second, change);
+  }
+
+  /// v_+ of a disk of a lone pair, whose two stages are known together: their forces added up.
+  template <class T, class V>
+  KOKKOS_FORCEINLINE_FUNCTION static V velocity_of_pair(V const& before, V const& both,
+                                                        T const& per_mass) {
+    return kicked(before, both, per_mass);
+  }
+
+  template <class T, class V>
+  KOKKOS_FORCEINLINE_FUNCTION static V position(V const& position, V const& after,
+                                                T const& time_step) {
+    return flown(position, after, time_step);
+  }
+
+  /// Of two disks that touch no other.
+  static RelativeMotion step(RelativeMotion const& q, LoneContact const& contact, Real dt) {
+    Real const first = change(contact.acceleration(q), dt);
+    LoneContact const damping{0, contact.damping, contact.opens};
+    Real const share = SecondStage::share(contact.damping * dt);
+    Real const after = velocity(q.v, first, damping.acceleration({q.x, share * first}), dt);
+    return {position(q.x, after, dt), after};
+  }
+};
+
+}  // namespace bagnold
