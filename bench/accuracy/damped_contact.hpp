@@ -5,7 +5,8 @@
 #include <limits>
 #include <numbers>
 
-#include "src/config/scene.hpp"
+#include "kernels/physics/species.hpp"
+#include "src/config/contact_rates.hpp"
 
 namespace bagnold::accuracy {
 
@@ -18,13 +19,11 @@ struct DampedContact {
   double turning;     ///< its share that is a change of the centres' velocities: mu_t / mu
 
   explicit DampedContact(Scene const& scene) {
-    double const mu = (scene.mass_by_area() ? std::numbers::pi / 2 : 1.0) / 2;
-    double const k_d = 1 / scene.disks.elasticity;
-    decay = k_d / (2 * mu);
-    frequency2 = 1 / mu - decay * decay;
-    double const faster = scene.rotates() ? 3 : 1;
-    sliding = scene.disks.model == "CD_n" ? 0 : faster * k_d / mu;
-    turning = 1 / faster;
+    ContactRates const r(scene);
+    decay = r.normal / 2;
+    frequency2 = r.stiffness - decay * decay;
+    sliding = r.tangential;
+    turning = 1 / tangential_mobility(scene.rotates());
   }
 
   double duration() const {  ///< [tau_e]

@@ -24,7 +24,7 @@ struct PerSpecies {
 struct SpeciesTable {
   PerSpecies diameter;         ///< d, [d_s]
   PerSpecies inverse_mass;     ///< 1/m, [1/m] (P2) or [1/m_0] (P1)
-  PerSpecies inverse_inertia;  ///< 1/I with I = m (d/2)^2 / 2, P2 below Eq. (7)
+  PerSpecies inverse_inertia;  ///< 1/I
 };
 
 inline constexpr Real small_diameter = 1.0;
@@ -35,12 +35,22 @@ constexpr Real disk_mass(bool by_area, Real diameter) {
   return by_area ? Real(1.57079632679489661923) * diameter * diameter : Real(1);
 }
 
+/// Moment of inertia of a disk, m (d/2)^2 / 2, P2 below Eq. (7).
+constexpr Real disk_inertia(bool by_area, Real diameter) {
+  return disk_mass(by_area, diameter) * diameter * diameter / 8;
+}
+
+/// How much faster the points of contact of two disks change their velocity along the tangent than along
+/// the normal: mu/mu_t = 1, or where they roll 1 + mu (d_i^2/4I_i + d_j^2/4I_j) = 3.
+constexpr Real tangential_mobility(bool rotates) { return rotates ? 3 : 1; }
+
 constexpr SpeciesTable make_species_table(bool mass_by_area) {
   Real const small = disk_mass(mass_by_area, small_diameter);
   Real const big = disk_mass(mass_by_area, big_diameter);
   return {{small_diameter, big_diameter},
           {1 / small, 1 / big},
-          {8 / (small * small_diameter * small_diameter), 8 / (big * big_diameter * big_diameter)}};
+          {1 / disk_inertia(mass_by_area, small_diameter),
+           1 / disk_inertia(mass_by_area, big_diameter)}};
 }
 
 }  // namespace bagnold

@@ -33,7 +33,7 @@ double loss(S, LoneContact const& contact, double h, double phase, double half_p
 double collision_loss_error(Scene const& scene, std::string_view scheme, double time_step) {
   ContactRates const r(scene);
   double const decay = r.normal / 2, squared = r.stiffness - decay * decay;
-  if (scene.disks.force_exponent != 2.0 || decay == 0 || squared <= 0) return 0;
+  if (!r.harmonic || decay == 0 || squared <= 0) return 0;
   double const half_period = std::numbers::pi / std::sqrt(squared);
   LoneContact const contact{r.stiffness, r.normal, true};
   double sum = 0;

@@ -8,6 +8,7 @@
 #include <initializer_list>
 #include <string_view>
 
+#include "src/config/names.hpp"
 #include "src/config/shown.hpp"
 
 namespace bagnold {
@@ -67,15 +68,15 @@ void look_at_others(Scene const& scene, Refusals const& refuse) {
   if (disks.packing_fraction >= 1)
     refuse({"disks.packing_fraction"},
            "disks.packing_fraction = 1 (must be below 1: disks cannot fill the plane)");
-  if (disks.force_exponent != 2.0 && disks.force_exponent != 2.5)
+  if (std::ranges::count(force_exponents(), disks.force_exponent) == 0)
     refuse({"disks.force_exponent"},
-           fmt::format("disks.force_exponent = {} (must be 2, harmonic, or 2.5, Hertz)",
-                       disks.force_exponent));
-  if (disks.model != "general" && (disks.damping_normal != 1 || disks.damping_tangential != 1))
+           fmt::format("disks.force_exponent = {} (must be {})",
+                       disks.force_exponent, exponent_choice()));
+  if (std::ranges::count(separate_models(), disks.model) == 0 && (disks.damping_normal != 1 || disks.damping_tangential != 1))
     refuse({"disks.model", "disks.damping_normal", "disks.damping_tangential"},
            fmt::format("disks.damping_normal and disks.damping_tangential belong to model "
-                       "\"general\", not \"{}\"; change disks.model or leave them out",
-                       disks.model));
+                       "{}, not \"{}\"; change disks.model or leave them out",
+                       choice(separate_models()), disks.model));
   if (scene.start.kind == "state" && scene.start.file.empty())
     refuse({"start.kind", "start.file"},
            "start.file is missing: start.kind = \"state\" needs a state file");
@@ -100,8 +101,8 @@ void look_at_others(Scene const& scene, Refusals const& refuse) {
   if (scene.measure.rotation && !scene.rotates())
     refuse({"measure.rotation", "disks.model"},
            fmt::format("measure.rotation = true (disks of model \"{}\" do not rotate); use model "
-                       "\"CD_rot\" or \"general\", or measure.rotation = false",
-                       disks.model));
+                       "{}, or measure.rotation = false",
+                       disks.model, choice(rotating_models())));
 }
 
 }  // namespace

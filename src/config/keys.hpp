@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "src/config/names.hpp"
 #include "src/config/scene.hpp"
 
 namespace bagnold {
@@ -42,6 +43,7 @@ inline constexpr bool above = true;  ///< the lower bound itself is excluded
 template <class SceneType, class Visitor>
 void for_each_key(SceneType& scene, Visitor&& visit) {
   auto& [title, disks, start, shear, integration, measure, output] = scene;
+  auto const exponents = force_exponents();
   constexpr double many = std::numeric_limits<double>::infinity();
   // asked again at each key: a reader learns the protocol on the way
   auto const is = [&chosen = shear.protocol](std::string_view protocol) { return chosen == protocol; };
@@ -52,8 +54,7 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
 
   visit(Key{"title", "", "shown in output", optional}, title);
 
-  visit(Key{"disks.model", "", "contact law", required, 0, 0, false,
-            {"CD", "CD_n", "CD_rot", "general"}}, disks.model);
+  visit(Key{"disks.model", "", "contact law", required, 0, 0, false, model_names()}, disks.model);
   visit(Key{"disks.count", "", "number of disks N, even: half small, half big", required, 2, 2e8},
         disks.count);
   visit(Key{"disks.packing_fraction", "", "phi: area of the disks over area of the box", required,
@@ -65,11 +66,11 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
   visit(Key{"disks.seed", "", "of the random start", optional, 0, 9.2e18}, disks.seed);
   visit(Key{"disks.replicas", "", "systems side by side, of the seeds seed .. seed + R - 1", optional,
             1, 4096}, disks.replicas);
-  visit(Key{"disks.damping_normal", "1/Q", "k_d^(n), model general only", optional, 0, 1e6},
+  visit(Key{"disks.damping_normal", "1/Q", normal_damping_meaning(), optional, 0, 1e6},
         disks.damping_normal);
-  visit(Key{"disks.damping_tangential", "1/Q", "k_d^(t), model general only", optional, 0, 1e6},
+  visit(Key{"disks.damping_tangential", "1/Q", tangential_damping_meaning(), optional, 0, 1e6},
         disks.damping_tangential);
-  visit(Key{"disks.force_exponent", "", "alpha: 2 (harmonic) or 2.5 (Hertz)", optional, 2, 2.5},
+  visit(Key{"disks.force_exponent", "", exponent_meaning(), optional, exponents.front(), exponents.back()},
         disks.force_exponent);
 
   visit(Key{"start.kind", "", "random positions, or a state file", optional, 0, 0, false,
@@ -108,7 +109,7 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
             0, 1e6, above}), shear.ramp_every);
 
   visit(Key{"integration.scheme", "", "how the motion is stepped, or \"auto\": two stages", optional, 0, 0,
-            false, {automatic, papers_scheme, two_stage_scheme}}, integration.scheme);
+            false, scheme_words()}, integration.scheme);
   visit(Key{"integration.engine", "", "how the scheme is computed; none changes the physics", optional,
             0, 0, false, {"auto", "reference", "dense", "contact-rich", "windowed"}}, integration.engine);
   visit(Key{"integration.time_step", "tau_e", "dt, or \"auto\": the scheme's rule, or \"paper\": the papers'",

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/physics/species.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/stability.hpp"
 #include "src/config/time_step.hpp"
@@ -17,7 +18,6 @@ namespace {
 
 constexpr double most_steps = 4e15;  // counted exactly, with room to spare
 constexpr double most_windows = 1e6;
-constexpr double big_diameter = 1.4;  // [d_s]
 
 /// A quotient rounded up, but not for the sake of the rounding of the quotient itself.
 double round_up(double quotient) { return std::ceil(quotient * (1 - 1e-12)); }
@@ -131,7 +131,7 @@ int Plan::direction(std::int64_t window) const {
 
 double least_box_for_fields() {
   // a search from a small disk reaches what touches the circle, one from a big disk further
-  double const small_radius = 0.5;
+  double const small_radius = small_diameter / 2;
   return 2 * (big_diameter + field_radius - small_radius);
 }
 

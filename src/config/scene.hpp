@@ -20,15 +20,15 @@ struct Scene {
   std::string title;
 
   struct Disks {
-    std::string model;            ///< "CD", "CD_n", "CD_rot", "general"
+    std::string model;            ///< of a law in kernels/physics/laws
     std::int64_t count = 0;       ///< N
     double packing_fraction = 0;  ///< phi
     double elasticity = 0;        ///< Q
     std::string mass;             ///< "equal" or "area"
     std::int64_t seed = 1;
     std::int64_t replicas = 1;      ///< R: systems of the seeds seed .. seed + R - 1
-    double damping_normal = 1;      ///< k_d^(n) Q, model general only
-    double damping_tangential = 1;  ///< k_d^(t) Q, model general only
+    double damping_normal = 1;      ///< k_d^(n) Q
+    double damping_tangential = 1;  ///< k_d^(t) Q
     double force_exponent = 2;      ///< alpha
   } disks;
 
@@ -78,7 +78,7 @@ struct Scene {
     bool plot = true;
   } output;
 
-  bool rotates() const { return disks.model == "CD_rot" || disks.model == "general"; }
+  bool rotates() const;  ///< whether disks have spins
   bool mass_by_area() const { return disks.mass == "area"; }
   double box_length() const;  ///< L, [d_s], P1 Eq. (8), P2 Eq. (11)
 };

@@ -20,12 +20,6 @@ double spectral_radius(S scheme, ContactRates const& r, double time_step) {
                   std::abs(ContactMatrix::of(scheme, {0, r.tangential}, time_step).vv));
 }
 
-/// The largest rate of damping that does not grow, times dt.
-double largest_rate_borne(std::string_view scheme) {
-  return with_named<Schemes>(
-      scheme, []<class S>(std::type_identity<S>) -> double { return S::largest_rate; });
-}
-
 }  // namespace
 
 double contact_spectral_radius(Scene const& scene, std::string_view scheme, double time_step) {
@@ -49,13 +43,10 @@ double largest_stable_time_step(Scene const& scene, std::string_view scheme) {
 }
 
 double dense_flow_time_step(Scene const& scene, std::string_view scheme) {
-  constexpr double rolling = 18.8, sliding = 8.0, normal = 5.3;  // rates, [k_d / m]
   ContactRates const r(scene);
-  double const n = r.normal / 2, t = r.tangential / (scene.rotates() ? 6 : 2);  // k_n/m, k_t/m
-  double const rate = scene.disks.model == "CD_n" ? normal * n
-                      : scene.disks.model == "CD" ? sliding * n
-                                                  : rolling * t + normal * std::max(0.0, n - t);
-  return largest_rate_borne(scheme) / rate;
+  return with_named<Schemes>(scheme, [&]<class S>(std::type_identity<S>) -> double {
+    return S::largest_rate / r.dense_flow;
+  });
 }
 
 }  // namespace bagnold

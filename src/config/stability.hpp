@@ -11,7 +11,7 @@ namespace bagnold {
 /// Spectral radius of one step for two small disks, the lightest pair, held in contact: the larger
 /// one of the normal and the tangential motion. Above 1 the step makes energy.
 ///
-/// Normal: mu x'' = -k x - k_n x' with k = 1/d^2 (for alpha = 5/2 the stiffness at 20% overlap).
+/// Normal: mu x'' = -k x - k_n x' with k = 1/d^2 (not harmonic: the stiffness at 20% overlap).
 /// Tangential: mu_t u' = -k_t u, with 1/mu_t = 2/m, and 4/m more where the disks can roll.
 double contact_spectral_radius(Scene const& scene, std::string_view scheme, double time_step);
 
@@ -28,10 +28,8 @@ double largest_stable_time_step(Scene const& scene, std::string_view scheme);
 /// The time step up to which the damping of a dense flow was seen not to grow, [tau_e]; measured.
 ///
 /// The contacts of a steady state of CD_rot at phi = 0.82 (Z = 3.5), held as they are, relax at rates
-/// of up to 18.8 k_d/m where disks roll, 8.0 k_d/m with CD and 5.3 k_d/m with CD_n, m of small disks
-/// (docs/stability.md). The largest rate is convex in the constants k_n and k_t of the model general:
-/// at most 18.8 k_t + 5.3 max{0, k_n - k_t}. The elastic force is left out. At larger steps some
-/// contacts of such a flow grow; one at phi = 0.84 bears 4% less.
+/// up to that of the law (kernels/physics/laws/dense_flow.hpp), m of small disks. The elastic force is
+/// left out. At larger steps some contacts of such a flow grow; one at phi = 0.84 bears 4% less.
 double dense_flow_time_step(Scene const& scene, std::string_view scheme);
 
 }  // namespace bagnold

@@ -1,35 +1,46 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/config/time_step.hpp"
 
-#include <algorithm>
 #include <cmath>
+
+#include "kernels/physics/schemes/schemes.hpp"
+#include "src/config/scene_physics.hpp"
 
 namespace bagnold {
 
+namespace {
+
+/// The time step of a scheme's own rule, [tau_e].
+double rule_of(Scene const& scene, std::string_view scheme) {
+  auto const input = damping_input(scene.disks);
+  return with_named<Laws>(scene.disks.model, [&]<class Law>(std::type_identity<Law>) {
+    return with_named<Schemes>(scheme, [&]<class S>(std::type_identity<S>) -> double {
+      if constexpr (S::template can_step<Law>) return S::template time_step<Law>(input);
+      else return Law::paper_time_step(input.elasticity);  // refused by name where it is run
+    });
+  });
+}
+
+}  // namespace
+
 std::string_view scheme_of(Scene const& scene) {
   auto const& given = scene.integration.scheme;
-  return given == automatic ? two_stage_scheme : std::string_view(given);
+  return given == automatic ? DefaultScheme::name : std::string_view(given);
 }
 
 double paper_time_step(Scene::Disks const& disks) {
-  double const q = disks.elasticity;
-  if (disks.model == "CD" || disks.model == "CD_rot")
-    return q < 0.5 ? std::max(0.01, 0.1 * q) : 0.05;
-  return std::min({0.5 / q, 0.1, 0.2 * q});
+  return with_law(disks, [&]<class Law>(Law const&) -> double {
+    return Law::paper_time_step(disks.elasticity);
+  });
 }
 
-double two_stage_time_step(Scene const& scene) {
-  auto const& disks = scene.disks;
-  double const damping =
-      disks.model == "general" ? std::max(disks.damping_normal, disks.damping_tangential) : 1.0;
-  return std::min(0.2, (scene.rotates() ? 0.2 : 0.5) * disks.elasticity / damping);
-}
+double two_stage_time_step(Scene const& scene) { return rule_of(scene, two_stage_scheme); }
 
 double time_step(Scene const& scene) {
   auto const& given = scene.integration.time_step;
   if (given.number) return *given.number;
-  bool const papers = given.word == of_papers || scheme_of(scene) == papers_scheme;
-  double const rule = papers ? paper_time_step(scene.disks) : two_stage_time_step(scene);
+  double const rule = given.word == of_papers ? paper_time_step(scene.disks)
+                                              : rule_of(scene, scheme_of(scene));
   double const piece = scene.shear.ramp_every;
   if (scene.shear.protocol != "ramp") return rule;
   return piece / std::ceil(piece / rule * (1 - 1e-12));

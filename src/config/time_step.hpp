@@ -11,14 +11,10 @@ namespace bagnold {
 /// the papers' scheme bears.
 std::string_view scheme_of(Scene const& scene);
 
-/// The papers' time steps, [tau_e].
-///
-/// CD_n and general: min{0.5/Q, 0.1, 0.2 Q} (P1 Sec. II C). CD and CD_rot: 0.05, and below Q = 0.5
-/// max(0.01, 0.1 Q), after P2 Sec. II D, which says "down to 0.01".
+/// The papers' time step of a law, [tau_e], see kernels/physics/laws/paper_time_step.hpp.
 double paper_time_step(Scene::Disks const& disks);
 
-/// Those of two stages, [tau_e]: min{0.2, 0.2 Q} where disks rotate, otherwise min{0.2, 0.5 Q}, with Q
-/// over the larger damping constant of the model general. Biases are below 1% (docs/accuracy.md).
+/// The time step of TwoStageLeapfrog, [tau_e].
 double two_stage_time_step(Scene const& scene);
 
 /// The time step of a scene: as given, or by the rule named; of a ramp shortened to divide ramp_every.

@@ -13,7 +13,11 @@ struct Quadratic {
   static constexpr std::string_view name = "quadratic";
   static constexpr bool rotates = false;
   static constexpr bool linear = false;
+  static constexpr bool separate_constants = false;
   Real damping;
+
+  static Quadratic make(DampingInput const& input) { return {1 / input.elasticity}; }
+  static Real paper_time_step(Real elasticity) { return time_step_of_p1(elasticity); }
 
   template <class T>
   KOKKOS_FUNCTION Vec2<T> dissipative_force(Contact<T> const& c) const {
@@ -26,23 +30,12 @@ struct Quadratic {
 struct Sliding : General {
   static constexpr std::string_view name = "sliding";
   static constexpr bool rotates = false;
-};
 
-/// Says nothing of its linearity.
-struct Silent {
-  static constexpr std::string_view name = "silent";
-  static constexpr bool rotates = false;
-  Real damping;
-
-  template <class T>
-  KOKKOS_FUNCTION Vec2<T> dissipative_force(Contact<T> const& c) const {
-    return T(-damping) * c.velocity;
-  }
+  static Sliding make(DampingInput const& input) { return {General::make(input)}; }
 };
 
 static_assert(ContactLaw<Quadratic> && !TwoStageLaw<Quadratic>);
 static_assert(ContactLaw<Sliding> && !TwoStageLaw<Sliding>);
-static_assert(!ContactLaw<Silent>);
 
 template <class... Law>
 constexpr bool all_do_two_stages(std::tuple<Law...> const*) {

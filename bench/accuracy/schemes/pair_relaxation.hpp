@@ -2,30 +2,10 @@
 #pragma once
 
 #include <cmath>
-#include <type_traits>
 
 #include "bench/accuracy/world.hpp"
-#include "kernels/physics/laws/cd.hpp"
-#include "kernels/physics/laws/cd_n.hpp"
-#include "kernels/physics/laws/general.hpp"
 
 namespace bagnold::accuracy {
-
-/// k_d^n and k_d^t of a law, [m / tau_e].
-template <ContactLaw Law>
-Real normal_damping(Law const& law) {
-  if constexpr (std::is_same_v<Law, General>)
-    return law.damping_normal;
-  else
-    return law.damping;
-}
-template <ContactLaw Law>
-Real tangential_damping(Law const& law) {
-  if constexpr (std::is_same_v<Law, General>)
-    return law.damping_tangential;
-  else
-    return std::is_same_v<Law, CDn> ? Real(0) : law.damping;
-}
 
 /// One component of the relative motion of two disks under their damping alone: v' = -(k_d/mu) v.
 struct Relaxing {
@@ -60,8 +40,8 @@ struct PairRelaxation {
       };
       Real const inverse = parts * (table.inverse_mass[a] + table.inverse_mass[b]);
       Real const turning = inverse + parts * (rolling(a) + rolling(b));
-      normal[big] = {1 / inverse, normal_damping(law) * time * inverse};
-      tangential[big] = {1 / turning, tangential_damping(law) * time * turning};
+      normal[big] = {1 / inverse, law.normal_damping() * time * inverse};
+      tangential[big] = {1 / turning, law.tangential_damping() * time * turning};
     }
   }
 };

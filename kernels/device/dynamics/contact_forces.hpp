@@ -28,7 +28,7 @@ struct DiskPower {
 /// Each disk sums its own contacts in the order of its row (by neighbour index), so the bits depend
 /// neither on threads nor on when the list was built. r_ij and r_ji are exact negatives: so are
 /// their forces.
-template <ContactLaw Law, class Repulsion, class Space>
+template <PairLaw Law, class Repulsion, class Space>
 struct ContactForces {
   static constexpr bool rotates = Law::rotates;
 

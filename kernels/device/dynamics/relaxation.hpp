@@ -9,13 +9,7 @@ namespace bagnold {
 
 /// No damping between disks.
 struct NoDissipation {
-  static constexpr std::string_view name = "none";
   static constexpr bool rotates = false;
-  static constexpr bool linear = true;
-  static constexpr bool one_constant = true;
-
-  Real normal_damping() const { return 0; }
-  Real tangential_damping() const { return 0; }
 
   template <class T>
   KOKKOS_FUNCTION Vec2<T> dissipative_force(Contact<T> const&) const {
@@ -49,7 +43,7 @@ struct Relax {
 
 /// Reduces (MaxLoc) the largest relative overlap 1 - r_ij/d_ij of all contacts, and a disk that has
 /// it; where nothing touches the value is that of an empty reduction, negative.
-template <ContactLaw Law, class Repulsion, class Space>
+template <PairLaw Law, class Repulsion, class Space>
 struct LargestOverlap {
   using Value = Kokkos::ValLocScalar<Real, std::int64_t>;
 

@@ -90,35 +90,30 @@ struct ChangeForces {
     forces.each_contact(i, [&](std::uint32_t j, Vec2<Real> const& separation, Real distance2,
                                Real inverse_distance, Vec2<Real> const& velocity, Real spins) {
       Real const diameter_j = forces.table.diameter[forces.species(j)];
-      Vec2<Real> changed = change(i).velocity - change(j).velocity;
-      Vec2<Real> at_contact = velocity;
-      if constexpr (rotates) {
-        auto const turned = [&](Real both) {
-          return (Real(0.5) * inverse_distance * both) * perpendicular(separation);
-        };
-        changed = changed - turned(change(i).spin * diameter_i + change(j).spin * diameter_j);
-        at_contact = velocity - turned(spins);
-      }
+      auto const at_contact = [&](Vec2<Real> const& of_centres, Real of_spins) {
+        return velocity_at_contact<Law>(of_centres, separation, inverse_distance, of_spins);
+      };
+      Real changed_spins = 0;
+      if constexpr (rotates)
+        changed_spins = change(i).spin * diameter_i + change(j).spin * diameter_j;
+      auto const changed = at_contact(change(i).velocity - change(j).velocity, changed_spins);
+      auto const before = at_contact(velocity, spins);
       int const most = contacts(i) > contacts(j) ? contacts(i) : contacts(j);
       int const n = most % SecondStage::most;
       int const c = forces.species(i) + forces.species(j);
-      Real const inverse = math::inverse_sqrt(distance2);
-      Contact<Real> contact;
-      contact.normal = inverse * separation;
-      contact.relative_overlap = 1 - distance2 * inverse * inverse_distance;
-      contact.inverse_distance = inverse_distance;
+      Contact<Real> contact = make_contact(separation, distance2, inverse_distance);
       SecondStage const& share = shares(0);
       contact.velocity = second_stage_velocity<Law>(changed, contact.normal, share.normal[c][n],
-                                        share.tangential[c][n]);
+                                                    share.tangential[c][n]);
       PairForce<Real> pair{separation, forces.repulsion.magnitude(contact) * contact.normal,
                            forces.law.dissipative_force(contact), contact.relative_overlap,
-                           at_contact + Real(0.5) * changed};
+                           before + Real(0.5) * changed};
       auto const add = [&](Action<rotates>& to) {
         to.force += pair.dissipative;
         if constexpr (rotates) to.torque += diameter_i * pair.turn(inverse_distance);
       };
       add(total.second);
-      contact.velocity = contact.velocity + at_contact;
+      contact.velocity = contact.velocity + before;
       pair.dissipative = forces.law.dissipative_force(contact);
       add(total.both);
       observe(pair);

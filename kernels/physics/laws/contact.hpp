@@ -21,28 +21,103 @@ struct Contact {
 /// Largest relative overlap at which a soft disk is still taken for a grain.
 inline constexpr Real largest_relative_overlap = 0.2;
 
-/// What a law whose force is linear in the velocity says of it: f_dis = -k_n v_n n - k_t v_t.
+/// Damping as a scene gives it.
+struct DampingInput {
+  Real elasticity;      ///< Q; k_d = 1/Q (P1 Eq. 6, P2 Eq. 9)
+  Real normal = 1;      ///< k_d^(n) Q, for laws with separate constants
+  Real tangential = 1;  ///< k_d^(t) Q, likewise
+};
+
+/// What a law says of itself, one concept a fact; ContactLaw asks for all.
+namespace law {
+
 template <class Law>
-concept DampingConstants = requires(Law const law) {
+concept Named = requires {
+  { Law::name } -> std::convertible_to<std::string_view>;
+};
+
+/// Whether disks have spins, as the force feels the velocity at the point of contact.
+template <class Law>
+concept SaysWhetherItRotates = requires {
+  { Law::rotates } -> std::convertible_to<bool>;
+};
+
+/// The force on i from j.
+template <class Law>
+concept Forceful = requires(Law const law, Contact<Real> const contact) {
+  { law.dissipative_force(contact) } -> std::same_as<Vec2<Real>>;
+};
+
+/// Whether the force is linear in the velocity.
+template <class Law>
+concept SaysWhetherItIsLinear = requires {
+  { Law::linear } -> std::convertible_to<bool>;
+};
+
+/// The law of a scene, its constants in proportion to 1/Q, and whether it has a constant of its own
+/// along the normal and the tangent (disks.damping_normal and disks.damping_tangential).
+template <class Law>
+concept MadeFromInput = requires(DampingInput const& input) {
+  { Law::make(input) } -> std::same_as<Law>;
+  { Law::separate_constants } -> std::convertible_to<bool>;
+};
+
+/// The papers' time step at an elasticity Q, [tau_e].
+template <class Law>
+concept FollowsAPaper = requires(Real elasticity) {
+  { Law::paper_time_step(elasticity) } -> std::convertible_to<Real>;
+};
+
+/// Of a law that is linear: f_dis = -k_n v_n n - k_t v_t.
+template <class Law>
+concept HasConstants = requires(Law const law) {
   { law.normal_damping() } -> std::same_as<Real>;      // k_n, [m / tau_e]
   { law.tangential_damping() } -> std::same_as<Real>;  // k_t, [m / tau_e]
   { Law::one_constant } -> std::convertible_to<bool>;  // k_t is k_n, or 0, whatever the parameters
+  { law.dense_flow_rate() } -> std::same_as<Real>;     // laws/dense_flow.hpp, [m / tau_e]
 };
 
-/// A dissipative contact law: name, whether it needs spins, the force on i from j, whether that is
-/// linear in the velocity, and its constants if it is.
+}  // namespace law
+
+/// A force of disks in contact, as loops over pairs need it.
 template <class Law>
-concept ContactLaw = requires(Law const law, Contact<Real> const contact) {
-  { Law::name } -> std::convertible_to<std::string_view>;
-  { Law::rotates } -> std::convertible_to<bool>;
-  { Law::linear } -> std::convertible_to<bool>;
-  { law.dissipative_force(contact) } -> std::same_as<Vec2<Real>>;
-} && (!Law::linear || DampingConstants<Law>);
+concept PairLaw = law::SaysWhetherItRotates<Law> && law::Forceful<Law>;
+
+/// A contact law: all that the program asks of one. A law that is not linear has no constants.
+template <class Law>
+concept ContactLaw =
+    law::Named<Law> && PairLaw<Law> && law::MadeFromInput<Law> && law::FollowsAPaper<Law> &&
+    law::SaysWhetherItIsLinear<Law> && (!Law::linear || law::HasConstants<Law>);
 
 /// A law for two-stage damping, whose second stage acts on weighed changes of the velocity
-/// (kernels/physics/schemes/second_stage.hpp): linear in them and, without spins, with one weight for both
-/// directions.
+/// (kernels/physics/schemes/second_stage.hpp): linear in them and, without spins, with one weight for
+/// both directions.
 template <class Law>
 concept TwoStageLaw = ContactLaw<Law> && Law::linear && (Law::rotates || Law::one_constant);
+
+/// True, or one sentence from the compiler for each fact that a law lacks.
+template <class Law>
+constexpr bool is_contact_law() {
+  static_assert(law::Named<Law>, "a contact law has `static constexpr std::string_view name`");
+  static_assert(law::SaysWhetherItRotates<Law>,
+                "a contact law has `static constexpr bool rotates`: whether it needs spins");
+  static_assert(law::Forceful<Law>,
+                "a contact law has `template <class T> KOKKOS_FUNCTION Vec2<T> "
+                "dissipative_force(Contact<T> const&) const`");
+  static_assert(law::SaysWhetherItIsLinear<Law>,
+                "a contact law has `static constexpr bool linear`: whether its force is linear in "
+                "the velocity");
+  static_assert(law::MadeFromInput<Law>,
+                "a contact law has `static Law make(DampingInput const&)` and `static constexpr "
+                "bool separate_constants`");
+  static_assert(law::FollowsAPaper<Law>,
+                "a contact law has `static Real paper_time_step(Real elasticity)`, see "
+                "laws/paper_time_step.hpp");
+  if constexpr (law::SaysWhetherItIsLinear<Law>)
+    static_assert(!Law::linear || law::HasConstants<Law>,
+                  "a law linear in the velocity has normal_damping(), tangential_damping() and "
+                  "dense_flow_rate(), all Real and const, and `static constexpr bool one_constant`");
+  return ContactLaw<Law>;
+}
 
 }  // namespace bagnold

@@ -25,28 +25,44 @@ struct PairForce {
   }
 };
 
-/// The force of a pair that touches: one disk at a time, or a pack of pairs at once.
-///
-/// distance2 = r_ij^2; velocity: v_i - v_j with the shear of the image; inverse_distance: 1/d_ij;
-/// spins: thetadot_i d_i + thetadot_j d_j, [d_s / tau_e], of no account where the law does not rotate.
-///
-///     v_i^C - v_j^C = v_ij - (thetadot_i d_i + thetadot_j d_j)/(d_i + d_j) z^ x r_ij   P2 Eq. (6)
-template <ContactLaw Law, class Repulsion, class T>
-KOKKOS_FUNCTION PairForce<T> pair_force(Law const& law, Repulsion const& repulsion,
-                                        Vec2<T> const& separation, T const& distance2,
-                                        Vec2<T> const& velocity, T const& inverse_distance,
-                                        T const& spins) {
+/// Two disks in contact, but for their velocity. distance2 = r_ij^2; inverse_distance: 1/d_ij.
+template <class T>
+KOKKOS_FORCEINLINE_FUNCTION Contact<T> make_contact(Vec2<T> const& separation, T const& distance2,
+                                                    T const& inverse_distance) {
   using math::inverse_sqrt;  // packs bring their own
   T const inverse = inverse_sqrt(distance2);
   Contact<T> contact;
   contact.normal = inverse * separation;
   contact.relative_overlap = T(1) - distance2 * inverse * inverse_distance;
   contact.inverse_distance = inverse_distance;
-  contact.velocity = velocity;
-  if constexpr (Law::rotates) {
-    T const rolling = T(0.5) * inverse_distance * spins;
-    contact.velocity = velocity - rolling * perpendicular(separation);
-  }
+  return contact;
+}
+
+/// Velocity of i against j as the law feels it: of the centres, or at the point of contact.
+///
+///     v_i^C - v_j^C = v_ij - (thetadot_i d_i + thetadot_j d_j)/(d_i + d_j) z^ x r_ij   P2 Eq. (6)
+///
+/// velocity: v_i - v_j with the shear of the image; spins: thetadot_i d_i + thetadot_j d_j,
+/// [d_s / tau_e], of no account where the law does not rotate. Or changes of both.
+template <PairLaw Law, class T>
+KOKKOS_FORCEINLINE_FUNCTION Vec2<T> velocity_at_contact(Vec2<T> const& velocity,
+                                                        Vec2<T> const& separation,
+                                                        T const& inverse_distance, T const& spins) {
+  if constexpr (Law::rotates)
+    return velocity - (T(0.5) * inverse_distance * spins) * perpendicular(separation);
+  else
+    return velocity;
+}
+
+/// The force of a pair that touches: one disk at a time, or a pack of pairs at once. Arguments: see
+/// make_contact and velocity_at_contact.
+template <PairLaw Law, class Repulsion, class T>
+KOKKOS_FUNCTION PairForce<T> pair_force(Law const& law, Repulsion const& repulsion,
+                                        Vec2<T> const& separation, T const& distance2,
+                                        Vec2<T> const& velocity, T const& inverse_distance,
+                                        T const& spins) {
+  Contact<T> contact = make_contact(separation, distance2, inverse_distance);
+  contact.velocity = velocity_at_contact<Law>(velocity, separation, inverse_distance, spins);
   return {separation, repulsion.magnitude(contact) * contact.normal, law.dissipative_force(contact),
           contact.relative_overlap, contact.velocity};
 }

@@ -1,18 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <tuple>
+
 #include "kernels/physics/laws/contact.hpp"
 #include "kernels/physics/math.hpp"
 
 namespace bagnold {
 
-/// Elastic repulsion along the normal, on i away from j, [m d_s / tau_e^2].
+/// Elastic repulsion along the normal, on i away from j, [m d_s / tau_e^2]; the input names it by its
+/// exponent alpha.
 ///
 ///     f_el = (k_e / d_ij) (1 - r_ij / d_ij)^(alpha - 1)     P1 Eq. (2), P2 Eq. (2), with k_e = 1
-///
+template <class R>
+concept RepulsionLaw = requires(R const repulsion, Contact<Real> const contact, Real overlap) {
+  { R::force_exponent } -> std::convertible_to<double>;          // alpha
+  { R::name } -> std::convertible_to<std::string_view>;          // beside alpha, in messages
+  { R::stiffness(overlap) } -> std::convertible_to<Real>;        // -d f_el / d r_ij, [k_e / d_ij^2]
+  { repulsion.magnitude(contact) } -> std::same_as<Real>;
+};
+
 /// alpha = 2, the papers' value.
 struct HarmonicRepulsion {
   static constexpr double force_exponent = 2.0;
+  static constexpr std::string_view name = "harmonic";
+
+  static Real stiffness(Real) { return 1; }
 
   template <class T>
   KOKKOS_FUNCTION T magnitude(Contact<T> const& c) const {
@@ -20,9 +33,12 @@ struct HarmonicRepulsion {
   }
 };
 
-/// The same with alpha = 5/2, Hertz.
+/// alpha = 5/2, Hertz.
 struct HertzianRepulsion {
   static constexpr double force_exponent = 2.5;
+  static constexpr std::string_view name = "Hertz";
+
+  static Real stiffness(Real relative_overlap) { return 1.5 * math::sqrt(relative_overlap); }
 
   template <class T>
   KOKKOS_FUNCTION T magnitude(Contact<T> const& c) const {
@@ -32,5 +48,10 @@ struct HertzianRepulsion {
     return overlap * sqrt(overlap) * c.inverse_distance;
   }
 };
+
+/// Every repulsion there is; the first is the default.
+using Repulsions = std::tuple<HarmonicRepulsion,  //
+                              HertzianRepulsion>;
+static_assert(RepulsionLaw<HarmonicRepulsion> && RepulsionLaw<HertzianRepulsion>);
 
 }  // namespace bagnold

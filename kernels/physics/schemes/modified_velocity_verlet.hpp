@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "kernels/physics/laws/contact.hpp"
 #include "kernels/physics/schemes/flight_and_kick.hpp"
 #include "kernels/physics/schemes/lone_contact.hpp"
 #include "kernels/physics/schemes/scheme.hpp"
@@ -22,6 +23,16 @@ struct ModifiedVelocityVerlet {
   static constexpr Real largest_rate = 2;
   /// Largest frequency without damping, times dt: of a velocity Verlet.
   static constexpr Real largest_frequency = 2;
+
+  /// Whether it can step a law: it steps all.
+  template <ContactLaw Law>
+  static constexpr bool can_step = true;
+
+  /// The rule for dt, [tau_e]: that of the papers.
+  template <ContactLaw Law>
+  static Real time_step(DampingInput const& input) {
+    return Law::paper_time_step(input.elasticity);
+  }
 
   template <class T, class V>
   KOKKOS_FORCEINLINE_FUNCTION static V trial_velocity(V const& velocity, V const& force,

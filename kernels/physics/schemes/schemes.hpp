@@ -1,14 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <concepts>
 #include <tuple>
 
+#include "kernels/physics/laws/cd_n.hpp"
 #include "kernels/physics/schemes/modified_velocity_verlet.hpp"
 #include "kernels/physics/schemes/two_stage_leapfrog.hpp"
 
 namespace bagnold {
 
-/// Every scheme there is; the first is taken where a scene says "auto".
-using Schemes = std::tuple<TwoStageLeapfrog, ModifiedVelocityVerlet>;
+/// What the program asks of a scheme; engines ask for its steps besides.
+template <class S>
+concept SteppingScheme = requires(RelativeMotion const& q, LoneContact const& contact, Real dt) {
+  { S::name } -> std::convertible_to<std::string_view>;
+  { S::largest_rate } -> std::convertible_to<Real>;       // of damping that does not grow, times dt
+  { S::largest_frequency } -> std::convertible_to<Real>;  // without damping, times dt
+  { S::step(q, contact, dt) } -> std::same_as<RelativeMotion>;
+  { S::template can_step<CDn> } -> std::convertible_to<bool>;
+  { S::template time_step<CDn>(DampingInput{}) } -> std::convertible_to<Real>;  // its rule, [tau_e]
+};
+
+/// Every scheme there is.
+using Schemes = std::tuple<ModifiedVelocityVerlet,  //
+                           TwoStageLeapfrog>;
+static_assert(SteppingScheme<ModifiedVelocityVerlet> && SteppingScheme<TwoStageLeapfrog>);
+
+/// What "auto" takes.
+using DefaultScheme = TwoStageLeapfrog;
 
 }  // namespace bagnold

@@ -12,7 +12,7 @@ namespace bagnold {
 ///
 ///     alpha(z) = max{1/7, (z - 1 + e^-z) / z^2},   z = N k_d dt (1/m_i + 1/m_j),
 ///
-/// with three times that z along the tangent of disks that rotate (d_i^2/4I_i + d_j^2/4I_j = 2/mu).
+/// and along the tangent of disks that roll with tangential_mobility times that z.
 /// N: the contacts of the one of the two disks that has more. For N = 1 the pair slows down by e^-z
 /// exactly; 1 - z + alpha z^2 stays within (-1, 1] up to z = 7 for any N.
 struct SecondStage {
@@ -31,7 +31,7 @@ struct SecondStage {
       for (int n = 1; n <= most; ++n) {
         Real const z = n * per_force;
         normal[c][n % most] = share(law.normal_damping() * z);
-        tangential[c][n % most] = share(law.tangential_damping() * z * (Law::rotates ? 3 : 1));
+        tangential[c][n % most] = share(law.tangential_damping() * z * tangential_mobility(Law::rotates));
       }
     }
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+
 #include "kernels/physics/schemes/flight_and_kick.hpp"
 #include "kernels/physics/schemes/lone_contact.hpp"
 #include "kernels/physics/schemes/scheme.hpp"
@@ -26,6 +28,19 @@ struct TwoStageLeapfrog {
   static constexpr Real largest_rate = 7;
   /// Largest frequency without damping, times dt: of a leapfrog.
   static constexpr Real largest_frequency = 2;
+
+  /// Whether it can step a law.
+  template <ContactLaw Law>
+  static constexpr bool can_step = TwoStageLaw<Law>;
+
+  /// The rule for dt, [tau_e]: min{0.2, 0.2 Q} where disks rotate, otherwise min{0.2, 0.5 Q}, with Q over
+  /// the larger damping constant in units of 1/Q. Biases are below 1% (docs/accuracy.md).
+  template <TwoStageLaw Law>
+  static Real time_step(DampingInput const& input) {
+    Law const at_one = Law::make({1, input.normal, input.tangential});
+    Real const damping = std::max(at_one.normal_damping(), at_one.tangential_damping());
+    return std::min(0.2, (Law::rotates ? 0.2 : 0.5) * input.elasticity / damping);
+  }
 
   /// a of the force of the first stage.
   template <class T, class V>

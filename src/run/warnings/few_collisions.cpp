@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "src/config/contact_rates.hpp"
 #include "src/run/warnings/checks.hpp"
 
 namespace bagnold {
@@ -16,11 +17,9 @@ constexpr double fewest_collisions = 10;
 /// How long two small disks touch in a head-on collision, [tau_e]: half a period of the damped
 /// oscillator; where it is overdamped the time to relax. No contact is much shorter.
 double head_on_duration(Scene const& scene) {
-  auto const& disks = scene.disks;
-  double const mass = scene.mass_by_area() ? std::numbers::pi / 2 : 1.0;
-  double const normal = disks.model == "general" ? disks.damping_normal : 1.0;
-  double const rate = normal / disks.elasticity / mass;  // of the velocity's decay, half of k_d/m_r
-  double const omega2 = 2 / mass - rate * rate;
+  ContactRates const r(scene);
+  double const rate = r.normal / 2;  // of the velocity's decay
+  double const omega2 = r.stiffness - rate * rate;
   if (omega2 > 0) return std::numbers::pi / std::sqrt(omega2);
   return 1 / (rate - std::sqrt(-omega2));
 }

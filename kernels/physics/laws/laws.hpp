@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <tuple>
+
+#include "kernels/physics/laws/cd.hpp"
+#include "kernels/physics/laws/cd_n.hpp"
+#include "kernels/physics/laws/cd_rot.hpp"
+#include "kernels/physics/laws/general.hpp"
+
+namespace bagnold {
+
+/// Every contact law there is: the program, its messages and its typed tests read this list.
+using Laws = std::tuple<CD,      //
+                        CDn,     //
+                        CDrot,   //
+                        General>;
+
+}  // namespace bagnold

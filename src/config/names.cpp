@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/config/names.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "kernels/physics/laws/laws.hpp"
+#include "kernels/physics/repulsion/repulsion.hpp"
+#include "kernels/physics/schemes/schemes.hpp"
+#include "kernels/physics/type_list.hpp"
+#include "src/config/schemes.hpp"
+
+namespace bagnold {
+
+namespace {
+
+/// Names of the laws of which something holds.
+template <class Holds>
+Words laws_where(Holds const& holds) {
+  Words names;
+  for_each_type<Laws>([&]<class Law>(std::type_identity<Law> law) {
+    if (holds(law)) names.push_back(Law::name);
+  });
+  return names;
+}
+
+std::string either(std::vector<std::string> const& parts) {
+  if (parts.size() < 2) return parts.empty() ? "" : parts.front();
+  return fmt::format("{} or {}", fmt::join(parts.begin(), parts.end() - 1, ", "), parts.back());
+}
+
+std::string damping_meaning(std::string_view constant) {
+  return fmt::format("{}, model {} only", constant, fmt::join(separate_models(), ", "));
+}
+
+}  // namespace
+
+Words model_names() { return names_of<Laws>(); }
+
+Words rotating_models() {
+  return laws_where([]<class Law>(std::type_identity<Law>) { return Law::rotates; });
+}
+
+Words separate_models() {
+  return laws_where([]<class Law>(std::type_identity<Law>) { return Law::separate_constants; });
+}
+
+Words scheme_words() {
+  Words words = names_of<Schemes>();
+  words.insert(words.begin(), automatic);
+  return words;
+}
+
+std::vector<double> force_exponents() {
+  std::vector<double> exponents;
+  for_each_type<Repulsions>(
+      [&]<class R>(std::type_identity<R>) { exponents.push_back(R::force_exponent); });
+  std::ranges::sort(exponents);
+  return exponents;
+}
+
+std::string const& exponent_meaning() {
+  static std::string const meaning = "alpha: " + exponent_choice();
+  return meaning;
+}
+
+std::string const& normal_damping_meaning() {
+  static std::string const meaning = damping_meaning("k_d^(n)");
+  return meaning;
+}
+
+std::string const& tangential_damping_meaning() {
+  static std::string const meaning = damping_meaning("k_d^(t)");
+  return meaning;
+}
+
+std::string choice(Words const& words) {
+  std::vector<std::string> parts;
+  for (auto const word : words) parts.push_back(fmt::format("\"{}\"", word));
+  return either(parts);
+}
+
+std::string exponent_choice() {
+  std::vector<std::string> parts;
+  for_each_type<Repulsions>([&]<class R>(std::type_identity<R>) {
+    parts.push_back(fmt::format("{} ({})", R::force_exponent, R::name));
+  });
+  return either(parts);
+}
+
+}  // namespace bagnold

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Words of the lists of laws, repulsions and schemes in kernels/physics, for those who need no
+/// formulas.
+namespace bagnold {
+
+using Words = std::vector<std::string_view>;
+
+Words model_names();      ///< of all laws
+Words rotating_models();  ///< of laws with spins
+Words separate_models();  ///< of laws with a damping constant of their own in either direction
+Words scheme_words();     ///< "auto", and the names of all schemes
+
+std::vector<double> force_exponents();  ///< of all repulsions, rising
+
+/// Meanings of keys that name a choice.
+std::string const& exponent_meaning();
+std::string const& normal_damping_meaning();
+std::string const& tangential_damping_meaning();
+
+/// "a" or "b", as messages name choices.
+std::string choice(Words const& words);
+std::string exponent_choice();  ///< 2 (harmonic) or 2.5 (Hertz)
+
+}  // namespace bagnold
