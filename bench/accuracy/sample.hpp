@@ -77,17 +77,13 @@ void sample_motion(World const& world, typename World::Positions const& position
   for (std::size_t i = 0; i < world.size(); ++i) {
     auto const species = world.species[i];
     double const m = 1 / world.table.inverse_mass[species];
-    double const vx = motion[i].velocity.x - world.clock.strain_rate * position[i].y;
+    double const vx = peculiar_x<double>(motion[i].velocity.x, position[i].y,
+                                         world.clock.strain_rate);
     double const vy = motion[i].velocity.y, spin = motion[i].spin;
-    to[SumColumns::kinetic_xx] += m * vx * vx;
-    to[SumColumns::kinetic_xy] += m * vx * vy;
-    to[SumColumns::kinetic_yy] += m * vy * vy;
-    to[SumColumns::velocity_x2] += vx * vx;
-    to[SumColumns::velocity_y2] += vy * vy;
+    add_motion(to, m, vx, vy);
     to[Sample::kinetic_energy] += m * (vx * vx + vy * vy) / 2;
     if constexpr (World::rotates) {
-      to[SumColumns::spin] += spin;
-      to[SumColumns::spin2] += spin * spin;
+      add_spin(to, spin);
       to[Sample::kinetic_energy] += spin * spin / world.table.inverse_inertia[species] / 2;
     }
   }

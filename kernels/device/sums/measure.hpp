@@ -23,20 +23,11 @@ struct MeasureDisk {
     auto const& now = forces.now();
     Sums<Forces::rotates> sums;
     add_pairs(forces, i, sums);
-    Real* const s = sums.value;
-    Real const mass = 1 / now.table.inverse_mass[now.species(i)];
     auto const motion = now.motion(i);
-    Real const vx = motion.velocity.x - now.box.strain_rate * now.position(i).y;
-    Real const vy = motion.velocity.y;
-    s[SumColumns::kinetic_xx] = mass * vx * vx;
-    s[SumColumns::kinetic_xy] = mass * vx * vy;
-    s[SumColumns::kinetic_yy] = mass * vy * vy;
-    s[SumColumns::velocity_x2] = vx * vx;
-    s[SumColumns::velocity_y2] = vy * vy;
-    if constexpr (Forces::rotates) {
-      s[SumColumns::spin] = motion.spin;
-      s[SumColumns::spin2] = motion.spin * motion.spin;
-    }
+    Real const mass = 1 / now.table.inverse_mass[now.species(i)];
+    Real const ux = peculiar_x(motion.velocity.x, now.position(i).y, now.box.strain_rate);
+    add_motion(sums.value, mass, ux, motion.velocity.y);
+    if constexpr (Forces::rotates) add_spin(sums.value, motion.spin);
     return sums;
   }
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kernels/physics/laws/pair_force.hpp"
+#include "kernels/physics/multiply_add.hpp"
 
 namespace bagnold {
 
@@ -45,23 +46,70 @@ struct Sums {
   }
 };
 
+/// What one pair adds to the columns elastic_xx .. dissipation.
+inline constexpr int pair_columns = SumColumns::dissipation + 1;
+
+template <class T>
+struct PairColumns {
+  T value[pair_columns];
+};
+
+template <class T>
+KOKKOS_FORCEINLINE_FUNCTION PairColumns<T> columns_of(PairForce<T> const& pair) {
+  using C = SumColumns;
+  auto const &r = pair.separation, &elastic = pair.elastic, &dissipative = pair.dissipative;
+  PairColumns<T> of;
+  of.value[C::elastic_xx] = elastic.x * r.x;
+  of.value[C::elastic_xy] = elastic.x * r.y;
+  of.value[C::elastic_yy] = elastic.y * r.y;
+  of.value[C::dissipative_xx] = dissipative.x * r.x;
+  of.value[C::dissipative_xy] = dissipative.x * r.y;
+  of.value[C::dissipative_yx] = dissipative.y * r.x;
+  of.value[C::dissipative_yy] = dissipative.y * r.y;
+  of.value[C::dissipation] = pair.dissipation();
+  return of;
+}
+
+/// Adds a pair, or a share `weight` of it. to: indexed by column.
+template <class Columns>
+KOKKOS_FORCEINLINE_FUNCTION void add_pair(Columns& to, PairForce<Real> const& pair, Real weight) {
+  auto const of = columns_of(pair);
+  for (int c = 0; c < pair_columns; ++c) to[c] += weight * of.value[c];
+  to[SumColumns::contacts] += 2 * weight;
+}
+
+/// v_x - gammadot y, of one disk at y.
+template <class T>
+KOKKOS_FORCEINLINE_FUNCTION T peculiar_x(T const& velocity_x, T const& y, Real strain_rate) {
+  return multiply_add(T(-strain_rate), y, velocity_x);
+}
+
+/// Adds the motion of a disk: u = v - gammadot y x^. to: indexed by column. Numbers: of one disk, packs,
+/// or in time (in_time.hpp).
+template <class Columns, class Mass, class X, class Y>
+KOKKOS_FORCEINLINE_FUNCTION void add_motion(Columns& to, Mass const& mass, X const& ux,
+                                            Y const& uy) {
+  to[SumColumns::kinetic_xx] += mass * ux * ux;
+  to[SumColumns::kinetic_xy] += mass * ux * uy;
+  to[SumColumns::kinetic_yy] += mass * uy * uy;
+  to[SumColumns::velocity_x2] += ux * ux;
+  to[SumColumns::velocity_y2] += uy * uy;
+}
+
+/// Likewise the spin, of a law that rotates.
+template <class Columns, class T>
+KOKKOS_FORCEINLINE_FUNCTION void add_spin(Columns& to, T const& spin) {
+  to[SumColumns::spin] += spin;
+  to[SumColumns::spin2] += spin * spin;
+}
+
 /// Adds one disk's half of each of its pairs.
 template <bool Rotates>
 struct PairSums {
   Sums<Rotates>& sums;
 
   KOKKOS_FUNCTION void operator()(PairForce<Real> const& pair) const {
-    auto& s = sums.value;
-    Vec2<Real> const half = Real(0.5) * pair.separation;
-    s[SumColumns::elastic_xx] += pair.elastic.x * half.x;
-    s[SumColumns::elastic_xy] += pair.elastic.x * half.y;
-    s[SumColumns::elastic_yy] += pair.elastic.y * half.y;
-    s[SumColumns::dissipative_xx] += pair.dissipative.x * half.x;
-    s[SumColumns::dissipative_xy] += pair.dissipative.x * half.y;
-    s[SumColumns::dissipative_yx] += pair.dissipative.y * half.x;
-    s[SumColumns::dissipative_yy] += pair.dissipative.y * half.y;
-    s[SumColumns::dissipation] += Real(0.5) * pair.dissipation();
-    s[SumColumns::contacts] += 1;
+    add_pair(sums.value, pair, Real(0.5));
   }
 };
 
