@@ -10,15 +10,17 @@
 
 namespace bagnold {
 
-/// Takes a disk into the box, before a list build.
+/// Takes a disk into the box, before a list build from there.
 template <bool Rotates, class Space>
 struct WrapDisks {
   ShearedBox box;
   Kokkos::View<Vec2<Real>*, Space> position;
   Kokkos::View<Motion<Rotates>*, Space> motion;
+  Kokkos::View<Vec2<Real>*, Space> at_build;
 
   KOKKOS_FUNCTION void operator()(std::int64_t i) const {
     wrap(box, position(i), motion(i).velocity.x);
+    at_build(i) = position(i);
   }
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kernels/device/dynamics/contact_forces.hpp"
+#include "kernels/device/dynamics/device_step.hpp"
 #include "kernels/physics/box/list_criterion.hpp"
 #include "kernels/physics/schemes/modified_velocity_verlet.hpp"
 
@@ -85,6 +86,38 @@ struct Correct {
                  excursion2(flown(moved, after.velocity, time_step), at_build(i),
                             next_strain_since_build),
                  !limit.exceeded);
+  }
+};
+
+/// The scheme as a SteppedSystem takes it. Trial Views hold the trial state.
+template <>
+struct DeviceStep<Scheme::modified_velocity_verlet> {
+  template <class System>
+  KOKKOS_FUNCTION static auto measured_forces(System const& system, ShearedBox const& box) {
+    return system.forces(box);
+  }
+
+  template <class System, class Loops>
+  KOKKOS_FUNCTION static bool begin(System const&, Loops const&, ShearedBox const&) {
+    return true;
+  }
+
+  template <class Law, class Repulsion, class Space, Scheme scheme, class Loops>
+  KOKKOS_FUNCTION static Real end(SteppedSystem<Law, Repulsion, Space, scheme>& system,
+                                  Loops const& loops, ShearedBox const& box,
+                                  ShearedBox const& next_box, Real strain, Real next_strain) {
+    auto const& disks = system.disks;
+    Real largest2 = 0;
+    loops.for_all("dynamics::Predict", disks.count(),
+                  Predict<Law, Repulsion, Space>{system.forces(box), system.time_step,
+                                                 disks.trial_position, disks.trial_motion});
+    loops.reduce("dynamics::Correct", disks.count(),
+                 Correct<Law, Repulsion, Space>{
+                     system.forces(next_box, disks.trial_position, disks.trial_motion),
+                     system.time_step, disks.position, disks.motion, disks.at_build, strain,
+                     next_strain},
+                 Kokkos::Max<Real>(largest2));
+    return largest2;
   }
 };
 

@@ -2,6 +2,9 @@
 #pragma once
 
 #include "kernels/device/dynamics/contact_forces.hpp"
+#include "kernels/device/dynamics/device_step.hpp"
+#include "kernels/device/dynamics/disk_views.hpp"
+#include "kernels/device/system_table.hpp"
 #include "kernels/device/dynamics/modified_velocity_verlet.hpp"
 #include "kernels/physics/schemes/two_stage_leapfrog.hpp"
 #include "kernels/physics/box/list_criterion.hpp"
@@ -151,6 +154,86 @@ struct LeapOn {
                  excursion2(flown(moved, after.velocity, time_step), at_build(i),
                             next_strain_since_build),
                  true);
+  }
+};
+
+template <class Space, TwoStageLaw Law>
+Kokkos::View<SecondStage*, Space> shares_on_device(Law const& law, SpeciesTable const& table,
+                                                   Real time_step) {
+  Kokkos::View<SecondStage*, Space> const shares("dynamics::second_stage", 1);
+  Kokkos::deep_copy(shares, SecondStage(law, table, time_step));
+  return shares;
+}
+
+/// How many contacts each disk has, and the shares of the second stage.
+template <class Space>
+struct StepViews<Scheme::two_stage_leapfrog, Space> {
+  Kokkos::View<int*, Space> contacts;              ///< [N]
+  Kokkos::View<SecondStage const*, Space> shares;  ///< [1]
+
+  template <class Law>
+  void allocate(Law const& law, SpeciesTable const& table, Real time_step, std::size_t disks) {
+    contacts = Kokkos::View<int*, Space>("dynamics::contacts", disks);
+    shares = shares_on_device<Space>(law, table, time_step);
+  }
+};
+
+template <class Space>
+struct StepTables<Scheme::two_stage_leapfrog, Space> {
+  SystemTable<int, Space> contacts;
+  Kokkos::View<SecondStage*, Space> shares;
+
+  KOKKOS_FUNCTION StepViews<Scheme::two_stage_leapfrog, Space> of(std::size_t s) const {
+    return {part(contacts, s), Kokkos::View<SecondStage const*, Space>(shares.data(), 1)};
+  }
+
+  template <class Law>
+  void allocate(Law const& law, SpeciesTable const& table, Real time_step, std::size_t systems,
+                std::size_t disks) {
+    contacts = SystemTable<int, Space>("dynamics::contacts", systems, disks);
+    shares = shares_on_device<Space>(law, table, time_step);
+  }
+};
+
+/// The scheme as a SteppedSystem takes it. Trial Views hold the next positions and what the first stage
+/// changes.
+template <>
+struct DeviceStep<Scheme::two_stage_leapfrog> {
+  template <class Law, class Repulsion, class Space, Scheme scheme>
+  KOKKOS_FUNCTION static ChangeForces<Law, Repulsion, Space> measured_forces(
+      SteppedSystem<Law, Repulsion, Space, scheme> const& system, ShearedBox const& box) {
+    auto const& disks = system.disks;
+    return {system.forces(box), disks.trial_motion, disks.step.contacts, disks.step.shares,
+            system.time_step};
+  }
+
+  template <class Law, class Repulsion, class Space, Scheme scheme, class Loops>
+  KOKKOS_FUNCTION static bool begin(SteppedSystem<Law, Repulsion, Space, scheme> const& system,
+                                    Loops const& loops, ShearedBox const& box) {
+    auto const& disks = system.disks;
+    Real failed = 0;
+    loops.reduce("dynamics::FirstStage", disks.count(),
+                 FirstStage<Law, Repulsion, Space>{system.forces(box), system.time_step,
+                                                   disks.trial_motion, disks.step.contacts},
+                 Kokkos::Max<Real>(failed));
+    return !(failed > 0);
+  }
+
+  template <class Law, class Repulsion, class Space, Scheme scheme, class Loops>
+  KOKKOS_FUNCTION static Real end(SteppedSystem<Law, Repulsion, Space, scheme>& system,
+                                  Loops const& loops, ShearedBox const& box, ShearedBox const&,
+                                  Real strain, Real next_strain) {
+    auto& disks = system.disks;
+    Real largest2 = 0;
+    loops.reduce("dynamics::LeapOn", disks.count(),
+                 LeapOn<Law, Repulsion, Space>{measured_forces(system, box), system.time_step,
+                                               disks.trial_position, disks.motion, disks.at_build,
+                                               strain, next_strain},
+                 Kokkos::Max<Real>(largest2));
+    auto const reached = disks.trial_position;
+    disks.trial_position = disks.position;
+    disks.position = reached;
+    return largest2;
   }
 };
 

@@ -31,19 +31,19 @@ struct AdvanceSystems {
     if (progress(s).wait != SystemProgress::Wait::none) return;
     auto const home = views.of(s);
     auto work = home;
-    auto const count = static_cast<std::int32_t>(home.position.extent(0));
+    auto const count = static_cast<std::int32_t>(home.disks.position.extent(0));
     if (in_scratch) {
       auto* const scratch =
           static_cast<Vec2<Real>*>(team.team_scratch(0).get_shmem(2 * count * sizeof(Vec2<Real>)));
-      work.position = Kokkos::View<Vec2<Real>*, Space>(scratch, count);
-      work.trial_position = Kokkos::View<Vec2<Real>*, Space>(scratch + count, count);
-      team::for_all(team, count, [&](std::int32_t i) { work.position(i) = home.position(i); });
+      work.disks.position = Kokkos::View<Vec2<Real>*, Space>(scratch, count);
+      work.disks.trial_position = Kokkos::View<Vec2<Real>*, Space>(scratch + count, count);
+      team::for_all(team, count, [&](std::int32_t i) { work.disks.position(i) = home.disks.position(i); });
     }
     Run run(team, rules, constants(s), work, progress(s));
     run.advance(end, sampling);
     auto const reached = run.position();
-    team::for_all(team, reached.data() == home.position.data() ? 0 : count,
-                  [&](std::int32_t i) { home.position(i) = reached(i); });
+    team::for_all(team, reached.data() == home.disks.position.data() ? 0 : count,
+                  [&](std::int32_t i) { home.disks.position(i) = reached(i); });
     Kokkos::single(Kokkos::PerTeam(team), [&] { progress(s) = run.progress(); });
   }
 };

@@ -28,10 +28,7 @@ class EnsembleEngine final : public Ensemble {
         threads_(threads),
         disks_(snapshots.front().state.count()),
         views_(snapshots.size(), disks_) {
-    if constexpr (Stepped == Scheme::two_stage_leapfrog)
-      views_.step = {SystemTable<int, Space>("dynamics::contacts", snapshots.size(), disks_),
-                     to_device<Space>("dynamics::second_stage",
-                                      std::vector{SecondStage(law, table, time_step)})};
+    views_.step.allocate(law, table, time_step, snapshots.size(), disks_);
     int most_along = 0;
     for (auto const& snapshot : snapshots) {
       add(snapshot, strain_rate, time_step);
@@ -184,8 +181,9 @@ class EnsembleEngine final : public Ensemble {
     auto const& p = progress_[system];
     Clock const& clock = constants_[system].clock;
     ShearedBox const box{clock.box_length, clock.offset(p.step, p.list_step), clock.strain_rate};
-    return {of.position,  of.motion, of.species, of.neighbors,
-            rules_.table, box,       rules_.law, Repulsion{}};
+    auto const& disks = of.disks;
+    return {disks.position, disks.motion, disks.species, disks.neighbors,
+            rules_.table,   box,          rules_.law,    Repulsion{}};
   }
 
   State raw_state(std::size_t system) const {

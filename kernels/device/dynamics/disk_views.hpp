@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kernels/device/neighbors/neighbor_rows.hpp"
+#include "kernels/physics/motion.hpp"
+#include "kernels/physics/schemes/scheme.hpp"
+#include "kernels/physics/species.hpp"
+
+namespace bagnold {
+
+/// What a step of a scheme keeps of one system's disks beside trial positions and motions: nothing,
+/// unless its header says otherwise.
+template <Scheme, class Space>
+struct StepViews {
+  template <class Law>
+  void allocate(Law const&, SpeciesTable const&, Real, std::size_t) {}
+};
+
+/// Likewise of many systems.
+template <Scheme Stepped, class Space>
+struct StepTables {
+  KOKKOS_FUNCTION StepViews<Stepped, Space> of(std::size_t) const { return {}; }
+
+  template <class Law>
+  void allocate(Law const&, SpeciesTable const&, Real, std::size_t, std::size_t) {}
+};
+
+/// The disks of one system in memory.
+template <bool Rotates, class Space, Scheme Stepped>
+struct DiskViews {
+  template <class T>
+  using Row = Kokkos::View<T*, Space>;
+
+  Row<Vec2<Real>> position, trial_position, at_build;  ///< [N], [d_s]
+  Row<Motion<Rotates>> motion, trial_motion;           ///< [N]
+  Row<Species> species;                                ///< [N]
+  NeighborRows<Space> neighbors;
+  StepViews<Stepped, Space> step;
+
+  KOKKOS_FUNCTION std::int64_t count() const {
+    return static_cast<std::int64_t>(position.extent(0));
+  }
+};
+
+}  // namespace bagnold
