@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Kokkos_Macros.hpp>
+#include <cstdint>
+
+#include "kernels/physics/vec2.hpp"
+
+namespace bagnold {
+
+/// What draws random numbers while a system is stepped: each has a stream of its own for each seed, and
+/// none depends on what the others draw. The number is part of what is drawn: append, never renumber.
+enum class Stream : std::uint64_t {
+  contact_samples = 0,  ///< which configurations of a contact are looked at
+  thermal_noise = 1     ///< forces of a bath
+};
+
+/// SplitMix64 (Steele, Lea and Flood, OOPSLA 2014): 64 bits that look random, from 64 that do not.
+KOKKOS_INLINE_FUNCTION constexpr std::uint64_t mixed(std::uint64_t x) {
+  x += 0x9e3779b97f4a7c15u;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+  return x ^ (x >> 31);
+}
+
+/// Random numbers by what they are for: of a disk or pair, at a step. No state: bits depend neither on
+/// threads nor on restarts.
+struct RandomStream {
+  std::uint64_t key;
+
+  KOKKOS_INLINE_FUNCTION constexpr RandomStream(Stream stream, std::uint64_t seed)
+      : key(mixed(seed ^ static_cast<std::uint64_t>(stream) << 60)) {}
+
+  KOKKOS_INLINE_FUNCTION constexpr std::uint64_t bits(std::uint64_t whose,
+                                                      std::uint64_t when) const {
+    return mixed(mixed(key ^ whose) ^ when);
+  }
+
+  /// Even in (0, 1], of 53 bits.
+  KOKKOS_INLINE_FUNCTION constexpr Real uniform(std::uint64_t whose, std::uint64_t when) const {
+    return static_cast<Real>((bits(whose, when) >> 11) + 1) * (1 / Real(std::uint64_t{1} << 53));
+  }
+};
+
+}  // namespace bagnold
