@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bench/accuracy/world.hpp"
+#include "kernels/physics/laws/pair_force.hpp"
 
 namespace bagnold::accuracy {
 
@@ -12,14 +13,15 @@ Contact<typename World::Pair> contact_of(World const& world, Touch<typename Worl
                                          typename World::Motions const& motion) {
   using Pair = typename World::Pair;
   auto const &a = motion[t.i], &b = motion[t.j];
-  Vec2<Pair> velocity{static_cast<Pair>(a.velocity.x - b.velocity.x) - t.velocity_shift,
+  Vec2<Pair> const velocity{static_cast<Pair>(a.velocity.x - b.velocity.x) - t.velocity_shift,
                       static_cast<Pair>(a.velocity.y - b.velocity.y)};
-  if constexpr (World::rotates) {
-    auto const spins = static_cast<Pair>(a.spin * world.table.diameter[world.species[t.i]] +
-                                         b.spin * world.table.diameter[world.species[t.j]]);
-    velocity = velocity - Pair(0.5) * t.inverse_distance * spins * perpendicular(t.separation);
-  }
-  return {t.normal, velocity, t.relative_overlap, t.inverse_distance};
+  Pair spins = 0;
+  if constexpr (World::rotates)
+    spins = static_cast<Pair>(a.spin * world.table.diameter[world.species[t.i]] +
+                              b.spin * world.table.diameter[world.species[t.j]]);
+  return {t.normal,
+          velocity_at_contact<typename World::Law>(velocity, t.separation, t.inverse_distance, spins),
+          t.relative_overlap, t.inverse_distance};
 }
 
 /// On i from j, P1 and P2 Eq. (2).

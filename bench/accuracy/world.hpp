@@ -8,6 +8,7 @@
 #include "bench/accuracy/near_pairs.hpp"
 #include "kernels/cpu/blocks/blocks.hpp"
 #include "kernels/physics/laws/contact.hpp"
+#include "kernels/physics/schemes/flight_and_kick.hpp"
 #include "kernels/device/neighbors/verlet_list.hpp"
 #include "src/config/errors.hpp"
 #include "src/engine/clock.hpp"
@@ -143,7 +144,8 @@ class World {
 
   /// r_n+1 = r_n + v dt
   void fly() {
-    for (std::size_t i = 0; i < size(); ++i) position[i] += time_step() * motion[i].velocity;
+    for (std::size_t i = 0; i < size(); ++i)
+      position[i] = flown(position[i], motion[i].velocity, time_step());
   }
 
   /// After position and motion have been brought to the next step. Throws NumericalError where a
@@ -158,7 +160,7 @@ class World {
       Vec2<Real> const r{position[i].x, position[i].y};
       Vec2<Real> const v{motion[i].velocity.x, motion[i].velocity.y};
       Real const now2 = excursion2(r, at_build_[i], strain);
-      Real const next2 = excursion2(r + clock.time_step * v, at_build_[i], next);
+      Real const next2 = excursion2(flown(r, v, clock.time_step), at_build_[i], next);
       if (!(next2 < 1e6))
         throw NumericalError("a disk has left reason: the time step is too large");
       largest2 = std::max({largest2, now2, next2});

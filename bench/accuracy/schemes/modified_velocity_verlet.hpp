@@ -2,16 +2,15 @@
 #pragma once
 
 #include "bench/accuracy/schemes/scheme.hpp"
+#include "kernels/physics/schemes/modified_velocity_verlet.hpp"
 
 namespace bagnold::accuracy {
 
-/// The papers' scheme, P2 Eqs. (21)-(24), the spin like the velocity:
-///
-///     v~ = v_0 + f(r_0, v_0) dt/m,   r~ = r_0 + v_0 dt
-///     v_1 = v_0 + [f(r_0, v_0) + f(r~, v~)] dt/2m,   r_1 = r_0 + (v_0 + v_1) dt/2
+/// The papers' scheme, bagnold::ModifiedVelocityVerlet, contact by contact.
 template <class World>
 struct ModifiedVelocityVerlet {
-  static constexpr std::string_view name = "modified-velocity-verlet";
+  using Formulas = bagnold::ModifiedVelocityVerlet;
+  static constexpr std::string_view name = Formulas::name;
   static constexpr bool staggered = false;
 
   typename World::Positions trial_position;
@@ -30,14 +29,15 @@ struct ModifiedVelocityVerlet {
     trial = after = world.motion;
     kick(world, dt, world.motion, trial);
     kick(world, dt / 2, world.motion, after);
-    trial_position = world.position;
+    trial_position.resize(world.size());
     for (std::size_t i = 0; i < world.size(); ++i)
-      trial_position[i] += world.time_step() * world.motion[i].velocity;
+      trial_position[i] = Formulas::trial_position(world.position[i], world.motion[i].velocity,
+                                                   world.time_step());
     world.find_touches(trial_position, world.step + 1, touches);
     kick(world, dt / 2, trial, after);
     for (std::size_t i = 0; i < world.size(); ++i)
-      world.position[i] +=
-          Kept(0.5) * world.time_step() * (world.motion[i].velocity + after[i].velocity);
+      world.position[i] = Formulas::position(world.position[i], world.motion[i].velocity,
+                                             after[i].velocity, Kept(0.5) * world.time_step());
     std::swap(world.motion, after);
     world.finish_step();
   }
