@@ -3,12 +3,12 @@
 
 #include "kernels/physics/laws/pair_force.hpp"
 #include "kernels/physics/species.hpp"
-#include "kernels/physics/schemes/scheme.hpp"
-#include "kernels/physics/schemes/second_look.hpp"
+#include "kernels/physics/schemes/modified_velocity_verlet.hpp"
+#include "kernels/physics/schemes/two_stage_leapfrog.hpp"
 #include "kernels/cpu/contacts/lane_watch.hpp"
 #include "kernels/cpu/islands/binary_pair.hpp"
+#include "kernels/cpu/islands/flight_sums.hpp"
 #include "kernels/cpu/islands/sample_times.hpp"
-#include "kernels/physics/sums/sums.hpp"
 #include "kernels/cpu/simd/pack.hpp"
 #include "kernels/cpu/simd/records.hpp"
 
@@ -31,19 +31,19 @@ struct BinaryCollisions {
   SpeciesTable table;
   Real time_step;
   Real strain_rate;
-  SecondLook const* second_look = nullptr;  ///< of the two-stage leapfrog
+  SecondStage const* second_stage = nullptr;  ///< of the two-stage leapfrog
 
   /// Brings pairs (a[k], b[k]), k < count <= 8, through `steps` steps. What they add to the sampled
   /// sums, beyond what their straight flights would, is added to sums[k * times.bins() + bin]. watch
   /// sees every step near a contact.
   template <class Watch>
   BinaryOutcome run(Disk* a, Disk* b, int count, std::int64_t steps, SampleTimes const& times,
-              Sums<true>* sums, Watch&& watch) const {
+              BlockSums* sums, Watch&& watch) const {
     Lanes p(*this, a, count), q(*this, b, count);
-    Touch const touch(*this, a, b, count);
+    PairConstants const pair(*this, a, b, count);
     BinaryOutcome outcome;
     Pack const end = static_cast<Real>(steps);
-    Pack step = first_step(p, q, touch, end);
+    Pack step = first_step(p, q, pair, end);
     p.fly(time_step * step);
     q.fly(time_step * step);
     std::size_t sample[width];
@@ -57,9 +57,9 @@ struct BinaryCollisions {
     while (true) {
       auto const active = simd::Mask::of(busy) & (step < end);
       if (!active.any()) break;
-      Pack const dt = zero_unless(active, time_step);
-      auto f = feel(p, q, touch);
-      if constexpr (two_stage) look_again(f, p, q, dt, touch);
+      Pack const dt = simd::zero_unless(active, time_step);
+      auto f = evaluate(p, q, pair);
+      if constexpr (two_stage) add_second_stage(f, p, q, dt, pair);
       Vec2<Pack> const velocity{p.vx - q.vx, p.vy - q.vy};
       watch.look(active, f.touching, step, f.force.separation, velocity, {p.spin, q.spin});
       auto const sampled = active & (due < step + 0.5);
@@ -67,14 +67,14 @@ struct BinaryCollisions {
         for (auto lanes = sampled.lanes(); lanes != 0; lanes &= lanes - 1) {
           int const k = __builtin_ctz(lanes);
           add_sample(sums[static_cast<std::size_t>(k) * times.bins() + times.bin(sample[k])], f, p,
-                     q, touch, k, step.v[k]);
+                     q, pair, k, step.v[k]);
           watch.sample(k, times.bin(sample[k]), times.step(sample[k]), f.force.separation, velocity,
                        {p.spin, q.spin});
           due.v[k] = due_step(times, ++sample[k]);
         }
-      auto const g = take_step(p, q, f, dt, touch);
-      step += zero_unless(active, 1.0);
-      overlap = max(overlap, zero_unless(active & g.touching, g.force.relative_overlap));
+      auto const g = take_step(p, q, f, dt, pair);
+      step += simd::zero_unless(active, 1.0);
+      overlap = max(overlap, simd::zero_unless(active & g.touching, g.force.relative_overlap));
       Pack const time = time_step * step;
       p.watch(time, time_step);
       q.watch(time, time_step);
@@ -97,17 +97,17 @@ struct BinaryCollisions {
     p.store(a, count);
     q.store(b, count);
     outcome.bad = !(simd::largest(overlap) <= largest_relative_overlap) ||
-                  !(simd::sum(zero_unless(simd::Mask::of((1u << count) - 1u),
+                  !(simd::sum(simd::zero_unless(simd::Mask::of((1u << count) - 1u),
                                           0.0 * (p.x + q.x + p.vx + q.vx))) == 0);
     return outcome;
   }
 
  private:
-  struct Touch {
+  struct PairConstants {
     Pack reach2, inverse_distance, diameter_a, diameter_b;
     Pack share_normal, share_tangential;  ///< of a lone pair, in the second look
 
-    Touch(BinaryCollisions const& c, Disk const* a, Disk const* b, int count) {
+    PairConstants(BinaryCollisions const& c, Disk const* a, Disk const* b, int count) {
       Pack distance;
       for (int k = 0; k < width; ++k) {
         int const j = k < count ? k : 0;
@@ -116,8 +116,8 @@ struct BinaryCollisions {
         int const both = pair_class(a[j].species, b[j].species);
         distance.v[k] = class_distance(both);
         if constexpr (two_stage) {
-          share_normal.v[k] = c.second_look->normal[both][1];
-          share_tangential.v[k] = c.second_look->tangential[both][1];
+          share_normal.v[k] = c.second_stage->normal[both][1];
+          share_tangential.v[k] = c.second_stage->tangential[both][1];
         }
       }
       reach2 = distance * distance;
@@ -125,9 +125,11 @@ struct BinaryCollisions {
     }
   };
 
-  struct Felt {
+  /// What a pair exerts, zero where it does not touch.
+  struct PairContact {
     simd::Mask touching;
-    Pack x, y, turn;
+    Vec2<Pack> total;  ///< elastic and dissipative, on a from b
+    Pack turn;         ///< torque over diameter
     PairForce<Pack> force;
   };
 
@@ -152,38 +154,36 @@ struct BinaryCollisions {
       x0 = x, y0 = y, vx0 = vx, vy0 = vy, spin0 = spin;
     }
 
-    void fly(Pack time) {
-      x = fma(time, vx, x);
-      y = fma(time, vy, y);
-    }
+    Vec2<Pack> position() const { return {x, y}; }
+    Vec2<Pack> velocity() const { return {vx, vy}; }
+    void set(Vec2<Pack> const& r, Vec2<Pack> const& v) { x = r.x, y = r.y, vx = v.x, vy = v.y; }
 
-    Lanes predicted(Felt const& f, Pack dt, Real sign) const {
+    void fly(Pack time) { set(flown(position(), velocity(), time), velocity()); }
+
+    /// sign: 1 for disk a, -1 for b, on which the opposite force acts.
+    Lanes predicted(PairContact const& f, Pack dt, Real sign) const {
+      using Formulas = ModifiedVelocityVerlet;
       Lanes t = *this;
-      t.fly(dt);
-      Pack const k = sign * dt * inverse_mass;
-      t.vx = fma(k, f.x, vx);
-      t.vy = fma(k, f.y, vy);
-      if constexpr (rotates) t.spin = fma(dt * turn_to_spin, f.turn, spin);
+      t.set(Formulas::trial_position(position(), velocity(), dt),
+            Formulas::trial_velocity(velocity(), f.total, sign * dt * inverse_mass));
+      if constexpr (rotates) t.spin = Formulas::trial_velocity(spin, f.turn, dt * turn_to_spin);
       return t;
     }
 
-    void correct(Lanes const& t, Felt const& f, Pack dt, Real sign) {
-      Pack const k = 0.5 * sign * dt * inverse_mass;
-      Pack const wx = fma(k, f.x, 0.5 * (vx + t.vx)), wy = fma(k, f.y, 0.5 * (vy + t.vy));
-      x = fma(0.5 * dt, vx + wx, x);
-      y = fma(0.5 * dt, vy + wy, y);
-      vx = wx;
-      vy = wy;
+    void correct(Lanes const& t, PairContact const& f, Pack dt, Real sign) {
+      using Formulas = ModifiedVelocityVerlet;
+      auto const after = Formulas::velocity(velocity(), t.velocity(), f.total,
+                                            0.5 * sign * dt * inverse_mass);
+      set(Formulas::position(position(), velocity(), after, 0.5 * dt), after);
       if constexpr (rotates)
-        spin = fma(0.5 * dt * turn_to_spin, f.turn, 0.5 * (spin + t.spin));
+        spin = Formulas::velocity(spin, t.spin, f.turn, 0.5 * dt * turn_to_spin);
     }
 
-    void leap(Felt const& f, Pack dt, Real sign) {
-      Pack const k = sign * dt * inverse_mass;
-      vx = fma(k, f.x, vx);
-      vy = fma(k, f.y, vy);
-      fly(dt);
-      if constexpr (rotates) spin = fma(dt * turn_to_spin, f.turn, spin);
+    void leap(PairContact const& f, Pack dt, Real sign) {
+      using Formulas = TwoStageLeapfrog;
+      auto const after = Formulas::velocity_of_pair(velocity(), f.total, sign * dt * inverse_mass);
+      set(Formulas::position(position(), after, dt), after);
+      if constexpr (rotates) spin = Formulas::velocity_of_pair(spin, f.turn, dt * turn_to_spin);
     }
 
     void watch(Pack time, Real time_step) {
@@ -200,24 +200,16 @@ struct BinaryCollisions {
       }
     }
 
-    /// Kinetic sums at the times of `powers` of a flight that is at (y, v) at `time`, less those of the
-    /// straight flight from the start.
-    void add_flight(Sums<true>& sums, int k, Real time, SampleTimes::Powers const& powers,
+    /// What lane k adds at the times of `powers` on a flight that is at (y, v) at `time`, less what it
+    /// would have on the straight flight from the start.
+    void add_flight(BlockSums& sums, int k, Real time, SampleTimes::Powers const& powers,
                     Real strain_rate) const {
-      using C = SumColumns;
-      auto* const to = sums.value;
-      auto const add = [&](Real sign, Real at_start, Real u, Real v, Real s) {
-        Real const a = u - strain_rate * at_start, b = -strain_rate * v, m = sign / inverse_mass.v[k];
-        Real const xx = a * a * powers.n + 2 * a * b * powers.t1 + b * b * powers.t2;
-        to[C::kinetic_xx] += m * xx;
-        to[C::kinetic_xy] += m * v * (a * powers.n + b * powers.t1);
-        to[C::kinetic_yy] += m * v * v * powers.n;
-        to[C::velocity_x2] += sign * xx;
-        to[C::velocity_y2] += sign * v * v * powers.n;
-        if constexpr (rotates) {
-          to[C::spin] += sign * s * powers.n;
-          to[C::spin2] += sign * s * s * powers.n;
-        }
+      Real const mass = 1 / inverse_mass.v[k];
+      auto const add = [&](Real sign, Real at_start, Real u, Real v, Real turning) {
+        FlightSums flight;
+        add_motion(flight.column, mass, flight_x(u, at_start, v, strain_rate), v);
+        if constexpr (rotates) add_spin(flight.column, turning);
+        flight.add_to(sums, powers, sign);
       };
       add(1, y.v[k] - time * vy.v[k], vx.v[k], vy.v[k], spin.v[k]);
       add(-1, y0.v[k], vx0.v[k], vy0.v[k], spin0.v[k]);
@@ -233,10 +225,10 @@ struct BinaryCollisions {
   }
 
   /// The step before the one in which straight flights first touch; the end if they do not.
-  Pack first_step(Lanes const& p, Lanes const& q, Touch const& touch, Pack end) const {
+  Pack first_step(Lanes const& p, Lanes const& q, PairConstants const& pair, Pack end) const {
     Pack const x = p.x - q.x, y = p.y - q.y, vx = p.vx - q.vx, vy = p.vy - q.vy;
     Pack const b = fma(x, vx, y * vy), v2 = fma(vx, vx, vy * vy);
-    Pack const c = fma(x, x, fma(y, y, -touch.reach2));
+    Pack const c = fma(x, x, fma(y, y, -pair.reach2));
     auto const inside = c < Pack(0.0);
     Pack const discriminant = fma(b, b, -(v2 * c));
     auto const meets = inside | ((b < Pack(0.0)) & (Pack(0.0) < discriminant));
@@ -245,32 +237,36 @@ struct BinaryCollisions {
     return select(meets & (step < end), step, end);
   }
 
-  Felt feel(Lanes const& p, Lanes const& q, Touch const& touch) const {
-    Felt felt;
-    Vec2<Pack> const separation{p.x - q.x, p.y - q.y};
-    Pack const distance2 = fma(separation.x, separation.x, separation.y * separation.y);
-    Pack spins = 0.0;
-    if constexpr (rotates) spins = fma(touch.diameter_a, p.spin, touch.diameter_b * q.spin);
-    felt.touching = distance2 < touch.reach2;
-    felt.force = pair_force<Law, Repulsion, Pack>(law, repulsion, separation, distance2,
-                                                  {p.vx - q.vx, p.vy - q.vy},
-                                                  touch.inverse_distance, spins);
-    felt.x = zero_unless(felt.touching, felt.force.elastic.x + felt.force.dissipative.x);
-    felt.y = zero_unless(felt.touching, felt.force.elastic.y + felt.force.dissipative.y);
-    if constexpr (rotates)
-      felt.turn = zero_unless(felt.touching, felt.force.turn(touch.inverse_distance));
-    return felt;
+  static Vec2<Pack> zero_unless(simd::Mask mask, Vec2<Pack> const& v) {
+    return {simd::zero_unless(mask, v.x), simd::zero_unless(mask, v.y)};
   }
 
-  /// A step of the active lanes. Returns what was felt on the way.
-  Felt take_step(Lanes& p, Lanes& q, Felt const& f, Pack dt, Touch const& touch) const {
+  PairContact evaluate(Lanes const& p, Lanes const& q, PairConstants const& pair) const {
+    PairContact f;
+    Vec2<Pack> const separation = p.position() - q.position();
+    Pack const distance2 = fma(separation.x, separation.x, separation.y * separation.y);
+    Pack spins = 0.0;
+    if constexpr (rotates) spins = fma(pair.diameter_a, p.spin, pair.diameter_b * q.spin);
+    f.touching = distance2 < pair.reach2;
+    f.force = pair_force<Law, Repulsion, Pack>(law, repulsion, separation, distance2,
+                                               p.velocity() - q.velocity(), pair.inverse_distance,
+                                               spins);
+    f.total = zero_unless(f.touching, f.force.elastic + f.force.dissipative);
+    if constexpr (rotates)
+      f.turn = simd::zero_unless(f.touching, f.force.turn(pair.inverse_distance));
+    return f;
+  }
+
+  /// A step of the active lanes. Returns what was evaluated last on the way.
+  PairContact take_step(Lanes& p, Lanes& q, PairContact const& f, Pack dt,
+                        PairConstants const& pair) const {
     if constexpr (two_stage) {
       p.leap(f, dt, 1.0);
       q.leap(f, dt, -1.0);
       return f;
     } else {
       Lanes const p1 = p.predicted(f, dt, 1.0), q1 = q.predicted(f, dt, -1.0);
-      auto const g = feel(p1, q1, touch);
+      auto const g = evaluate(p1, q1, pair);
       p.correct(p1, g, dt, 1.0);
       q.correct(q1, g, dt, -1.0);
       return g;
@@ -278,62 +274,56 @@ struct BinaryCollisions {
   }
 
   /// Adds the damping of what f changes in a step.
-  void look_again(Felt& f, Lanes const& p, Lanes const& q, Pack dt, Touch const& touch) const {
+  void add_second_stage(PairContact& f, Lanes const& p, Lanes const& q, Pack dt,
+                        PairConstants const& pair) const {
     auto const& separation = f.force.separation;
-    Pack const inverse =
-        inverse_sqrt(fma(separation.x, separation.x, separation.y * separation.y));
-    Contact<Pack> contact;
-    contact.normal = inverse * separation;
-    contact.relative_overlap = f.force.relative_overlap;
-    contact.inverse_distance = touch.inverse_distance;
+    Contact<Pack> contact = make_contact(
+        separation, fma(separation.x, separation.x, separation.y * separation.y),
+        pair.inverse_distance);
     Pack const per_force = dt * (p.inverse_mass + q.inverse_mass);
     Pack const per_turn =
-        dt * fma(touch.diameter_a, p.turn_to_spin, touch.diameter_b * q.turn_to_spin);
-    Vec2<Pack> change{per_force * f.x, per_force * f.y};
-    if constexpr (rotates) {
-      change = change - (0.5 * touch.inverse_distance * per_turn * f.turn) * perpendicular(separation);
-    }
-    contact.velocity =
-        looked_at<Law>(change, contact.normal, touch.share_normal, touch.share_tangential);
-    auto const more = law.dissipative_force(contact);
-    PairForce<Pack> const second{separation, {}, more, {}, {}};
-    f.force.dissipative = f.force.dissipative + more;
+        dt * fma(pair.diameter_a, p.turn_to_spin, pair.diameter_b * q.turn_to_spin);
+    auto const change_by = [&](Vec2<Pack> const& force, Pack const& turn) {
+      return change_of_pair<Law>(force, turn, separation, pair.inverse_distance, per_force,
+                                 per_turn);
+    };
+    auto const change = change_by(f.total, f.turn);
+    contact.velocity = second_stage_velocity<Law>(change, contact.normal, pair.share_normal,
+                                                  pair.share_tangential);
+    PairForce<Pack> const second{separation, {}, law.dissipative_force(contact), {}, {}};
+    Pack turn = 0.0;
+    if constexpr (rotates) turn = second.turn(pair.inverse_distance);
+    f.force.dissipative = f.force.dissipative + second.dissipative;
     f.force.velocity =
-        f.force.velocity + Pack(0.5) * (change + own_change<Law>(second, touch.inverse_distance,
-                                                                 per_force, per_turn));
-    f.x += zero_unless(f.touching, more.x);
-    f.y += zero_unless(f.touching, more.y);
+        f.force.velocity + Pack(0.5) * (change + change_by(second.dissipative, turn));
+    f.total += zero_unless(f.touching, second.dissipative);
     if constexpr (rotates)
-      f.turn = zero_unless(f.touching, f.force.turn(touch.inverse_distance));
+      f.turn = simd::zero_unless(f.touching, f.force.turn(pair.inverse_distance));
   }
 
   /// One evaluated configuration of one pair, less that of its straight flights.
-  void add_sample(Sums<true>& sums, Felt const& f, Lanes const& p, Lanes const& q,
-                  Touch const& touch, int k, Real step) const {
-    using C = SumColumns;
-    auto* const to = sums.value;
+  void add_sample(BlockSums& sums, PairContact const& f, Lanes const& p, Lanes const& q,
+                  PairConstants const& pair, int k, Real step) const {
     if (f.touching.lanes() >> k & 1) {
-      auto const& [r, elastic, dissipative, overlap, velocity] = f.force;
-      to[C::elastic_xx] += elastic.x.v[k] * r.x.v[k];
-      to[C::elastic_xy] += elastic.x.v[k] * r.y.v[k];
-      to[C::elastic_yy] += elastic.y.v[k] * r.y.v[k];
-      to[C::dissipative_xx] += dissipative.x.v[k] * r.x.v[k];
-      to[C::dissipative_xy] += dissipative.x.v[k] * r.y.v[k];
-      to[C::dissipative_yx] += dissipative.y.v[k] * r.x.v[k];
-      to[C::dissipative_yy] += dissipative.y.v[k] * r.y.v[k];
-      to[C::dissipation] -= dissipative.x.v[k] * velocity.x.v[k] + dissipative.y.v[k] * velocity.y.v[k];
-      to[C::contacts] += 2;
+      add_pair(sums.value, lane(f.force, k), 1);
       if constexpr (rotates) {
         Real const turn = f.turn.v[k], half = two_stage ? time_step / 2 : 0;
-        to[C::torque_power] +=
-            touch.diameter_a.v[k] * turn * (p.spin.v[k] + half * p.turn_to_spin.v[k] * turn) +
-            touch.diameter_b.v[k] * turn * (q.spin.v[k] + half * q.turn_to_spin.v[k] * turn);
+        sums.value[SumColumns::torque_power] +=
+            pair.diameter_a.v[k] * turn * (p.spin.v[k] + half * p.turn_to_spin.v[k] * turn) +
+            pair.diameter_b.v[k] * turn * (q.spin.v[k] + half * q.turn_to_spin.v[k] * turn);
       }
     }
     Real const time = time_step * step;
     SampleTimes::Powers const now{1, time, time * time};
     p.add_flight(sums, k, time, now, strain_rate);
     q.add_flight(sums, k, time, now, strain_rate);
+  }
+
+  static Vec2<Real> lane(Vec2<Pack> const& v, int k) { return {v.x.v[k], v.y.v[k]}; }
+
+  static PairForce<Real> lane(PairForce<Pack> const& f, int k) {
+    return {lane(f.separation, k), lane(f.elastic, k), lane(f.dissipative, k),
+            f.relative_overlap.v[k], lane(f.velocity, k)};
   }
 };
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "kernels/cpu/steps/block_system.hpp"
-#include "kernels/cpu/islands/islands.hpp"
+#include "kernels/cpu/islands/flight_sums.hpp"
 
 namespace bagnold {
 
@@ -56,73 +56,32 @@ inline std::int64_t free_steps(Blocks const& blocks, Block const& block,
   return std::clamp(static_cast<std::int64_t>(steps), std::int64_t{0}, most);
 }
 
-/// Kinetic sums of disks in free flight, as polynomials in time. About the mean flow such a disk has
-/// dv_x(t) = a + b t with a = v_x - gammadot y, b = -gammadot v_y, and constant v_y.
-struct FreeFlightSums {
-  /// Of one weight: by mass, or one a disk.
-  struct Moments {
-    Real aa = 0, ab = 0, bb = 0, av = 0, bv = 0, vv = 0;  ///< v: v_y
-  };
-  Moments mass, plain;
-  Real spin = 0, spin2 = 0;
-
-  FreeFlightSums& operator+=(FreeFlightSums const& o) {
-    auto const add = [](Moments& m, Moments const& n) {
-      m.aa += n.aa;
-      m.ab += n.ab;
-      m.bb += n.bb;
-      m.av += n.av;
-      m.bv += n.bv;
-      m.vv += n.vv;
-    };
-    add(mass, o.mass);
-    add(plain, o.plain);
-    spin += o.spin;
-    spin2 += o.spin2;
-    return *this;
-  }
-};
-
-/// Those of a block's own disks for which free(slot) holds, a pack at a time. Inert disks add zero.
+/// Sums of those of a block's own disks for which free(slot) holds, a pack at a time. Inert disks add
+/// zero.
 template <class Free>
-FreeFlightSums free_flight_sums(BlockSystem const& system, Block const& block,
-                                Real strain_rate, Free const& free) {
+FlightSums flight_sums(BlockSystem const& system, Block const& block, Real strain_rate,
+                       Free const& free) {
   using simd::Pack;
-  struct Packs {
-    Pack aa = 0.0, ab = 0.0, bb = 0.0, av = 0.0, bv = 0.0, vv = 0.0;
-    void add(Pack w, Pack a, Pack b, Pack v) {
-      Pack const wa = w * a, wb = w * b;
-      aa = fma(wa, a, aa);
-      ab = fma(wa, b, ab);
-      bb = fma(wb, b, bb);
-      av = fma(wa, v, av);
-      bv = fma(wb, v, bv);
-      vv = fma(w * v, v, vv);
-    }
-    FreeFlightSums::Moments moments() const {
-      return {simd::sum(aa), simd::sum(ab), simd::sum(bb), simd::sum(av), simd::sum(bv),
-              simd::sum(vv)};
-    }
-  } mass, plain;
-  Pack spin = 0.0, spin2 = 0.0;
+  Quadratic<Pack> packs[SumColumns::count_rotating];
+  for (auto& column : packs) column = {{0.0, 0.0, 0.0}};
   for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
     auto const slot = block.first + i;
     auto const here = free(slot);
     auto const r = simd::load_records(system.now.record.data() + slot);
     auto const big = simd::nonzero(system.species.data() + slot);
-    Pack const one = zero_unless(here, 1.0);
-    Pack const m = zero_unless(
-        here, select(big, 1 / system.table.inverse_mass[1], 1 / system.table.inverse_mass[0]));
-    Pack const a = fnma(strain_rate, r.y, r.vx), b = -strain_rate * r.vy;
-    mass.add(m, a, b, r.vy);
-    plain.add(one, a, b, r.vy);
-    if (system.rotates) {
-      Pack const s = zero_unless(here, Pack::load(system.now.spin.data() + slot));
-      spin += s;
-      spin2 = fma(s, s, spin2);
-    }
+    Pack const mass =
+        select(big, 1 / system.table.inverse_mass[1], 1 / system.table.inverse_mass[0]);
+    Pack const vy = zero_unless(here, r.vy);
+    auto ux = flight_x(r.vx, r.y, vy, strain_rate);
+    ux.c[0] = zero_unless(here, ux.c[0]);
+    add_motion(packs, mass, ux, vy);
+    if (system.rotates)
+      add_spin(packs, zero_unless(here, Pack::load(system.now.spin.data() + slot)));
   }
-  return {mass.moments(), plain.moments(), simd::sum(spin), simd::sum(spin2)};
+  FlightSums sums;
+  for (int c = pair_columns; c < SumColumns::count_rotating; ++c)
+    for (int k = 0; k < 3; ++k) sums.column[c].c[k] = simd::sum(packs[c].c[k]);
+  return sums;
 }
 
 }  // namespace bagnold

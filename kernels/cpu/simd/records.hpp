@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "kernels/cpu/simd/pack.hpp"
+#include "kernels/physics/vec2.hpp"
 
 /// Moving disks in and out of packs: a record of four numbers a disk lies in half a cache line, so
 /// that a pair costs two loads.
@@ -18,7 +19,14 @@ struct alignas(32) Record {
 /// Eight records, component by component.
 struct Records {
   Pack x, y, vx, vy;
+
+  Vec2<Pack> position() const { return {x, y}; }
+  Vec2<Pack> velocity() const { return {vx, vy}; }
 };
+
+BAGNOLD_INLINE Records make_records(Vec2<Pack> const& position, Vec2<Pack> const& velocity) {
+  return {position.x, position.y, velocity.x, velocity.y};
+}
 
 /// Two local indices in one word, times four: so they address a record without a shift.
 struct LocalPair {
@@ -55,6 +63,8 @@ struct alignas(32) TurningForce {
 /// The forces on eight disks, component by component.
 struct ForceComponents {
   Pack x, y, turn, count;
+
+  Vec2<Pack> force() const { return {x, y}; }
 };
 
 #if BAGNOLD_AVX512

@@ -4,8 +4,8 @@
 #include "kernels/cpu/steps/block_forces.hpp"
 #include "kernels/cpu/steps/block_stepper.hpp"
 #include "kernels/cpu/steps/kick.hpp"
-#include "kernels/physics/schemes/scheme.hpp"
-#include "kernels/physics/schemes/second_look.hpp"
+#include "kernels/physics/schemes/modified_velocity_verlet.hpp"
+#include "kernels/physics/schemes/second_stage.hpp"
 
 namespace bagnold {
 
@@ -18,7 +18,8 @@ struct BlockStep {
   using Forces = BlockForces<Law, Repulsion>;
   using Force = typename Forces::Force;
 
-  static constexpr Scheme scheme = Scheme::modified_velocity_verlet;
+  using Formulas = ModifiedVelocityVerlet;
+  static constexpr Scheme scheme = Formulas::scheme;
   static constexpr int observed_forces = 1;
   static constexpr StepNeeds needs{.rotates = rotates,
                                    .lists_contacts = false,
@@ -35,7 +36,7 @@ struct BlockStep {
   BlockStep(Law const& law, Repulsion const& repulsion, SpeciesTable const&, Real dt)
       : forces{law, repulsion}, time_step(dt) {}
 
-  SecondLook const* second_look() const { return nullptr; }
+  SecondStage const* second_stage() const { return nullptr; }
 
   /// First half: trial state at t + dt from forces at t.
   BlockReport predict(BlockSystem const& s, std::uint32_t b, ShearedBox const& box,
@@ -52,7 +53,8 @@ struct BlockStep {
       predict(r, f, kick.per_mass(big));
       simd::store_records(s.trial.record.data() + slot, r);
       if constexpr (rotates)
-        fma(kick.per_inertia(big), f.turn, Pack::load(s.now.spin.data() + slot))
+        Formulas::trial_velocity(Pack::load(s.now.spin.data() + slot), f.turn,
+                                 kick.per_inertia(big))
             .store(s.trial.spin.data() + slot);
     }
     return {};
@@ -81,7 +83,7 @@ struct BlockStep {
       if constexpr (rotates) {
         auto* const spin = s.now.spin.data() + slot;
         auto const trial = Pack::load(s.trial.spin.data() + slot);
-        corrected_spin(Pack::load(spin), trial, f, kick.per_inertia(big)).store(spin);
+        Formulas::velocity(Pack::load(spin), trial, f.turn, kick.per_inertia(big)).store(spin);
       }
       speeds(r, r.y);
     }
@@ -110,8 +112,8 @@ struct BlockStep {
                        simd::store_records(trial, at, r);
                        if constexpr (rotates)
                          simd::store(spins(s.trial, block), at,
-                                     fma(kick.per_inertia(big), f.turn,
-                                         simd::load(spins(s.now, block), at)));
+                                     Formulas::trial_velocity(simd::load(spins(s.now, block), at),
+                                                              f.turn, kick.per_inertia(big)));
                      });
     return {};
   }
@@ -139,8 +141,9 @@ struct BlockStep {
                        if constexpr (rotates) {
                          auto* const spin = spins(s.now, block);
                          auto const trial_spin = simd::load(spins(s.trial, block), at);
-                         simd::store(spin, at, corrected_spin(simd::load(spin, at), trial_spin, f,
-                                                              kick.per_inertia(big)));
+                         simd::store(spin, at,
+                                     Formulas::velocity(simd::load(spin, at), trial_spin, f.turn,
+                                                        kick.per_inertia(big)));
                        }
                        speeds(r, r.y);
                      });
@@ -173,25 +176,16 @@ struct BlockStep {
   using Pack = simd::Pack;
 
   BAGNOLD_INLINE void predict(simd::Records& r, simd::ForceComponents const& f, Pack k) const {
-    r.x = fma(time_step, r.vx, r.x);
-    r.y = fma(time_step, r.vy, r.y);
-    r.vx = fma(k, f.x, r.vx);
-    r.vy = fma(k, f.y, r.vy);
+    auto const place = Formulas::trial_position(r.position(), r.velocity(), Pack(time_step));
+    r = simd::make_records(place, Formulas::trial_velocity(r.velocity(), f.force(), k));
   }
 
   BAGNOLD_INLINE void correct(simd::Records& r, simd::Records const& trial,
                               simd::ForceComponents const& f, Pack k) const {
-    Pack const vx = fma(k, f.x, 0.5 * (r.vx + trial.vx));
-    Pack const vy = fma(k, f.y, 0.5 * (r.vy + trial.vy));
-    r.x = fma(time_step / 2, r.vx + vx, r.x);
-    r.y = fma(time_step / 2, r.vy + vy, r.y);
-    r.vx = vx;
-    r.vy = vy;
-  }
-
-  BAGNOLD_INLINE static Pack corrected_spin(Pack spin, Pack trial, simd::ForceComponents const& f,
-                                            Pack per_inertia) {
-    return fma(per_inertia, f.turn, 0.5 * (spin + trial));
+    auto const after = Formulas::velocity(r.velocity(), trial.velocity(), f.force(), k);
+    auto const place =
+        Formulas::position(r.position(), r.velocity(), after, Pack(time_step / 2));
+    r = simd::make_records(place, after);
   }
 
   static BlockReport report(SpeedWatch const& speeds, OverlapWatch const& overlaps) {

@@ -5,7 +5,7 @@
 
 #include "kernels/cpu/contacts/lane_watch.hpp"
 #include "kernels/cpu/islands/binary_pair.hpp"
-#include "kernels/cpu/islands/sample_times.hpp"
+#include "kernels/cpu/islands/flight_sums.hpp"
 #include "kernels/cpu/steps/active_disks.hpp"
 #include "kernels/cpu/steps/speed_watch.hpp"
 #include "kernels/physics/sums/sums.hpp"
@@ -31,9 +31,6 @@ struct StepNeeds {
   std::size_t force_bytes;  ///< of a disk's force
   StepCosts costs;
 };
-
-/// Sums of a configuration, in the columns of SumColumns; those of spins zero without them.
-using BlockSums = Sums<true>;
 
 /// The step of a scheme, under a law and a repulsion, on one block of disks at a time. Which they are
 /// is behind this face: one virtual call for a thousand disks, and engines are compiled once.

@@ -13,28 +13,19 @@ namespace bagnold {
 /// each.
 struct PackSums {
   using C = SumColumns;
-  static_assert(C::dissipation == simd::width - 1);
+  static_assert(pair_columns == simd::width);
 
   std::uint32_t padded;    ///< of the block: partners from here on are halo
-  simd::Pack first = 0.0;  ///< columns up to C::dissipation
+  simd::Pack first = 0.0;  ///< the columns of PairColumns
   Real contacts = 0;
 
   void operator()(PackOfPairs const& p) {
-    auto const& [r, elastic, dissipative, overlap, velocity] = p.force;
-    simd::Pack of[simd::width];
-    of[C::elastic_xx] = elastic.x * r.x;
-    of[C::elastic_xy] = elastic.x * r.y;
-    of[C::elastic_yy] = elastic.y * r.y;
-    of[C::dissipative_xx] = dissipative.x * r.x;
-    of[C::dissipative_xy] = dissipative.x * r.y;
-    of[C::dissipative_yx] = dissipative.y * r.x;
-    of[C::dissipative_yy] = dissipative.y * r.y;
-    of[C::dissipation] = p.force.dissipation();
-    simd::transpose(of);
+    auto of = columns_of(p.force);
+    simd::transpose(of.value);
     for (unsigned lanes = p.touching.lanes(); lanes != 0; lanes &= lanes - 1) {
       int const k = __builtin_ctz(lanes);
       Real const weight = std::max(p.pairs[k].a(), p.pairs[k].b()) < padded ? 1.0 : 0.5;
-      first += weight * of[k];
+      first += weight * of.value[k];
       contacts += 2 * weight;
     }
   }
@@ -51,41 +42,30 @@ BlockSums measure_block(Step const& step, BlockSystem const& s, std::uint32_t b,
   Block const& block = s.blocks.block(b);
   PackSums pairs{block.padded};
   step.observe(s, block, force, pairs);
-  Pack v[C::count], spin = 0.0, spin2 = 0.0;
+  Pack of_disks[C::count_rotating];
+  for (auto& sum : of_disks) sum = 0.0;
   PackPower power;
-  for (auto& sum : v) sum = 0.0;
   for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
     auto const slot = block.first + i;
     auto const r = simd::load_records(s.now.record.data() + slot);
     auto const big = simd::nonzero(s.species.data() + slot);
     Pack const mass = select(big, 1 / s.table.inverse_mass[1], 1 / s.table.inverse_mass[0]);
-    Pack const ux = fnma(strain_rate, r.y, r.vx), uy = r.vy;
-    v[C::kinetic_xx] += mass * ux * ux;
-    v[C::kinetic_xy] += mass * ux * uy;
-    v[C::kinetic_yy] += mass * uy * uy;
-    v[C::velocity_x2] += ux * ux;
-    v[C::velocity_y2] += uy * uy;
-    Pack turning = 0.0;
+    add_motion(of_disks, mass, peculiar_x(r.vx, r.y, strain_rate), r.vy);
+    Pack spin = 0.0;
     if constexpr (Step::rotates) {
-      turning = Pack::load(s.now.spin.data() + slot);
-      spin += turning;
-      spin2 += turning * turning;
+      spin = Pack::load(s.now.spin.data() + slot);
+      add_spin(of_disks, spin);
     }
-    auto const of_disks = step.observed_power(s, force, i, big, turning);
-    power.dissipation += of_disks.dissipation;
-    power.torque += of_disks.torque;
+    auto const of_pack = step.observed_power(s, force, i, big, spin);
+    power.dissipation += of_pack.dissipation;
+    power.torque += of_pack.torque;
   }
   BlockSums sums;
-  for (int c : {C::kinetic_xx, C::kinetic_xy, C::kinetic_yy, C::velocity_x2, C::velocity_y2})
-    sums.value[c] = simd::sum(v[c]);
-  for (int c = C::elastic_xx; c <= C::dissipation; ++c) sums.value[c] = pairs.first.v[c];
-  sums.value[C::dissipation] += simd::sum(power.dissipation);
+  for (int c = 0; c < C::count_rotating; ++c)
+    sums.value[c] = c < pair_columns ? pairs.first.v[c] : simd::sum(of_disks[c]);
   sums.value[C::contacts] = pairs.contacts;
-  if constexpr (Step::rotates) {
-    sums.value[C::spin] = simd::sum(spin);
-    sums.value[C::spin2] = simd::sum(spin2);
-    sums.value[C::torque_power] = simd::sum(power.torque);
-  }
+  sums.value[C::dissipation] += simd::sum(power.dissipation);
+  sums.value[C::torque_power] = simd::sum(power.torque);
   return sums;
 }
 

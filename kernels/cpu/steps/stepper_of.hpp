@@ -48,7 +48,7 @@ class StepperOf final : public BlockStepper {
                         LaneWatch* watch) const override {
     BinaryCollisions<Law, Repulsion, Step::scheme> const collisions{
         step_.forces.law, step_.forces.repulsion, table_,
-        step_.time_step,  strain_rate,            step_.second_look()};
+        step_.time_step,  strain_rate,            step_.second_stage()};
     if (watch != nullptr) return collisions.run(a, b, count, steps, times, sums, *watch);
     return collisions.run(a, b, count, steps, times, sums, NoLaneWatch{});
   }

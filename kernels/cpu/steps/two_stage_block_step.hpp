@@ -4,8 +4,7 @@
 #include "kernels/cpu/steps/block_forces.hpp"
 #include "kernels/cpu/steps/block_stepper.hpp"
 #include "kernels/cpu/steps/kick.hpp"
-#include "kernels/physics/schemes/scheme.hpp"
-#include "kernels/physics/schemes/second_look.hpp"
+#include "kernels/physics/schemes/two_stage_leapfrog.hpp"
 
 namespace bagnold {
 
@@ -20,7 +19,8 @@ struct TwoStageBlockStep {
   using Forces = BlockForces<Law, Repulsion, true>;
   using Force = typename Forces::Force;
 
-  static constexpr Scheme scheme = Scheme::two_stage_leapfrog;
+  using Formulas = TwoStageLeapfrog;
+  static constexpr Scheme scheme = Formulas::scheme;
   static constexpr int observed_forces = 2;
   static constexpr StepNeeds needs{.rotates = rotates,
                                    .lists_contacts = true,
@@ -33,12 +33,12 @@ struct TwoStageBlockStep {
 
   Forces forces;
   Real time_step;  ///< dt, [tau_e]
-  SecondLook shares;
+  SecondStage shares;
 
   TwoStageBlockStep(Law const& law, Repulsion const& repulsion, SpeciesTable const& table, Real dt)
       : forces{law, repulsion}, time_step(dt), shares(law, table, dt) {}
 
-  SecondLook const* second_look() const { return &shares; }
+  SecondStage const* second_stage() const { return &shares; }
 
   /// First half: what the forces at t change. force: scratch, [most_local].
   BlockReport predict(BlockSystem const& s, std::uint32_t b, ShearedBox const& box,
@@ -83,9 +83,8 @@ struct TwoStageBlockStep {
       auto const change = simd::load_records(s.trial.record.data() + slot);
       auto const f = simd::load_forces(force + i);
       auto const big = simd::nonzero(s.species.data() + slot);
-      accelerate(r, change, f, kick.per_mass(big));
-      r.x = fma(time_step, r.vx, r.x);
-      r.y = fma(time_step, r.vy, r.y);
+      auto const after = accelerated(r, change, f, kick.per_mass(big));
+      r = simd::make_records(Formulas::position(r.position(), after, Pack(time_step)), after);
       simd::store_records(s.now.record.data() + slot, r);
       seen(slot, r);
       if constexpr (rotates) {
@@ -140,7 +139,8 @@ struct TwoStageBlockStep {
                        auto r = simd::load_records(now, at);
                        auto const of_first = simd::load_records(change, at);
                        auto const f = simd::load_forces(force, at);
-                       accelerate(r, of_first, f, kick.per_mass(big));
+                       r = simd::make_records(r.position(),
+                                              accelerated(r, of_first, f, kick.per_mass(big)));
                        simd::store_records(now, at, r);
                        if constexpr (rotates) {
                          auto* const spin = s.now.spin.data() + block.first;
@@ -187,19 +187,20 @@ struct TwoStageBlockStep {
   /// What the first look changes, as in `trial`.
   BAGNOLD_INLINE static simd::Records change_of(Kick const& kick, simd::ForceComponents const& f,
                                                 simd::Mask big) {
-    Pack const k = kick.per_mass(big), most = SecondLook::most;
-    return {k * f.x, k * f.y, kick.per_inertia(big) * f.turn, select(most < f.count, most, f.count)};
+    Pack const most = SecondStage::most;
+    auto const v = Formulas::change(f.force(), kick.per_mass(big));
+    return {v.x, v.y, Formulas::change(f.turn, kick.per_inertia(big)),
+            select(most < f.count, most, f.count)};
   }
 
-  BAGNOLD_INLINE static void accelerate(simd::Records& r, simd::Records const& change,
-                         simd::ForceComponents const& second, simd::Pack per_mass) {
-    r.vx += fma(per_mass, second.x, change.x);
-    r.vy += fma(per_mass, second.y, change.y);
+  BAGNOLD_INLINE static Vec2<Pack> accelerated(simd::Records const& r, simd::Records const& change,
+                                               simd::ForceComponents const& second, Pack per_mass) {
+    return Formulas::velocity(r.velocity(), change.position(), second.force(), per_mass);
   }
 
-  BAGNOLD_INLINE static Pack spun(simd::Pack spin, simd::Records const& change,
-                         simd::ForceComponents const& second, simd::Pack per_inertia) {
-    return spin + fma(per_inertia, second.turn, change.vx);
+  BAGNOLD_INLINE static Pack spun(Pack spin, simd::Records const& change,
+                                  simd::ForceComponents const& second, Pack per_inertia) {
+    return Formulas::velocity(spin, change.vx, second.turn, per_inertia);
   }
 
   /// Adds what the second look exerts to force, which is cleared where pairs touch.
@@ -288,30 +289,24 @@ struct TwoStageBlockStep {
       auto const [d, a] = next;
       next = load(pairs + (k + simd::width < count ? k + simd::width : 0), records, changes, weight);
       auto const touching = simd::first_lanes(count - k);
-      Pack const distance2 = fma(d.x, d.x, d.y * d.y);
-      Pack const inverse = inverse_sqrt(distance2);
       Vec2<Pack> const separation{d.x, d.y};
-      Contact<Pack> contact;
-      contact.normal = inverse * separation;
-      contact.relative_overlap = Pack(1.0) - distance2 * inverse * inverse_distance;
-      contact.inverse_distance = inverse_distance;
-      Vec2<Pack> change{a.x, a.y};
-      auto const turned = [&](Pack const& spins) {
-        return (0.5 * inverse_distance * spins) * perpendicular(separation);
-      };
-      if constexpr (rotates) change = change - turned(diameter_a * a.vx);
+      Contact<Pack> contact =
+          make_contact(separation, fma(d.x, d.x, d.y * d.y), inverse_distance);
+      auto const change =
+          velocity_at_contact<Law>({a.x, a.y}, separation, inverse_distance, diameter_a * a.vx);
       simd::CountPairs const contacts(a.vy);
       Pack const normal = contacts.look_up_larger(share_normal);
       Pack const tangential = rotates ? contacts.look_up_larger(share_tangential) : normal;
-      contact.velocity = looked_at<Law>(change, contact.normal, normal, tangential);
+      contact.velocity = second_stage_velocity<Law>(change, contact.normal, normal, tangential);
       PairForce<Pack> f{separation, {}, law.dissipative_force(contact), {}, {}};
       if constexpr (Whole) {
         scatter(force + s.blocks.most_local, pairs + k, touching, f, inverse_distance);
-        Vec2<Pack> velocity{d.vx, d.vy};
+        Pack spins = 0.0;
         if constexpr (rotates)
-          velocity = velocity -
-                     turned(diameter_a * simd::load_sums(s.now.spin.data() + block.first, pairs + k,
-                                                         diameter_b / diameter_a));
+          spins = diameter_a * simd::load_sums(s.now.spin.data() + block.first, pairs + k,
+                                               diameter_b / diameter_a);
+        auto const velocity =
+            velocity_at_contact<Law>({d.vx, d.vy}, separation, inverse_distance, spins);
         f.velocity = velocity + Pack(0.5) * change;
         contact.velocity = contact.velocity + velocity;
         f.elastic = repulsion.magnitude(contact) * contact.normal;

@@ -57,7 +57,7 @@ KOKKOS_FORCEINLINE_FUNCTION Vec2<T> velocity_at_contact(Vec2<T> const& velocity,
 /// The force of a pair that touches: one disk at a time, or a pack of pairs at once. Arguments: see
 /// make_contact and velocity_at_contact.
 template <PairLaw Law, class Repulsion, class T>
-KOKKOS_FUNCTION PairForce<T> pair_force(Law const& law, Repulsion const& repulsion,
+KOKKOS_FORCEINLINE_FUNCTION PairForce<T> pair_force(Law const& law, Repulsion const& repulsion,
                                         Vec2<T> const& separation, T const& distance2,
                                         Vec2<T> const& velocity, T const& inverse_distance,
                                         T const& spins) {

@@ -47,7 +47,7 @@ struct SecondStage {
 /// The velocity at a contact whose damping the second stage adds. change: of v_i - v_j, at the point of
 /// contact if the law rotates.
 template <TwoStageLaw Law, class T>
-KOKKOS_FUNCTION Vec2<T> second_stage_velocity(Vec2<T> const& change, Vec2<T> const& normal,
+KOKKOS_FORCEINLINE_FUNCTION Vec2<T> second_stage_velocity(Vec2<T> const& change, Vec2<T> const& normal,
                                               T const& share_normal, T const& share_tangential) {
   if constexpr (Law::rotates)
     return share_tangential * change +
@@ -61,7 +61,7 @@ KOKKOS_FUNCTION Vec2<T> second_stage_velocity(Vec2<T> const& change, Vec2<T> con
 ///
 /// turn: torque over diameter; per_force: dt (1/m_i + 1/m_j); per_turn: dt (d_i^2/I_i + d_j^2/I_j).
 template <ContactLaw Law, class T>
-KOKKOS_FUNCTION Vec2<T> change_of_pair(Vec2<T> const& force, T const& turn,
+KOKKOS_FORCEINLINE_FUNCTION Vec2<T> change_of_pair(Vec2<T> const& force, T const& turn,
                                        Vec2<T> const& separation, T const& inverse_distance,
                                        T const& per_force, T const& per_turn) {
   Vec2<T> change = per_force * force;

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "src/engine/blocks/lookahead_sums.hpp"
+#include "kernels/cpu/islands/free_flight.hpp"
 
 namespace bagnold {
 
@@ -108,12 +108,12 @@ std::int64_t BatchIslands::leap(std::uint32_t b, Clock const& clock, std::int64_
   if (steps == 0) return 0;
   auto const end = times.from(from + steps);
   if (end > sample) {
-    auto const free = free_flight_sums(system, block, clock.strain_rate,
-                                       [](std::uint32_t) { return simd::Mask::of(0xff); });
+    auto const free = flight_sums(system, block, clock.strain_rate,
+                                  [](std::uint32_t) { return simd::Mask::of(0xff); });
     auto const first = scratch.results.units[first_unit_ + b].sums;
     times.some(sample, end, from, clock.time_step,
                [&](std::size_t bin, SampleTimes::Powers const& powers) {
-                 add_free_flight(scratch.results.sums[first + bin], free, powers);
+                 free.add_to(scratch.results.sums[first + bin], powers);
                });
     sample = end;
   }

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/engine/blocks/lookahead_sums.hpp"
-
 namespace bagnold {
 
 bool LookaheadSteps::run(LookaheadWindow& window, Sampling const& sampling, OpenWindows& windows,
@@ -198,17 +196,17 @@ void LookaheadSteps::measure(LookaheadWindow const& window, Sampling const& samp
   for (auto const& disk : results.disks) in_batch_[disk.slot] = results.units[disk.unit].batch;
   free_.assign(all.blocks.count, {});
   (*disks_.loop)(all.blocks.count, [&](std::uint32_t b) {
-    free_[b] = free_flight_sums(
+    free_[b] = flight_sums(
         all, all.blocks.block(b), disks_.clock.strain_rate,
         [&](std::uint32_t slot) { return simd::zero(in_batch_.data() + slot); });
   });
-  FreeFlightSums free;
+  FlightSums free;
   for (auto const& of_block : free_) free += of_block;
   for (std::size_t bin = 0; bin < times.bins(); ++bin) {
     auto const& powers = times.total(bin);
     if (powers.n == 0) continue;
     BlockSums total;
-    add_free_flight(total, free, powers);
+    free.add_to(total, powers);
     for (auto const& unit : results.units)
       if (unit.alive) total += results.sums[unit.sums + bin];
     windows.add(sampling.window(window.begin) + static_cast<std::int64_t>(bin),

@@ -68,7 +68,7 @@ class LookaheadSteps {
   std::vector<Forecast> forecast_;      ///< by block
   std::vector<SlotPair> todo_;
   std::vector<std::uint8_t> in_batch_;  ///< by slot
-  std::vector<FreeFlightSums> free_;    ///< by block
+  std::vector<FlightSums> free_;    ///< by block
 };
 
 }  // namespace bagnold

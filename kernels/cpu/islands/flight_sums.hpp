@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kernels/cpu/islands/sample_times.hpp"
+#include "kernels/physics/in_time.hpp"
+#include "kernels/physics/sums/sums.hpp"
+
+namespace bagnold {
+
+/// Sums of one configuration; those of spins zero without them.
+using BlockSums = Sums<true>;
+
+/// u_x = v_x - gammadot y of a disk in free flight from y at t = 0.
+template <class T>
+BAGNOLD_INLINE Linear<T> flight_x(T const& velocity_x, T const& y, T const& velocity_y,
+                                  Real strain_rate) {
+  return {{peculiar_x(velocity_x, y, strain_rate), T(-strain_rate) * velocity_y}};
+}
+
+/// Sums of disks in free flight, as polynomials in time: the columns that add_motion() and add_spin()
+/// add to.
+struct FlightSums {
+  Quadratic<Real> column[SumColumns::count_rotating];
+
+  FlightSums& operator+=(FlightSums const& o) {
+    for (int c = pair_columns; c < SumColumns::count_rotating; ++c) column[c] += o.column[c];
+    return *this;
+  }
+
+  /// Adds them at the times of `powers`, `weight` times.
+  void add_to(BlockSums& sums, SampleTimes::Powers const& powers, Real weight = 1) const {
+    for (int c = pair_columns; c < SumColumns::count_rotating; ++c)
+      sums.value[c] += weight * column[c].over(powers.n, powers.t1, powers.t2);
+  }
+};
+
+}  // namespace bagnold
