@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/cli/analyse_options.hpp"
 
+#include <memory>
+
 #include "src/cli/name_value.hpp"
+#include "src/cli/options.hpp"
 
 namespace bagnold {
 namespace {
@@ -56,6 +59,13 @@ void add_analyse_options(CLI::App& command, AnalyseOptions& options) {
   add_axes(command, options.request);
   add_fit(command, options.request);
   command.add_flag("--quiet", options.quiet, "no table; errors and remarks are still shown");
+}
+
+Command add_analyse(CLI::App& program) {
+  auto const options = std::make_shared<AnalyseOptions>();
+  CLI::App& command = add_command(program, "analyse", "fits and phase boundaries from a sweep");
+  add_analyse_options(command, *options);
+  return {&command, [options] { return analyse_command(*options); }};
 }
 
 }  // namespace bagnold

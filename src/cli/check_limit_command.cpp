@@ -2,11 +2,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "src/analysis/rate_limit.hpp"
 #include "src/cli/checked_sweep.hpp"
-#include "src/cli/commands.hpp"
+#include "src/cli/options.hpp"
 #include "src/run/run_folder.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/scene_file.hpp"
@@ -104,8 +105,9 @@ void print(analysis::RateLimit const& found, std::map<std::string, AtTwoRates> c
   fmt::print("verdict: {}\n", found.verdict());
 }
 
-}  // namespace
-
+/// Whether a scene's rate is in a limit (src/analysis/rate_limit.hpp): runs it at its rate and at
+/// half of it, as a sweep that goes on where it stopped, and writes check_limit.json. 0 whatever
+/// the answer.
 int check_limit_command(CheckLimitOptions const& options) {
   Scene const scene = read_scene(options.run.scene_file, options.run.overrides);
   auto const sweep = both_rates(scene, options.run);
@@ -130,6 +132,24 @@ int check_limit_command(CheckLimitOptions const& options) {
                         json_of(limit, scene.shear.strain_rate, options.tolerance).dump(2) + "\n");
   if (!options.run.quiet) print(limit, found, scene.shear.strain_rate, options.tolerance);
   return 0;
+}
+
+}  // namespace
+
+Command add_check_limit(CLI::App& program) {
+  auto const options = std::make_shared<CheckLimitOptions>();
+  CLI::App& command = add_command(
+      program, "check-limit",
+      "is the rate small enough? The scene at its rate and at half of it, compared");
+  add_scene_options(command, options->run);
+  command.add_option("--out", options->run.folder, "folder for both runs [results/SCENE-limit]");
+  command.add_option("--jobs", options->jobs, "runs at a time [default: cores / threads]")
+      ->check(CLI::Range(1, 4096));
+  command
+      .add_option("--tolerance", options->tolerance, "relative change that counts as none [0.05]")
+      ->check(CLI::Range(1e-6, 0.3));
+  add_machine_options(command, options->run.machine, options->run.quiet);
+  return {&command, [options] { return check_limit_command(*options); }};
 }
 
 }  // namespace bagnold

@@ -3,12 +3,17 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "src/analysis/request.hpp"
 #include "src/run/machine.hpp"
 #include "src/run/messages.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace bagnold {
 
@@ -68,30 +73,32 @@ struct FigureOptions {
   bool quiet = false;
 };
 
-// Each returns the exit code: 0 done, 130 or 143 interrupted with a checkpoint written. What goes
-// wrong is thrown: InputError, NumericalError, FileError.
-int run_command(SceneOptions const& options);
-int resume_command(ResumeOptions const& options);
-int validate_command(SceneOptions const& options);
-int info_command();
+/// A command of the program: its words on the command line, and what it does once they are read.
+struct Command {
+  CLI::App* words;
+
+  /// Returns the exit code: 0 done, 130 or 143 interrupted with a checkpoint written. What goes
+  /// wrong is thrown: InputError, NumericalError, FileError.
+  std::function<int()> run;
+};
+
+using AddCommand = Command(CLI::App& program);
+
+AddCommand add_run, add_validate, add_resume, add_sweep, add_analyse, add_check_limit, add_figure,
+    add_info;
+
+/// All of them, in the order of the help.
+inline constexpr AddCommand* all_commands[] = {add_run,     add_validate,    add_resume, add_sweep,
+                                               add_analyse, add_check_limit, add_figure, add_info};
+
 int analyse_command(AnalyseOptions const& options);
 
 /// What --help says of the kinds of analysis.
 std::string analyse_kinds();
 
-/// 1 where points failed or, with `collect`, have no result yet; 0, 130 and 143 as the others.
-int sweep_command(SweepOptions const& options);
-
-/// All points of a sweep and its tables, into options.folder; what sweep_command() does.
+/// All points of a sweep and its tables, into options.folder. 1 where points failed or, with
+/// `collect`, have no result yet; 0, 130 and 143 as the others.
 int run_sweep(sweep::Sweep const& sweep, SweepOptions const& options);
-
-/// Whether a scene's rate is in a limit (src/analysis/rate_limit.hpp): runs it at its rate and at half of
-/// it, as a sweep that goes on where it stopped, and writes check_limit.json. 0 whatever the answer.
-int check_limit_command(CheckLimitOptions const& options);
-
-/// Makes a figure of the papers: runs its sweeps where they are not done, draws it, and compares with
-/// what the text of the paper states. Codes as of a sweep; 1 where there is no picture.
-int figure_command(FigureOptions const& options);
 
 /// Prints what a sweep file comes to: points, chains, steps, time.
 int validate_sweep_command(SceneOptions const& options);

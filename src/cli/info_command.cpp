@@ -3,10 +3,12 @@
 
 #include <thread>
 
-#include "src/cli/commands.hpp"
+#include "src/cli/options.hpp"
 #include "src/run/provenance.hpp"
 
 namespace bagnold {
+
+namespace {
 
 int info_command() {
   Provenance const made = provenance();
@@ -14,6 +16,12 @@ int info_command() {
              made.version, made.git, made.compiler, made.kokkos, made.backends, made.cpu,
              std::thread::hardware_concurrency());
   return 0;
+}
+
+}  // namespace
+
+Command add_info(CLI::App& program) {
+  return {&add_command(program, "info", "version, git hash, Kokkos, backends, CPU"), info_command};
 }
 
 }  // namespace bagnold

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "src/cli/commands.hpp"
+#include <memory>
+
+#include "src/cli/options.hpp"
 #include "src/cli/signals.hpp"
 #include "src/cli/terminal.hpp"
 #include "src/config/scene_file.hpp"
@@ -10,8 +12,6 @@ namespace bagnold {
 namespace {
 
 int exit_code(RunEnd end) { return end == RunEnd::done ? 0 : 128 + stop_signal(); }
-
-}  // namespace
 
 int run_command(SceneOptions const& options) {
   Scene const scene = read_scene(options.scene_file, options.overrides);
@@ -31,6 +31,28 @@ int resume_command(ResumeOptions const& options) {
   catch_signals();
   Terminal terminal(options.quiet);
   return exit_code(resume(options.folder, {.machine = options.machine, .monitor = &terminal}));
+}
+
+}  // namespace
+
+Command add_run(CLI::App& program) {
+  auto const options = std::make_shared<SceneOptions>();
+  CLI::App& command = add_command(program, "run", "run a scene");
+  add_scene_options(command, *options);
+  command.add_option("--out", options->folder, "folder for the results [results/SCENE]")
+      ->check([](std::string const& name) { return std::string(name.empty() ? "is empty" : ""); });
+  command.add_flag("--force", options->force, "replace the run that is in the folder");
+  add_machine_options(command, options->machine, options->quiet);
+  return {&command, [options] { return run_command(*options); }};
+}
+
+Command add_resume(CLI::App& program) {
+  auto const options = std::make_shared<ResumeOptions>();
+  CLI::App& command =
+      add_command(program, "resume", "go on with an interrupted run, bit for bit");
+  command.add_option("DIR", options->folder, "folder of the run")->required();
+  add_machine_options(command, options->machine, options->quiet);
+  return {&command, [options] { return resume_command(*options); }};
 }
 
 }  // namespace bagnold

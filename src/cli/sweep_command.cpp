@@ -3,12 +3,13 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <numeric>
 #include <sstream>
 #include <thread>
 
 #include "src/cli/checked_sweep.hpp"
-#include "src/cli/commands.hpp"
+#include "src/cli/options.hpp"
 #include "src/run/provenance.hpp"
 #include "src/run/run_folder.hpp"
 #include "src/run/run_time_estimate.hpp"
@@ -121,11 +122,6 @@ int emit_slurm(sweep::Sweep const& sweep, sweep::SweepFolder const& folder,
 
 }  // namespace
 
-int sweep_command(SweepOptions const& options) {
-  auto const sweep = read_checked_sweep(options.sweep_file, options.allow_unstable);
-  return run_sweep(sweep, options);
-}
-
 int run_sweep(sweep::Sweep const& sweep, SweepOptions const& options) {
   auto const name =
       options.folder.empty() ? fs::path("results") / options.sweep_file.stem() : options.folder;
@@ -146,6 +142,31 @@ int run_sweep(sweep::Sweep const& sweep, SweepOptions const& options) {
   std::iota(chains.begin(), chains.end(), std::size_t{0});
   int const status = run_chains(sweep, folder, options, chains);
   return status > 128 ? status : std::max(status, write_tables(sweep, folder, options.quiet));
+}
+
+Command add_sweep(CLI::App& program) {
+  auto const options = std::make_shared<SweepOptions>();
+  CLI::App& command = add_command(
+      program, "sweep", "run all points of a sweep file; the same command goes on with it");
+  command.add_option("FILE", options->sweep_file, "scene with a table [sweep] (see inputs/)")
+      ->required();
+  command.add_option("--out", options->folder, "folder for the points and tables [results/FILE]");
+  command.add_option("--jobs", options->jobs, "points at a time [default: cores / threads]")
+      ->check(CLI::Range(1, 4096));
+  auto* slurm = command.add_flag("--emit-slurm", options->emit_slurm,
+                                 "prepare the folder for Slurm and write job scripts; run nothing");
+  auto* chain = command.add_option("--chain", options->chain,
+                                   "run this chain of points only, from 1, and write no table");
+  auto* collect = command.add_flag("--collect", options->collect,
+                                   "write the tables of what is done; run nothing");
+  slurm->excludes(chain)->excludes(collect);
+  chain->excludes(collect);
+  add_unstable_flag(command, options->allow_unstable);
+  add_machine_options(command, options->machine, options->quiet);
+  return {&command, [options] {
+            return run_sweep(read_checked_sweep(options->sweep_file, options->allow_unstable),
+                             *options);
+          }};
 }
 
 }  // namespace bagnold

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <memory>
 #include <optional>
 
 #include "src/run/validate_scene.hpp"
-#include "src/cli/commands.hpp"
+#include "src/cli/options.hpp"
 #include "src/run/machine.hpp"
 #include "src/run/start_or_resume.hpp"
 #include "src/run/run_time_estimate.hpp"
@@ -76,8 +77,6 @@ void print_plan(Scene const& scene, Plan const& plan, RunTime const& time, int t
   fmt::print("# estimated time {}\n", in_words(time, threads));
 }
 
-}  // namespace
-
 int validate_command(SceneOptions const& options) {
   auto const origin = options.scene_file.string();
   if (sweep::is_sweep(read_text(options.scene_file), origin))
@@ -109,6 +108,16 @@ int validate_command(SceneOptions const& options) {
   if (runs.size() > 1) fmt::print("#\n# all {} rates    {}\n", runs.size(), in_words(times.sum(), threads));
   fmt::print("#                {}\n", times.how);
   return 0;
+}
+
+}  // namespace
+
+Command add_validate(CLI::App& program) {
+  auto const options = std::make_shared<SceneOptions>();
+  CLI::App& command = add_command(
+      program, "validate", "check a scene; print it resolved, its steps, memory and time");
+  add_scene_options(command, *options);
+  return {&command, [options] { return validate_command(*options); }};
 }
 
 }  // namespace bagnold

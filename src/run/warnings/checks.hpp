@@ -51,6 +51,12 @@ Check box_size;
 /// tau_dur without the long contacts: the run ended before they did, or none ended at all.
 Check contact_durations;
 
+/// All of them, in the order of the summary.
+inline constexpr Check* all_checks[] = {
+    above_jamming,    hard_core_limit, large_overlap,   energy_balance, dissipative_pressure,
+    rotation_balance, collision_loss,  contact_network, steady_state,   error_bar,
+    few_collisions,   box_size,        contact_durations};
+
 /// Mean relative overlap of contacts, 1 - r_ij/d_ij, from elastic pressure and contacts:
 ///
 ///     sum f_el r_ij = 2 p_el L^2, f_el r_ij ~ (1 - r_ij/d_ij)^(alpha - 1), N Z/2 contacts

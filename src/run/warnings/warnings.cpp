@@ -35,13 +35,8 @@ double FinishedRun::in_window(std::string_view name, std::size_t window) const {
 }
 
 std::vector<Warning> warnings(FinishedRun const& finished) {
-  static constexpr Check* all[] = {above_jamming, hard_core_limit, large_overlap,
-                                   energy_balance, dissipative_pressure, rotation_balance,
-                                   collision_loss, contact_network,
-                                   steady_state, error_bar, few_collisions,
-                                   box_size, contact_durations};
   std::vector<Warning> list;
-  for (auto* check : all)
+  for (auto* check : all_checks)
     if (auto warning = check(finished)) list.push_back(std::move(*warning));
   return list;
 }
