@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/prctl.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -50,8 +51,8 @@ std::string whole(Script const& script) {
 /// from where the user stands.
 int run_script(fs::path const& python, std::string const& text, fs::path const& data,
                fs::path const& target, bool quiet) {
-  int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) return 127;
+  int ends[2];  // a socket: what Python does not read before it ends sends no SIGPIPE
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) return 127;
   pid_t const child = fork();
   if (child < 0) return 127;
   if (child == 0) {
@@ -67,7 +68,7 @@ int run_script(fs::path const& python, std::string const& text, fs::path const& 
   }
   close(ends[0]);
   for (std::size_t sent = 0; sent < text.size();) {
-    ssize_t const now = write(ends[1], text.data() + sent, text.size() - sent);
+    ssize_t const now = send(ends[1], text.data() + sent, text.size() - sent, MSG_NOSIGNAL);
     if (now <= 0) break;
     sent += static_cast<std::size_t>(now);
   }
