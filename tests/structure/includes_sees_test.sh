@@ -34,5 +34,7 @@ expect 0 src/start/b.cpp 'Kokkos::parallel_for(' '    "start::Relax", n, f);'
 expect 1 src/start/b.cpp 'Kokkos::parallel_for(n, f);'
 expect 1 src/config/b.cpp '#include <Kokkos_Core.hpp>'
 expect 1 src/io/b.cpp '#include "src/cli/a.hpp"'
+expect 1 src/run/b.cpp '#include "src/cli/a.hpp"'
+expect 1 src/run/b.cpp '#include <CLI/CLI.hpp>'
 expect 1 src/unheard/b.cpp '#include <vector>'
 exit "$failed"
