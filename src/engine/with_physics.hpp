@@ -3,11 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <optional>
-#include <tuple>
 #include <type_traits>
 
-#include "kernels/physics/schemes/scheme.hpp"
+#include "kernels/physics/schemes/schemes.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/time_step.hpp"
 #include "src/engine/laws.hpp"
@@ -23,25 +21,24 @@ auto with_physics_of(Scene const& scene, Use const& use) {
     return with_repulsion(scene.disks,
                           [&](auto const& repulsion) { return use(law, repulsion, scheme); });
   };
-  if (scheme_of(scene) == two_stage_scheme) {
-    if constexpr (TwoStageLaw<Law>)
-      return under(std::integral_constant<Scheme, Scheme::two_stage_leapfrog>{});
+  using Made = decltype(under(std::integral_constant<Scheme, Scheme::modified_velocity_verlet>{}));
+  return with_named<Schemes>(scheme_of(scene), [&]<class S>(std::type_identity<S>) -> Made {
+    if constexpr (S::template can_step<Law>)
+      return under(std::integral_constant<Scheme, S::scheme>{});
     else
       throw InputError(fmt::format(
-          "integration.scheme = \"{}\" ({} cannot do model {}, whose damping is not linear in the "
-          "velocity, "
-          "or neither normal nor isotropic and without spins); set integration.scheme = \"{}\"",
-          scene.integration.scheme, two_stage_scheme, Law::name, papers_scheme));
-  }
-  return under(std::integral_constant<Scheme, Scheme::modified_velocity_verlet>{});
+          "integration.scheme = \"{}\" ({} cannot do model {}, whose {}); set integration.scheme = "
+          "\"{}\"",
+          scene.integration.scheme, S::name, Law::name, S::cannot_step, papers_scheme));
+  });
 }
 
 /// Under the law of the scene, which is one of the program's. use: returns nothing.
 template <class Use>
 void with_physics(Scene const& scene, Use const& use) {
-  [&]<class... Law>(std::tuple<Law...> const*) {
-    ((scene.disks.model == Law::name ? with_physics_of<Law>(scene, use) : void()), ...);
-  }(static_cast<Laws const*>(nullptr));
+  with_named<Laws>(scene.disks.model, [&]<class Law>(std::type_identity<Law>) {
+    with_physics_of<Law>(scene, use);
+  });
 }
 
 }  // namespace bagnold

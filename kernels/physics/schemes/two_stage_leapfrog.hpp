@@ -29,9 +29,11 @@ struct TwoStageLeapfrog {
   /// Largest frequency without damping, times dt: of a leapfrog.
   static constexpr Real largest_frequency = 2;
 
-  /// Whether it can step a law.
+  /// Whether it can step a law, and what stops it where it cannot.
   template <ContactLaw Law>
   static constexpr bool can_step = TwoStageLaw<Law>;
+  static constexpr std::string_view cannot_step =
+      "damping is not linear in the velocity, or neither normal nor isotropic and without spins";
 
   /// The rule for dt, [tau_e]: min{0.2, 0.2 Q} where disks rotate, otherwise min{0.2, 0.5 Q}, with Q over
   /// the larger damping constant in units of 1/Q. Biases are below 1% (docs/accuracy.md).
