@@ -3,7 +3,8 @@
 
 #include <cstdint>
 
-#include "kernels/device/dynamics/two_stage_leapfrog.hpp"
+#include "kernels/device/dynamics/stepped_system.hpp"
+#include "kernels/device/sums/measure.hpp"
 #include "src/config/time_step.hpp"
 #include "src/measure/disk_search.hpp"
 #include "src/engine/with_physics.hpp"
@@ -20,34 +21,20 @@ std::vector<Sums<false>> sums_of(Forces const& forces, std::size_t count) {
 }
 
 template <Scheme scheme, ContactLaw Law, class Repulsion>
-std::vector<Sums<false>> stress_under(Law const& law, Repulsion const& repulsion,
+std::vector<Sums<false>> stress_under(Law const& law, Repulsion const&,
                                       Scene const& scene, State const& state) {
   auto const search = disk_search(state, 0.0);
-  auto const count = state.count();
-  ContactForces<Law, Repulsion, FrameSpace> const forces{
-      search.position,
-      to_device<FrameSpace>("measure::motion", motions<Law::rotates>(state)),
-      search.species,
-      make_neighbor_rows(FrameSpace{}, search, NeighborRows<FrameSpace>{}),
-      make_species_table(scene.mass_by_area()),
-      search.box,
-      law,
-      repulsion};
-  if constexpr (scheme != Scheme::two_stage_leapfrog) {
-    return sums_of(forces, count);
-  } else {
-    double const dt = time_step(scene);
-    FirstStage<Law, Repulsion, FrameSpace> const first{
-        forces, dt, Kokkos::View<Motion<Law::rotates>*, FrameSpace>("measure::change", count),
-        Kokkos::View<int*, FrameSpace>("measure::contacts", count)};
-    Real too_deep = 0;  // what engines stop for
-    for (std::uint32_t i = 0; i < count; ++i) first(i, too_deep);
-    auto const shares =
-        to_device<FrameSpace>("measure::second_stage", std::vector{SecondStage(law, forces.table, dt)});
-    return sums_of(
-        ChangeForces<Law, Repulsion, FrameSpace>{forces, first.change, first.contacts, shares, dt},
-        count);
-  }
+  SteppedSystem<Law, Repulsion, FrameSpace, scheme> system{
+      {}, make_species_table(scene.mass_by_area()), law, time_step(scene)};
+  auto& disks = system.disks;
+  disks.position = search.position;
+  disks.species = search.species;
+  disks.motion = to_device<FrameSpace>("measure::motion", motions<Law::rotates>(state));
+  disks.trial_motion = decltype(disks.trial_motion)("measure::trial_motion", state.count());
+  disks.neighbors = make_neighbor_rows(FrameSpace{}, search, NeighborRows<FrameSpace>{});
+  disks.step.allocate(law, system.table, system.time_step, state.count());
+  system.begin_step(Launches<FrameSpace>{}, search.box);  // engines stop for deep overlaps
+  return sums_of(system.measured_forces(search.box), state.count());
 }
 
 }  // namespace
