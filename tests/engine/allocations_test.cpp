@@ -182,7 +182,7 @@ TEST(Allocations, LawsDifferInNothingElse) {
 
 TEST(Allocations, ArraysOfAWayOfSteppingAreOnlyThere) {
   std::set<std::string> const of_dense{"steps::active", "steps::active_count",
-                                       "dynamics::contacts", "steps::is_active"};
+                                       "steps::contacts", "steps::is_active"};
   for (auto const& law : law_names())
     for (std::string const engine : {"reference", "dense", "contact-rich", "windowed"}) {
       auto const found = labels(held(scene_of(law, engine)).views);
