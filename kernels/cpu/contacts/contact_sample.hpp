@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "kernels/physics/random.hpp"
 #include "kernels/physics/vec2.hpp"
 
 namespace bagnold {
@@ -95,7 +96,8 @@ class SampleChoice {
   static constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
 
   SampleChoice() = default;
-  explicit SampleChoice(std::int64_t seed) : seed_(static_cast<std::uint64_t>(seed)), on_(true) {}
+  explicit SampleChoice(std::int64_t seed)
+      : stream_(Stream::contact_samples, static_cast<std::uint64_t>(seed)), on_(true) {}
 
   explicit operator bool() const { return on_; }
 
@@ -124,19 +126,10 @@ class SampleChoice {
  private:
   Real uniform(std::uint32_t a, std::uint32_t b, std::int64_t step) const {
     auto const pair = std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
-    auto const bits = mixed(mixed(mixed(seed_) ^ pair) ^ static_cast<std::uint64_t>(step));
-    return static_cast<Real>((bits >> 11) + 1) * 0x1p-53;
+    return stream_.uniform(pair, static_cast<std::uint64_t>(step));
   }
 
-  /// SplitMix64 (Steele, Lea and Flood, OOPSLA 2014).
-  static std::uint64_t mixed(std::uint64_t x) {
-    x += 0x9e3779b97f4a7c15u;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    return x ^ (x >> 31);
-  }
-
-  std::uint64_t seed_ = 0;
+  RandomStream stream_{Stream::contact_samples, 0};
   bool on_ = false;
 };
 
