@@ -38,7 +38,7 @@ struct Prepared {
     motion = to_device<Space>("bench::motion", motions<Law::rotates>(state));
     species = to_device<Space>("bench::species", species_of(state.diameter));
     table = make_species_table(scene.mass_by_area());
-    box = {state.box_length, 0.0, scene.shear.strain_rate};
+    box = {state.box_length, 0.0, scene.shear.strain_rate, state.box_height()};
     list.skin = scene.integration.skin;
     list.at_build = position;
     build();

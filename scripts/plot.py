@@ -103,7 +103,9 @@ def read_state(path):
             state = {k: group[k][()] for k in ("position", "velocity", "diameter")}
             if state["diameter"].ndim == 2:  # replicas: the first one is drawn
                 state = {k: values[0] for k, values in state.items()}
-            return {**state, **{k: float(group.attrs[k]) for k in ("box_length", "offset")}}
+            box = {k: float(group.attrs[k]) for k in ("box_length", "offset")}
+            height = float(group.attrs.get("box_aspect", 1)) * box["box_length"]
+            return {**state, **box, "box_height": height}
     except (OSError, KeyError, TypeError, ValueError):
         return None
 
@@ -270,12 +272,12 @@ def draw_profile(figure, spot, run):
     state = run.state
     if state is None or not run.rate > 0:
         return say(axes, "no state.h5 beside the result")
-    length = state["box_length"]
-    y = state["position"][:, 1] / length
+    height = state["box_height"]
+    y = state["position"][:, 1] / height
     rows = np.floor(y)
-    velocity = state["velocity"][:, 0] / (run.rate * length) - rows  # at the image inside the box
+    velocity = state["velocity"][:, 0] / (run.rate * height) - rows  # at the image inside the box
     y -= rows
-    bins = int(np.clip(length / 1.5, 5, 60))
+    bins = int(np.clip(height / 1.5, 5, 60))
     which = np.minimum((y * bins).astype(int), bins - 1)
     count = np.bincount(which, minlength=bins)
     mean = np.bincount(which, velocity, minlength=bins) / np.maximum(count, 1)
@@ -288,18 +290,18 @@ def draw_profile(figure, spot, run):
     low, high = np.percentile(velocity, [1, 99])
     axes.set_xlim(min(-0.05, 1.1 * low - 0.05), max(1.05, 1.1 * high))
     axes.set_ylim(0, 1)
-    axes.set_xlabel(r"$v_x / (\dot\gamma L)$")
-    axes.set_ylabel("$y / L$")
+    axes.set_xlabel(r"$v_x / (\dot\gamma L_y)$")
+    axes.set_ylabel("$y / L_y$")
     axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncol=2, borderaxespad=0.1)
 
 
-def contacts(position, diameter, length, offset):
+def contacts(position, diameter, length, height, offset):
     """Segments between centres and relative overlaps 1 - r/d of all pairs in contact."""
     segments, overlaps = [], []
     for i in range(len(diameter) - 1):
         away = position[i + 1:] - position[i]
-        rows = np.rint(away[:, 1] / length)
-        away[:, 1] -= rows * length
+        rows = np.rint(away[:, 1] / height)
+        away[:, 1] -= rows * height
         away[:, 0] -= rows * offset
         away[:, 0] -= length * np.rint(away[:, 0] / length)
         overlap = 1 - np.hypot(*away.T) / ((diameter[i] + diameter[i + 1:]) / 2)
@@ -310,15 +312,15 @@ def contacts(position, diameter, length, offset):
     return np.array(segments).reshape(-1, 2, 2), np.array(overlaps)
 
 
-def with_images(position, diameter, tilt, length):
+def with_images(position, diameter, tilt, length, height):
     """Indices and places of all disks and of the images that reach into the cell."""
     index, places = [], []
     for row in (-1, 0, 1):
         for column in (-1, 0, 1):
-            place = position + [column * length + row * tilt, row * length]
-            along = place[:, 0] - tilt * place[:, 1] / length
-            near = diameter * (0.5 + abs(tilt) / length)
-            inside = ((place[:, 1] > -near) & (place[:, 1] < length + near)
+            place = position + [column * length + row * tilt, row * height]
+            along = place[:, 0] - tilt * place[:, 1] / height
+            near = diameter * (0.5 + abs(tilt) / height)
+            inside = ((place[:, 1] > -near) & (place[:, 1] < height + near)
                       & (along > -near) & (along < length + near))
             index.append(np.nonzero(inside)[0])
             places.append(place[inside])
@@ -330,20 +332,20 @@ def draw_packing(figure, spot, run):
     state = run.state
     if state is None or not run.rate > 0:
         return say(axes, "no state.h5 beside the result")
-    length, offset = state["box_length"], state["offset"]
+    length, height, offset = state["box_length"], state["box_height"], state["offset"]
     tilt = offset - length * np.rint(offset / length)
     position, diameter = state["position"].copy(), state["diameter"]
     excess = (state["velocity"][:, 0] - run.rate * position[:, 1]) / run.rate  # in gammadot d_s
-    rows = np.floor(position[:, 1] / length)
-    position -= np.outer(rows, [tilt, length])
-    position[:, 0] -= length * np.floor((position[:, 0] - tilt * position[:, 1] / length) / length)
+    rows = np.floor(position[:, 1] / height)
+    position -= np.outer(rows, [tilt, height])
+    position[:, 0] -= length * np.floor((position[:, 0] - tilt * position[:, 1] / height) / length)
 
-    corners = np.array([[0, 0], [length, 0], [length + tilt, length], [tilt, length]])
+    corners = np.array([[0, 0], [length, 0], [length + tilt, height], [tilt, height]])
     cell = Polygon(corners, closed=True, fill=False, ec="#222222", lw=1.0, zorder=5)
     axes.add_patch(cell)
     limit = np.percentile(np.abs(excess), 97) or 1.0
     if len(diameter) <= MOST_CIRCLES:
-        index, places = with_images(position, diameter, tilt, length)
+        index, places = with_images(position, diameter, tilt, length, height)
         size = diameter[index]
         coloured = EllipseCollection(
             size, size, 0, units="xy", offsets=places, transOffset=axes.transData,
@@ -351,24 +353,24 @@ def draw_packing(figure, spot, run):
             lw=0.35 if len(diameter) <= 3000 else 0.0)
         axes.add_collection(coloured)
     else:
-        coloured = excess_image(axes, position, excess, tilt, length)
+        coloured = excess_image(axes, position, excess, tilt, length, height)
     coloured.set_clim(-limit, limit)
     coloured.set_clip_path(cell)
     strongest = np.nan
     if len(diameter) <= MOST_CONTACTS:
-        segments, overlap = contacts(position, diameter, length, offset)
+        segments, overlap = contacts(position, diameter, length, height, offset)
         if len(overlap):
             strongest = overlap.max()
-            copies = [(c * length + r * tilt, r * length) for r in (-1, 0, 1) for c in (-1, 0, 1)]
+            copies = [(c * length + r * tilt, r * height) for r in (-1, 0, 1) for c in (-1, 0, 1)]
             drawn = np.concatenate([segments + np.array(shift) for shift in copies])
             width = 3.0 * np.sqrt(1024 / len(diameter)) * np.tile(overlap / strongest, len(copies))
             lines = LineCollection(drawn, linewidths=np.clip(width, 0.1, 4.0), colors="#000000",
                                    capstyle="round", zorder=4)
             axes.add_collection(lines)
             lines.set_clip_path(cell)
-    edge = 0.02 * length
+    edge = 0.02 * max(length, height)
     axes.set_xlim(min(0, tilt) - edge, length + max(0, tilt) + edge)
-    axes.set_ylim(-edge, length + edge)
+    axes.set_ylim(-edge, height + edge)
     axes.set_aspect("equal")
     axes.set_axis_off()
     bar = figure.colorbar(coloured, ax=axes, shrink=0.8, pad=0.02, extend="both", aspect=28)
@@ -380,16 +382,20 @@ def draw_packing(figure, spot, run):
     axes.set_title(note, fontsize=9, color="#333333")
 
 
-def excess_image(axes, position, excess, tilt, length):
+def excess_image(axes, position, excess, tilt, length, height):
     """Mean excess velocity on a sheared grid, about 20 disks a cell."""
-    bins = int(np.clip(np.sqrt(len(excess) / 20), 20, 300))
-    rest = np.stack([position[:, 0] - tilt * position[:, 1] / length, position[:, 1]])
-    column, row = np.clip((rest / length * bins).astype(int), 0, bins - 1)
-    cell = row * bins + column
-    count = np.bincount(cell, minlength=bins**2)
-    mean = np.bincount(cell, excess, minlength=bins**2) / np.maximum(count, 1)
-    x, y = np.meshgrid(np.linspace(0, length, bins + 1), np.linspace(0, length, bins + 1))
-    return axes.pcolormesh(x + tilt * y / length, y, mean.reshape(bins, bins), cmap="PuOr",
+    def bins(along, across):
+        return int(np.clip(np.sqrt(len(excess) / 20 * along / across), 20, 300))
+
+    rest = np.stack([position[:, 0] - tilt * position[:, 1] / height, position[:, 1]])
+    columns, rows = bins(length, height), bins(height, length)
+    column = np.clip((rest[0] / length * columns).astype(int), 0, columns - 1)
+    row = np.clip((rest[1] / height * rows).astype(int), 0, rows - 1)
+    cell = row * columns + column
+    count = np.bincount(cell, minlength=rows * columns)
+    mean = np.bincount(cell, excess, minlength=rows * columns) / np.maximum(count, 1)
+    x, y = np.meshgrid(np.linspace(0, length, columns + 1), np.linspace(0, height, rows + 1))
+    return axes.pcolormesh(x + tilt * y / height, y, mean.reshape(rows, columns), cmap="PuOr",
                            rasterized=True)
 
 

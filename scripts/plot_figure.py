@@ -184,13 +184,14 @@ def draw_field(axes, panel, points):
     columns = points[0].columns("samples/fields")
     value = columns[panel["field"]]
     _, _, length, _ = points[0].read("samples/fields_frame")[0]
+    height = points[0].scene.get("disks.box_aspect", 1) * length
     disks = EllipseCollection(columns["diameter"], columns["diameter"], 0, units="xy", cmap="gray",
                               offsets=np.stack([columns["x"], columns["y"]], axis=1),
                               transOffset=axes.transData, array=value, lw=0)
     disks.set_clim(*np.nanpercentile(value, [2, 98]))
     axes.add_collection(disks)
     axes.figure.colorbar(disks, ax=axes, shrink=0.8, extend="both").outline.set_visible(False)
-    axes.set(xlim=(0, length), ylim=(0, length), aspect="equal", xlabel="$x/d_s$", ylabel="$y/d_s$")
+    axes.set(xlim=(0, length), ylim=(0, height), aspect="equal", xlabel="$x/d_s$", ylabel="$y/d_s$")
 
 
 VELOCITIES = {"V_T": "$V_{ij,T}$", "V_R": "$V^R_{ij}$", "V_C_T": "$V^C_{ij,T}$", "V_N": "$V_{ij,N}$"}

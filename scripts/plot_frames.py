@@ -69,13 +69,13 @@ def draw_disks(figure, axes, place, diameter, value, limits, label):
     bar.outline.set_visible(False)
 
 
-def with_images(place, length, offset):
+def with_images(place, length, height, offset):
     """Indices and places of all disks, and of the images that reach into the box."""
     index, places = [], []
     for row in (-1, 0, 1):
         for column in (-2, -1, 0, 1, 2):
-            there = place + [column * length + row * offset, row * length]
-            near = ((there > -0.7) & (there < length + 0.7)).all(axis=1)
+            there = place + [column * length + row * offset, row * height]
+            near = ((there > -0.7) & (there < [length + 0.7, height + 0.7])).all(axis=1)
             index.append(np.nonzero(near)[0])
             places.append(there[near])
     return np.concatenate(index), np.concatenate(places)
@@ -84,7 +84,8 @@ def with_images(place, length, offset):
 def fields_page(file):
     x, y, diameter, phi, rate = file["samples/fields"][()].T
     _, strain, length, offset = file["samples/fields_frame"][0]
-    index, places = with_images(np.stack([x, y], axis=1), length, offset)
+    height = file.attrs.get("box_aspect", 1) * length
+    index, places = with_images(np.stack([x, y], axis=1), length, height, offset)
     figure, axes = plt.subplots(1, 2, figsize=(15, 7), layout="constrained")
     for one, value, label in ((axes[0], phi, r"$\phi$ within $4 d_s$"),
                               (axes[1], rate, r"$\dot\gamma\tau_e$ within $4 d_s$")):
@@ -92,7 +93,7 @@ def fields_page(file):
         limits = np.percentile(known, [2, 98]) if len(known) else (0, 1)
         draw_disks(figure, one, places, diameter[index], value[index], limits, label)
         one.set_xlim(0, length)
-        one.set_ylim(0, length)
+        one.set_ylim(0, height)
         one.set_aspect("equal")
         one.set_xlabel(r"$x$  $[d_s]$")
     axes[0].set_ylabel(r"$y$  $[d_s]$")

@@ -66,17 +66,16 @@ NearPairs find_near_pairs(std::vector<Vec2<Real>> const& position,
                           std::vector<Species> const& species, ShearedBox const& box, Real skin,
                           Arrangement const& arrangement) {
   auto const place = view_of("accuracy::position", position);
-  auto const grid = make_cell_grid(Space(), place, box.length, big_diameter + skin);
+  auto const grid = make_cell_grid(Space(), place, box, big_diameter + skin);
   NeighborSearch<Space> const search{
       place, view_of("accuracy::species", species), grid, make_species_table(false), box, skin};
   auto const rows = make_neighbor_rows(Space(), search, NeighborRows<Space>{});
 
   auto const tile = [&](std::uint32_t i) {
-    auto const cut = [&](Real x) {
-      return std::clamp(static_cast<int>(x / box.length * arrangement.tiles), 0,
-                        arrangement.tiles - 1);
+    auto const cut = [&](Real share) {
+      return std::clamp(static_cast<int>(share * arrangement.tiles), 0, arrangement.tiles - 1);
     };
-    return cut(position[i].y) * arrangement.tiles + cut(position[i].x);
+    return cut(position[i].y / box.height) * arrangement.tiles + cut(position[i].x / box.length);
   };
   NearPairs near;
   std::vector<Pairs> inside(static_cast<std::size_t>(arrangement.tiles) * arrangement.tiles);

@@ -65,8 +65,8 @@ double distance(State const& a, State const& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.count(); ++i) {
     double x = a.position[i][0] - b.position[i][0], y = a.position[i][1] - b.position[i][1];
-    double const n = std::round(y / a.box_length);
-    y -= n * a.box_length;
+    double const n = std::round(y / a.box_height());
+    y -= n * a.box_height();
     x -= n * a.offset;
     x -= std::round(x / a.box_length) * a.box_length;
     sum += x * x + y * y;

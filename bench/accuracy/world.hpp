@@ -74,7 +74,8 @@ class World {
         double time_step)
       : law(law_),
         table(table_),
-        clock{strain_rate, time_step, state.box_length, state.offset, state.time},
+        clock{strain_rate,  time_step,      state.box_length, state.offset,
+              state.time, state.box_aspect},
         position(state.count()),
         motion(state.count()),
         species(state.count()) {
@@ -91,7 +92,7 @@ class World {
   /// As a start for another world, disks in the box.
   State state() const {
     State s;
-    ShearedBox const box{clock.box_length, clock.offset(step, step), clock.strain_rate};
+    ShearedBox const box = clock.box(step, step);
     for (std::size_t i = 0; i < size(); ++i) {
       Vec2<Real> r{position[i].x, position[i].y};
       Vec2<Real> v{motion[i].velocity.x, motion[i].velocity.y};
@@ -102,6 +103,7 @@ class World {
       s.diameter.push_back(table.diameter[species[i]]);
     }
     s.box_length = clock.box_length;
+    s.box_aspect = clock.box_aspect;
     s.offset = box.offset;
     s.time = clock.time(step);
     s.strain_rate = clock.strain_rate;
@@ -115,14 +117,13 @@ class World {
   void find_touches(Positions const& at, std::int64_t at_step, Touches& touches) {
     if (near_.pairs.empty() && counts.builds == 0) renew_list();
     touches.clear();
-    double const offset = clock.offset(at_step, list_step_);
+    ShearedBox const box = clock.box(at_step, list_step_);
     across_ = 0;
     for (std::size_t k = 0; k < near_.pairs.size(); ++k) {
       if (k == near_.across) across_ = touches.size();
       NearPair const& pair = near_.pairs[k];
-      Kept const shift_x =
-          static_cast<Kept>(pair.image.m * clock.box_length + pair.image.n * offset);
-      Kept const shift_y = static_cast<Kept>(pair.image.n * clock.box_length);
+      Vec2<Real> const shift = box.shift(pair.image);
+      Kept const shift_x = static_cast<Kept>(shift.x), shift_y = static_cast<Kept>(shift.y);
       Vec2<Pair> const separation{static_cast<Pair>((at[pair.i].x - at[pair.j].x) - shift_x),
                                   static_cast<Pair>((at[pair.i].y - at[pair.j].y) - shift_y)};
       Pair const distance2 = dot(separation, separation);
@@ -130,7 +131,7 @@ class World {
       if (distance2 >= reach * reach) continue;
       Pair const distance = std::sqrt(distance2);
       touches.push_back({pair.i, pair.j, pair.big,
-                         static_cast<Pair>(pair.image.n * clock.strain_rate * clock.box_length),
+                         static_cast<Pair>(box.velocity_shift(pair.image)),
                          separation, Pair(1) / distance * separation, 1 - distance / reach,
                          1 / reach});
     }
@@ -171,7 +172,7 @@ class World {
  private:
   void renew_list() {
     list_step_ = step;
-    ShearedBox const box{clock.box_length, clock.offset(step, step), clock.strain_rate};
+    ShearedBox const box = clock.box(step, step);
     at_build_.resize(size());
     for (std::size_t i = 0; i < size(); ++i) {
       Vec2<Real> r{position[i].x, position[i].y};

@@ -88,7 +88,9 @@ int validate_command(SceneOptions const& options) {
   scene = resolved(std::move(scene));
 
   fmt::print("{}\n", write_scene(scene));
-  fmt::print("# box            {:.6g} d_s wide\n", scene.box_length());
+  bool const square = scene.disks.box_aspect == 1;
+  fmt::print("# box            {:.6g} d_s wide{}\n", scene.box_length(),
+             square ? "" : fmt::format(", {:.6g} d_s high", scene.box_height()));
   auto const scheme = scheme_of(scene);
   fmt::print("# time step      {:.6g} tau_e, {}, spectral radius of a single contact {:.6f}\n",
              plan.time_step, scheme, contact_spectral_radius(scene, plan.time_step));

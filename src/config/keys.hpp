@@ -59,6 +59,8 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
         disks.count);
   visit(Key{"disks.packing_fraction", "", "phi: area of the disks over area of the box", required,
             0, 1, above}, disks.packing_fraction);
+  visit(Key{"disks.box_aspect", "", "L_y / L_x: height of the box, across the flow, over its width",
+            optional, 1.0 / 64, 64}, disks.box_aspect);
   visit(Key{"disks.elasticity", "", "Q = tau_d/tau_e; k_d = 1/Q", required, 1e-3, 1e6},
         disks.elasticity);
   visit(Key{"disks.mass", "", "equal: m = 1 for all (P2); area: m = (pi/2) d^2 (P1)", required, 0,

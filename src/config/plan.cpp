@@ -22,6 +22,17 @@ constexpr double most_windows = 1e6;
 /// A quotient rounded up, but not for the sake of the rounding of the quotient itself.
 double round_up(double quotient) { return std::ceil(quotient * (1 - 1e-12)); }
 
+/// What makes the box of a scene, and how large it is.
+std::string box_in_words(Scene const& scene) {
+  auto const& disks = scene.disks;
+  if (disks.box_aspect == 1)
+    return fmt::format("disks.count = {} makes a box {:.3g} d_s wide", disks.count,
+                       scene.box_length());
+  return fmt::format("disks.count = {} with disks.box_aspect = {} makes a box {:.3g} d_s wide and "
+                     "{:.3g} high",
+                     disks.count, disks.box_aspect, scene.box_length(), scene.box_height());
+}
+
 /// Of the trajectory of one replica, [bytes]: the part that is not written yet, with a frame beyond
 /// its length and what is the same in all, copies of a frame on its way, HDF5's cache of each dataset.
 double memory_of_trajectory(Scene const& scene, Plan const& plan) {
@@ -39,7 +50,7 @@ double memory_of_frames(Scene const& scene, Plan const& plan) {
                           static_cast<double>(plan.window_steps);
   double const frames = 1 + measured / static_cast<double>(plan.frame_steps);
   double bytes = 0;
-  if (scene.measure.profiles) bytes += frames * (8 + scene.box_length() / 1.5) * 2 * 21 * 8 * 5;
+  if (scene.measure.profiles) bytes += frames * (8 + scene.box_height() / 1.5) * 2 * 21 * 8 * 5;
   if (scene.measure.fields) bytes += static_cast<double>(scene.disks.count) * 7 * 8 * 3;
   if (plan.trajectory_steps > 0) bytes += memory_of_trajectory(scene, plan);
   return bytes;
@@ -160,20 +171,20 @@ double memory_needed(Scene const& scene, Plan const& plan) {
 
 void check_feasible(Scene const& scene, Plan const& plan, bool allow_unstable) {
   double const reach = big_diameter + scene.integration.skin;
-  double const length = scene.box_length();
-  if (length < 2 * reach)
+  double const least = std::min(scene.box_length(), scene.box_height());
+  auto const box = box_in_words(scene);
+  if (least < 2 * reach)
     throw InputError(fmt::format(
-        "disks.count = {} makes a box {:.3g} d_s wide (must be at least 2 (largest contact distance "
-        "{} + integration.skin {}) = {:.3g}, or disks meet through two images); use more disks or "
-        "a smaller skin",
-        scene.disks.count, length, big_diameter, scene.integration.skin, 2 * reach));
+        "{} (must be at least 2 (largest contact distance {} + integration.skin {}) = {:.3g}, or "
+        "disks meet through two images); use more disks{} a smaller skin",
+        box, big_diameter, scene.integration.skin, 2 * reach,
+        scene.disks.box_aspect == 1 ? " or" : ", an aspect nearer 1 or"));
 
-  if (scene.measure.fields && length < least_box_for_fields())
+  if (scene.measure.fields && least < least_box_for_fields())
     throw InputError(fmt::format(
-        "measure.fields = true (disks.count = {} makes a box {:.3g} d_s wide, circles of radius {} "
-        "need {:.3g}, or they meet disks through two images); use more disks or measure.fields = "
-        "false",
-        scene.disks.count, length, field_radius, least_box_for_fields()));
+        "measure.fields = true ({}, circles of radius {} need {:.3g}, or they meet disks through "
+        "two images); use more disks or measure.fields = false",
+        box, field_radius, least_box_for_fields()));
 
   double const radius = contact_spectral_radius(scene, plan.time_step);
   if (radius > 1 + 1e-9 && !allow_unstable) {

@@ -19,7 +19,7 @@ double Scene::box_length() const {
   double const small = small_diameter / 2, big = big_diameter / 2;
   double const n = static_cast<double>(disks.count);
   return std::sqrt(std::numbers::pi * n * (small * small + big * big) /
-                   (2 * disks.packing_fraction));
+                   (2 * disks.packing_fraction * disks.box_aspect));
 }
 
 }  // namespace bagnold

@@ -30,6 +30,7 @@ struct Scene {
     double damping_normal = 1;      ///< k_d^(n) Q
     double damping_tangential = 1;  ///< k_d^(t) Q
     double force_exponent = 2;      ///< alpha
+    double box_aspect = 1;          ///< L_y / L_x
   } disks;
 
   struct Start {
@@ -80,7 +81,8 @@ struct Scene {
 
   bool rotates() const;  ///< whether disks have spins
   bool mass_by_area() const { return disks.mass == "area"; }
-  double box_length() const;  ///< L, [d_s], P1 Eq. (8), P2 Eq. (11)
+  double box_length() const;  ///< L_x, [d_s], P1 Eq. (8), P2 Eq. (11)
+  double box_height() const { return disks.box_aspect * box_length(); }  ///< L_y, [d_s]
 };
 
 }  // namespace bagnold

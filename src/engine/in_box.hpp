@@ -6,10 +6,11 @@
 
 namespace bagnold {
 
-/// An engine's state with all disks taken into the box. Between list builds the offset may have passed
-/// L: its images are the same.
+/// An engine's state with all disks taken into the box. Between list builds the offset may have
+/// passed L_x: its images are the same.
 inline State in_box(State state) {
-  ShearedBox const box{state.box_length, state.offset, state.strain_rate.value()};
+  ShearedBox const box{state.box_length, state.offset, state.strain_rate.value(),
+                       state.box_height()};
   for (std::size_t i = 0; i < state.count(); ++i) {
     Vec2<Real> position{state.position[i][0], state.position[i][1]};
     wrap(box, position, state.velocity[i][0]);

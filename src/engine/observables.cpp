@@ -15,7 +15,7 @@ namespace {
 using Averages = std::span<double const>;
 using C = SumColumns;
 
-/// (p_xx, p_xy, p_yy) L^2 of one part of the pressure tensor.
+/// (p_xx, p_xy, p_yy) L_x L_y of one part of the pressure tensor.
 struct Part {
   int xx, xy, yy;
 };
@@ -91,7 +91,7 @@ void add_contacts(Scene const& scene, std::vector<Observable>& list) {
 }  // namespace
 
 std::vector<Observable> observables(Scene const& scene, double box_length) {
-  double const area = box_length * box_length;
+  double const area = scene.disks.box_aspect * box_length * box_length;
   double const rate = scene.shear.strain_rate;
   double const n = static_cast<double>(scene.disks.count);
   double const bagnold = 1 / (area * rate * rate);                      // P1 Eq. 16, P2 Eq. 19
@@ -139,7 +139,7 @@ std::vector<Observable> observables(Scene const& scene, double box_length) {
       {"Z", "1", "contacts per disk", [=](Averages a) { return a[C::contacts] / n; }},
       {"R_v", "1", "<dv_x^2>/<v_y^2>, P2 Eq. 37",
        [=](Averages a) { return a[C::velocity_x2] / a[C::velocity_y2]; }},
-      {"energy_gap", "1", "1 - dissipated power/(sigma gammadot L^2): 0 if no energy is lost or made", [=](Averages a) {
+      {"energy_gap", "1", "1 - dissipated power/(sigma gammadot L_x L_y): 0 if no energy is lost or made", [=](Averages a) {
          return 1 - a[C::dissipation] / (shear_stress(a) * rate);
        }},
       {"p_dis_share", "1", "p_dis/p: 0 over whole contacts", [=](Averages a) {
@@ -153,7 +153,7 @@ std::vector<Observable> observables(Scene const& scene, double box_length) {
                       return a[C::spin2] / (n * rate * rate) - mean * mean;
                     }});
     list.push_back({"torque_power", "1",
-                    "power of the torques/(sigma gammadot L^2): 0 if <V^C_T V^R> = 0",
+                    "power of the torques/(sigma gammadot L_x L_y): 0 if <V^C_T V^R> = 0",
                     [=](Averages a) { return a[C::torque_power] / (shear_stress(a) * rate); }});
   }
   if (scene.measure.contacts) add_contacts(scene, list);

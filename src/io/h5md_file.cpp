@@ -179,7 +179,7 @@ void H5mdFile::append(State const& state, std::int64_t step) {
   double const length = state.box_length;
   // floor, not round: a tilt of half a box stays as it is when it is written again
   double const tilt = state.offset - length * std::floor(state.offset / length + 0.5);
-  double const edges[9] = {length, 0, 0, tilt, length, 0, 0, 0, 1};
+  double const edges[9] = {length, 0, 0, tilt, state.box_height(), 0, 0, 0, 1};
   put(step_, H5T_NATIVE_INT64, &step);
   put(time_, H5T_NATIVE_DOUBLE, &state.time);
   put(edges_, H5T_NATIVE_DOUBLE, edges);
@@ -252,6 +252,7 @@ void for_each_frame(Handle const& file,
     if (spins) state.spin = doubles("/spin/value");
     auto const edges = doubles("/box/edges/value");
     state.box_length = edges[0];
+    state.box_aspect = edges[4] / edges[0];
     state.offset = edges[3];
     state.time = doubles("/position/time").front();
     visit(state, take<std::int64_t>(file, at + "/position/step", H5T_NATIVE_INT64, f).front());

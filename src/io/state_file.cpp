@@ -25,6 +25,7 @@ class StateCheck {
 
   void operator()(State const& state) const {
     one("/state@box_length", state.box_length, above_zero);
+    one("/state@box_aspect", state.box_aspect, positive);
     one("/state@offset", state.offset, finite);
     one("/state@time", state.time, finite);
     if (state.strain_rate) one("/state@strain_rate", *state.strain_rate, finite);
@@ -36,10 +37,11 @@ class StateCheck {
 
  private:
   static constexpr std::string_view finite = "a finite number";
+  static constexpr std::string_view positive = "finite and above 0";
   static constexpr std::string_view above_zero = "finite and above 0, in units of d_s";
 
   static bool good(double value, std::string_view rule) {
-    return std::isfinite(value) && (rule != above_zero || value > 0.0);
+    return std::isfinite(value) && (rule == finite || value > 0.0);
   }
   void one(std::string_view what, double value, std::string_view rule) const {
     if (!good(value, rule)) fail(what, value, rule);
@@ -92,8 +94,9 @@ void deal_out(std::vector<Row> values, std::span<State> states, std::vector<Row>
 
 /// What states in one file have in common.
 bool same_clock(State const& a, State const& b) {
-  return a.box_length == b.box_length && a.offset == b.offset && a.time == b.time &&
-         a.strain_rate == b.strain_rate && a.count() == b.count() && a.spin.size() == b.spin.size();
+  return a.box_length == b.box_length && a.box_aspect == b.box_aspect && a.offset == b.offset &&
+         a.time == b.time && a.strain_rate == b.strain_rate && a.count() == b.count() &&
+         a.spin.size() == b.spin.size();
 }
 
 }  // namespace
@@ -118,6 +121,7 @@ void put_states(Hdf5Writer& file, std::vector<State> states, std::string const& 
   file.dataset(group + "/diameter", taken(states, &State::diameter), shape, {{"unit", "d_s"}});
   State const& state = states.front();
   file.attribute(group, "box_length", state.box_length);
+  if (state.box_aspect != 1) file.attribute(group, "box_aspect", state.box_aspect);
   file.attribute(group, "offset", state.offset);
   file.attribute(group, "time", state.time);
   if (state.strain_rate) file.attribute(group, "strain_rate", *state.strain_rate);
@@ -139,6 +143,8 @@ std::vector<State> get_states(Hdf5Reader const& file, std::string const& at,
         file.name(), shape.back()));
   State common;
   common.box_length = file.number(group, "box_length");
+  if (file.has_attribute(group, "box_aspect"))
+    common.box_aspect = file.number(group, "box_aspect");
   common.offset = file.number(group, "offset");
   common.time = file.number(group, "time");
   if (file.has_attribute(group, "strain_rate"))

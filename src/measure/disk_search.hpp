@@ -18,10 +18,9 @@ inline NeighborSearch<FrameSpace> disk_search(State const& state, double reach) 
   NeighborSearch<FrameSpace> search;
   search.position = to_device<FrameSpace>("measure::position", vectors(state.position));
   search.species = to_device<FrameSpace>("measure::species", species_of(state.diameter));
-  search.grid =
-      make_cell_grid(FrameSpace{}, search.position, state.box_length, big_diameter + reach);
   search.table = make_species_table(false);  // only the diameters are used
-  search.box = {state.box_length, state.offset, state.strain_rate.value()};
+  search.box = {state.box_length, state.offset, state.strain_rate.value(), state.box_height()};
+  search.grid = make_cell_grid(FrameSpace{}, search.position, search.box, big_diameter + reach);
   search.skin = reach;
   return search;
 }

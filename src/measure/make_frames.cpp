@@ -16,7 +16,10 @@ Frames make_frames(Scene const& scene, Plan const& plan, State const& start,
   auto const measure = [&](std::unique_ptr<FrameObserver> observer) {
     frames.watch(std::move(observer), plan.frame_steps, first);
   };
-  if (scene.measure.profiles) measure(std::make_unique<Profiles>(scene, start.box_length));
+  if (scene.measure.profiles) {
+    Slices const slices(start.box_length, start.box_height());
+    measure(std::make_unique<Profiles>(scene, slices));
+  }
   if (scene.measure.fields) measure(std::make_unique<Fields>(scene.shear.strain_rate));
   if (scene.measure.rotation) measure(std::make_unique<Rotation>());
   if (plan.trajectory_steps > 0) {

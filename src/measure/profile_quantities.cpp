@@ -43,7 +43,7 @@ double sigma(Averages s) { return sigma_el(s) + sigma_dis(s) + sigma_kin(s); }
 std::vector<ProfileQuantity> profile_quantities(Slices const& slices, double strain_rate,
                                                 bool rotates) {
   double const thickness = slices.thickness();
-  double const area = slices.length * thickness;
+  double const area = slices.width * thickness;
   auto const here = [](auto function, double factor = 1.0) {
     return [=](Averages three) { return factor * function(three.subspan(C::count, C::count)); };
   };

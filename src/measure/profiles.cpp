@@ -71,17 +71,17 @@ double or_nan(std::optional<double> const& value) {
 
 }  // namespace
 
-Profiles::Profiles(Scene const& scene, double box_length)
-    : scene_(scene), slices_(box_length), plain_{slices_.n * columns, {}, {}}, aligned_(plain_) {}
+Profiles::Profiles(Scene const& scene, Slices const& slices)
+    : scene_(scene), slices_(slices), plain_{slices_.n * columns, {}, {}}, aligned_(plain_) {}
 
 void Profiles::add(Frame const& frame) {
   std::vector<double> mass;
   for (double const d : frame.state.diameter) mass.push_back(disk_mass(scene_.mass_by_area(), d));
   auto const stress = disk_stress(scene_, frame.state);
   auto const sums = slice_sums(slices_, frame.state, mass, stress, 0.0);
-  double const band = band_position(excess(slices_, sums), slices_.length);
+  double const band = band_position(excess(slices_, sums), slices_.height);
   plain_.push_back(sums, 1.0);
-  aligned_.push_back(slice_sums(slices_, frame.state, mass, stress, band - slices_.length / 2),
+  aligned_.push_back(slice_sums(slices_, frame.state, mass, stress, band - slices_.height / 2),
                      1.0);
   band_position_.insert(band_position_.end(), {frame.strain, band});
 }
@@ -154,11 +154,11 @@ std::vector<SampledObservable> Profiles::observables() const {
       return share_below(values, sign * level);
     };
   };
-  return {{{"band_fraction_phi", "1", "f of P2 App. B: share of L where phi(y) is below phi",
+  return {{{"band_fraction_phi", "1", "f of P2 App. B: share of L_y where phi(y) is below phi",
             share("phi", scene_.disks.packing_fraction, 1.0)},
            {&aligned_}},
           {{"band_fraction_gammadot", "1",
-            "f' of P2 App. B: share of L where gammadot(y) is above gammadot",
+            "f' of P2 App. B: share of L_y where gammadot(y) is above gammadot",
             share("gammadot", rate, -1.0)},
            {&aligned_}}};
 }

@@ -19,7 +19,7 @@ namespace bagnold {
 /// first.
 class Profiles final : public FrameObserver {
  public:
-  Profiles(Scene const& scene, double box_length);
+  Profiles(Scene const& scene, Slices const& slices);
 
   void add(Frame const& frame) override;
   void save(ObserverState& numbers) override;

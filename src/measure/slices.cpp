@@ -16,7 +16,7 @@ using C = SliceColumns;
 constexpr double least_thickness = 1.5;  // [d_s]
 constexpr std::size_t fewest = 8;
 
-/// Cuts a disk at y, in 0 .. L, along the edges of the slices.
+/// Cuts a disk at y, in 0 .. L_y, along the edges of the slices.
 void add_area(Slices const& slices, double y, double radius, std::vector<double>& sums) {
   double const thickness = slices.thickness();
   auto const n = static_cast<long>(slices.n);
@@ -55,9 +55,10 @@ static_assert(C::dissipative_yy - C::elastic_xx ==
 
 }  // namespace
 
-Slices::Slices(double box_length)
-    : length(box_length),
-      n(std::max(fewest, static_cast<std::size_t>(box_length / least_thickness))) {}
+Slices::Slices(double width, double height)
+    : width(width),
+      height(height),
+      n(std::max(fewest, static_cast<std::size_t>(height / least_thickness))) {}
 
 std::vector<double> slice_sums(Slices const& slices, State const& state,
                                std::vector<double> const& mass,
@@ -66,9 +67,9 @@ std::vector<double> slice_sums(Slices const& slices, State const& state,
   double const rate = state.strain_rate.value();
   for (std::size_t i = 0; i < state.count(); ++i) {
     double y = state.position[i][1] - origin;
-    y -= slices.length * std::floor(y / slices.length);
+    y -= slices.height * std::floor(y / slices.height);
     auto const slice =
-        std::min(static_cast<std::size_t>(y / slices.thickness()), slices.n - 1);  // y may be L
+        std::min(static_cast<std::size_t>(y / slices.thickness()), slices.n - 1);  // y may be L_y
     std::span const s(&sums[slice * C::count], C::count);
     double const w = state.velocity[i][0] - rate * state.position[i][1];
     add_area(slices, y, state.diameter[i] / 2, sums);

@@ -41,18 +41,19 @@ struct SliceColumns {
 
 /// Equal slices of the box in y: as many as are 1.5 d_s thick at least, and 8 at least.
 struct Slices {
-  double length = 0;  ///< L, [d_s]
-  std::size_t n = 0;
+  double width;   ///< L_x, [d_s]
+  double height;  ///< L_y, [d_s]
+  std::size_t n;
 
-  explicit Slices(double box_length);
+  Slices(double width, double height);
 
-  double thickness() const { return length / static_cast<double>(n); }
+  double thickness() const { return height / static_cast<double>(n); }
   double middle(std::size_t slice) const {
     return (static_cast<double>(slice) + 0.5) * thickness();
   }
 };
 
-/// The columns of every slice, [n][SliceColumns::count]; slice 0 begins at y = origin, in 0 .. L.
+/// The columns of every slice, [n][SliceColumns::count]; slice 0 begins at y = origin, in 0 .. L_y.
 /// mass: [N]; stress: what disk_stress() gives, [N].
 std::vector<double> slice_sums(Slices const& slices, State const& state,
                                std::vector<double> const& mass,

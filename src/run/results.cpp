@@ -197,6 +197,7 @@ void write_result_file(RunFolder const& folder, Run const& run) {
                        {"strain_rate", run.scene.shear.strain_rate},
                        {"seed", disks.seed},
                        {"box_length", run.box_length},
+                       {"box_aspect", disks.box_aspect},
                        {"scheme", run.scene.integration.scheme},
                        {"time_step", run.plan.time_step},
                        {"steps", run.plan.steps},

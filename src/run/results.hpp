@@ -28,13 +28,16 @@ struct Replica {
 struct Run {
   Scene scene;  ///< resolved
   Plan plan;
-  double box_length = 0.0;  ///< [d_s]
+  double box_length = 0.0;  ///< L_x, [d_s]
   std::vector<Replica> replicas;
   std::string backend;
   double wall_seconds = 0.0;  ///< of stepping, resumes included
   bool steady_found = true;   ///< by shear.discard = "auto"; false: the middle was taken
   std::map<std::string, std::optional<double>> reached;  ///< relative errors, of those with a target
   bool target_met = false;  ///< by all of them, at this look and at the one before
+
+  double box_height() const { return scene.disks.box_aspect * box_length; }  ///< L_y, [d_s]
+  double box_area() const { return box_length * box_height(); }              ///< [d_s^2]
 };
 
 struct Warning;

@@ -62,7 +62,8 @@ class Stepped {
  public:
   Stepped(Scene const& scene, Plan const& plan, State state, std::int64_t step) : plan_(plan) {
     Snapshot from = first_snapshot(std::move(state));
-    double const turns = from.state.offset / from.state.box_length - plan.strain(step);
+    double const turns = from.state.offset / from.state.box_length -
+                         from.state.box_aspect * plan.strain(step);
     from.step = step;
     from.initial_offset = (turns - std::floor(turns)) * from.state.box_length;
     simulation_ = simulation_of(scene, plan, std::move(from));

@@ -29,15 +29,16 @@ double modulo(double x, double length) {
 class Rows {
  public:
   explicit Rows(State const& state)
-      : length_(state.box_length),
+      : width_(state.box_length),
+        height_(state.box_height()),
         offset_(state.offset),
-        rows_(static_cast<std::size_t>(std::max(1.0, std::floor(length_ / big_diameter)))) {
+        rows_(static_cast<std::size_t>(std::max(1.0, std::floor(height_ / big_diameter)))) {
     for (std::size_t disk = 0; disk < state.count(); ++disk) {
       auto const [x, y] = state.position[disk];
-      double const image = std::floor(y / length_);
-      Placed const placed{modulo(x - image * offset_, length_), modulo(y, length_), disk};
+      double const image = std::floor(y / height_);
+      Placed const placed{modulo(x - image * offset_, width_), modulo(y, height_), disk};
       auto const row =
-          static_cast<std::size_t>(placed.y / length_ * static_cast<double>(rows_.size()));
+          static_cast<std::size_t>(placed.y / height_ * static_cast<double>(rows_.size()));
       rows_[std::min(row, rows_.size() - 1)].push_back(placed);
     }
     for (auto& row : rows_) std::ranges::sort(row, {}, &Placed::x);
@@ -50,7 +51,7 @@ class Rows {
       bool const top = r + 1 == rows_.size();
       for (Placed const& one : rows_[r]) {
         if (!in_row(one, rows_[r], 0, 0, /*later_only=*/true, see)) return;
-        if (!in_row(one, rows_[top ? 0 : r + 1], top ? offset_ : 0, top ? length_ : 0,
+        if (!in_row(one, rows_[top ? 0 : r + 1], top ? offset_ : 0, top ? height_ : 0,
                     /*later_only=*/false, see))
           return;
       }
@@ -62,20 +63,20 @@ class Rows {
   template <class See>
   bool in_row(Placed const& one, std::vector<Placed> const& row, double x_shift, double y_shift,
               bool later_only, See const& see) const {
-    double const from = modulo(one.x - x_shift - big_diameter, length_);
+    double const from = modulo(one.x - x_shift - big_diameter, width_);
     auto next = std::ranges::lower_bound(row, from, {}, &Placed::x);
     for (std::size_t seen = 0; seen < row.size(); ++seen, ++next) {
       if (next == row.end()) next = row.begin();
-      if (modulo(next->x - from, length_) > 2 * big_diameter) return true;
+      if (modulo(next->x - from, width_) > 2 * big_diameter) return true;
       double dx = next->x + x_shift - one.x;
-      dx -= length_ * std::round(dx / length_);
+      dx -= width_ * std::round(dx / width_);
       if (later_only ? next->disk > one.disk : next->disk != one.disk)
         if (!see(one.disk, next->disk, std::hypot(dx, next->y + y_shift - one.y))) return false;
     }
     return true;
   }
 
-  double length_, offset_;
+  double width_, height_, offset_;
   std::vector<std::vector<Placed>> rows_;
 };
 

@@ -16,13 +16,14 @@ namespace {
 enum Purpose : std::uint32_t { position_purpose = 1 };
 
 /// A uniform point in the box, the same for a (seed, disk) everywhere.
-std::array<double, 2> random_point(std::int64_t seed, std::uint64_t disk, double length) {
+std::array<double, 2> random_point(std::int64_t seed, std::uint64_t disk, State const& box) {
   using Philox = r123::Philox2x64;
   Philox const philox;
   Philox::key_type const key{{static_cast<std::uint64_t>(seed)}};
   Philox::ctr_type const counter{{disk, position_purpose}};
   Philox::ctr_type const random = philox(counter, key);
-  return {r123::u01<double>(random[0]) * length, r123::u01<double>(random[1]) * length};
+  return {r123::u01<double>(random[0]) * box.box_length,
+          r123::u01<double>(random[1]) * box.box_height()};
 }
 
 }  // namespace
@@ -32,11 +33,12 @@ StartedState random_start(Scene const& scene) {
   StartedState started;
   State& state = started.state;
   state.box_length = scene.box_length();
+  state.box_aspect = scene.disks.box_aspect;
   state.strain_rate = scene.shear.strain_rate;
   state.position.resize(count);
   state.diameter.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
-    state.position[i] = random_point(scene.disks.seed, i, state.box_length);
+    state.position[i] = random_point(scene.disks.seed, i, state);
     state.diameter[i] = i < count / 2 ? small_diameter : big_diameter;
   }
 

@@ -16,7 +16,7 @@ template <class Space>
 class Relaxer {
  public:
   Relaxer(State const& state, double skin)
-      : box_{state.box_length, state.offset, 0.0},
+      : box_{state.box_length, state.offset, 0.0, state.box_height()},
         position_(to_device<Space>("start::position", vectors(state.position))),
         next_position_("start::next_position", state.count()),
         motion_("start::motion", state.count()),

@@ -46,6 +46,24 @@ TEST(Clock, OffsetIsThatOfIntegers) {
   }
 }
 
+/// gamma L_y of a box of another aspect is that of a square one under so much more strain: the same
+/// bits for powers of two.
+TEST(Clock, OffsetGoesByTheHeight) {
+  std::mt19937_64 random(6);
+  for (double const aspect : {4.0, 0.25}) {
+    Clock const clock{1e-4, 0.05, 38.6, 12.3, 0.0, aspect};
+    Clock const square{1e-4 * aspect, 0.05, 38.6, 12.3, 0.0};
+    for (int k = 0; k < 1000; ++k) {
+      std::int64_t const build = static_cast<std::int64_t>(random() % trillion);
+      std::int64_t const step = build + static_cast<std::int64_t>(random() % 100000);
+      EXPECT_EQ(clock.offset(step, build), square.offset(step, build)) << step << " " << build;
+      EXPECT_EQ(clock.box(step, build).offset, square.offset(step, build));
+    }
+    EXPECT_EQ(clock.strain(1000), (Clock{1e-4, 0.05, 38.6, 12.3, 0.0}.strain(1000)));
+    EXPECT_EQ(clock.box(0, 0).height, aspect * 38.6);
+  }
+}
+
 TEST(Clock, StrainDoesNotDriftOverATrillionSteps) {
   Clock const clock{1e-4, 0.05, 38.6, 0.0, 0.0};
   // 1e-4 and 0.05 as doubles, times 1e12; what they differ from decimals by is 1e-17 of them

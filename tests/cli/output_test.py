@@ -289,14 +289,15 @@ class Relations(CliTest):
         the papers' scheme: two stages sample what the damping does within the step as well.
         """
         for model in ("CD", "CD_n", "CD_rot"):
-            for mass in ("equal", "area"):
-                with self.subTest(model=model, mass=mass):
+            for mass, aspect in (("equal", 1), ("area", 1), ("area", 4), ("equal", 0.25)):
+                with self.subTest(model=model, mass=mass, aspect=aspect):
                     changes = {"disks__model": model, "disks__mass": mass, "measure__every": 1,
                                "disks__packing_fraction": 0.86, "integration__scheme": PAPERS,
+                               "integration__skin": 0.2, "disks__box_aspect": float(aspect),
                                "output__sample_strain": 2.0**-11}
-                    out = self.run_new(f"{model}-{mass}", **changes)
-                    before = self.run_new(f"{model}-{mass}-before", shear__strain=255 * 2.0**-11,
-                                          **changes)
+                    name = f"{model}-{mass}-{aspect}"
+                    out = self.run_new(name, **changes)
+                    before = self.run_new(f"{name}-before", shear__strain=255 * 2.0**-11, **changes)
                     self.assertEqual(len(read_series(out)["p"]), 256)
                     last = {name: values[-1] for name, values in read_series(out).items()}
                     states = [observe(read_state(o), model, mass, 2.0**-7) for o in (before, out)]
@@ -309,13 +310,14 @@ class Relations(CliTest):
 def observe(state, model, mass, rate, damping=1.0):
     """The observables of one state, all pairs, written from the papers (Q = 1)."""
     r, v, d, length = (state[k] for k in ("position", "velocity", "diameter", "box_length"))
-    area = length**2
+    height = state.get("box_aspect", 1) * length
+    area = length * height
     m = np.ones(len(d)) if mass == "equal" else (np.pi / 2) * d**2
-    rows = np.rint((r[:, None, 1] - r[None, :, 1]) / length)
+    rows = np.rint((r[:, None, 1] - r[None, :, 1]) / height)
     x = r[:, None, 0] - r[None, :, 0] - rows * state["offset"]
     x -= length * np.rint(x / length)
-    y = r[:, None, 1] - r[None, :, 1] - rows * length
-    v_x = v[:, None, 0] - v[None, :, 0] - rows * rate * length
+    y = r[:, None, 1] - r[None, :, 1] - rows * height
+    v_x = v[:, None, 0] - v[None, :, 0] - rows * rate * height
     v_y = v[:, None, 1] - v[None, :, 1]
     contact = (d[:, None] + d[None, :]) / 2
     distance = np.hypot(x, y)

@@ -132,6 +132,12 @@ TEST(Box, HoldsThePackingFraction) {
     double const pi = std::numbers::pi;
     double const area = 512 * pi * 0.25 + 512 * pi * 0.49;
     EXPECT_NEAR(area / (scene.box_length() * scene.box_length()), phi, 1e-14);
+    for (double const aspect : {4.0, 0.3}) {
+      scene.disks.box_aspect = aspect;
+      EXPECT_NEAR(area / (scene.box_length() * scene.box_height()), phi, 1e-14);
+      EXPECT_NEAR(scene.box_height() / scene.box_length(), aspect, 1e-14);
+    }
+    scene.disks.box_aspect = 1;
   }
 }
 
@@ -150,6 +156,25 @@ TEST(Feasible, ABoxMustHoldTwoContactDistancesAndSkins) {
   std::string const message = feasibility(scene);
   EXPECT_TRUE(has(message, "disks.count = 12 makes a box")) << message;
   EXPECT_TRUE(has(message, "integration.skin")) << message;
+}
+
+/// Both lengths: the width of a tall box, the height of a flat one.
+TEST(Feasible, ABoxThatIsNotSquareMustHoldThemBothWays) {
+  for (bool const tall : {true, false}) {
+    Scene scene = minimal_scene();
+    scene.disks.count = 100;
+    scene.disks.box_aspect = tall ? 4.0 : 0.25;
+    double const least = tall ? scene.box_length() : scene.box_height();
+    scene.integration.skin = (least / 2 - 1.4) * (1 - 1e-12);
+    EXPECT_EQ(feasibility(scene), "accepted");
+    scene.integration.skin *= 1 + 1e-11;
+    std::string const message = feasibility(scene);
+    EXPECT_TRUE(has(message, "disks.count = 100 with disks.box_aspect = ")) << message;
+    EXPECT_TRUE(has(message, "integration.skin") && has(message, "aspect nearer 1")) << message;
+    scene.integration.skin = 0.1;
+    scene.measure.fields = true;
+    EXPECT_TRUE(has(feasibility(scene), "measure.fields")) << feasibility(scene);
+  }
 }
 
 TEST(Feasible, MoreMemoryThanThereIsIsRefused) {

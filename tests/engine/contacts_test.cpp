@@ -31,8 +31,10 @@ class Contacts : public EverySimulation {
 
 /// The velocities of every contact at the step that is its own, in any engine.
 TEST_P(Contacts, AreLookedAtWhereAllPairsWouldBe) {
-  for (double packing_fraction : {0.82, 0.6}) {
-    Scene const scene = small_scene(packing_fraction, 64);
+  constexpr std::pair<double, double> cases[] = {{0.82, 1.0}, {0.6, 1.0}, {0.82, 4.0}, {0.82, 0.25}};
+  for (auto const& [packing_fraction, aspect] : cases) {
+    Scene scene = small_scene(packing_fraction, 64);
+    scene.disks.box_aspect = aspect;
     State const start = shaken_start(scene);
     Sampling const sampling{200, 7, 700};
     SampleChoice const choice(11);

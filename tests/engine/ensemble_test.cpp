@@ -98,6 +98,7 @@ class EnsembleOf : public testing::Test {
     EXPECT_EQ(a.state.velocity, b.state.velocity);
     EXPECT_EQ(a.state.spin, b.state.spin);
     EXPECT_EQ(a.state.diameter, b.state.diameter);
+    EXPECT_EQ(a.state.box_aspect, b.state.box_aspect);
     EXPECT_EQ(a.state.offset, b.state.offset);
     EXPECT_EQ(a.state.time, b.state.time);
     EXPECT_EQ(a.list_position, b.list_position);
@@ -135,6 +136,14 @@ TYPED_TEST_SUITE(EnsembleOf, decltype(by_each_scheme(EveryLawOnEveryBackend{})),
 TYPED_TEST(EnsembleOf, HasTheBitsOfEachAlone) {
   for (double const packing_fraction : {0.84, 0.55})
     TestFixture::expect_same(TestFixture::scene(packing_fraction), 3, {200, 7, 500}, 500);
+}
+
+TYPED_TEST(EnsembleOf, HasThemInBoxesThatAreNotSquare) {
+  for (double const aspect : {4.0, 0.25}) {
+    Scene scene = TestFixture::scene(0.84);
+    scene.disks.box_aspect = aspect;
+    TestFixture::expect_same(scene, 2, {200, 7, 300}, 300);
+  }
 }
 
 TYPED_TEST(EnsembleOf, HasThemUnderHertz) {

@@ -46,7 +46,7 @@ TEST_P(TwoStage, IsThatOfTheAllPairsReference) {
       EXPECT_NEAR(sums[column], value, 1e-11 * (1 + std::abs(value))) << "column " << column;
     };
     using C = SumColumns;
-    double const area = state.box_length * state.box_length;
+    double const area = state.box_length * state.box_height();
     near(C::elastic_xy, here.el[0][1] * area);
     near(C::kinetic_xy, here.kin[0][1] * area);
     near(C::contacts, 2.0 * static_cast<double>(here.contacts));
@@ -56,6 +56,27 @@ TEST_P(TwoStage, IsThatOfTheAllPairsReference) {
     near(C::dissipative_yy, dissipative[1][1]);
     near(C::dissipation, power.dissipation);
     if (scene.rotates()) near(C::torque_power, power.torque);
+  }
+}
+
+TEST_P(TwoStage, InBoxesThatAreNotSquare) {
+  for (double const aspect : {4.0, 0.25}) {
+    Scene scene = two_stage_scene(0.84, 160);
+    scene.disks.box_aspect = aspect;
+    scene.integration.time_step = 0.1;
+    State const state = shaken_start(scene);
+    auto const simulation = simulate(scene, state, backend());
+    reference::System oracle(reference_parameters(scene), state);
+    double dissipative[2][2];
+    for (int k = 0; k < 200; ++k) reference::two_stage_step(oracle, dissipative);
+    advance(*simulation, 200);
+    EXPECT_LT(largest_difference(simulation->state(), oracle.s, scene.shear.strain_rate), 1e-12)
+        << aspect;
+    auto const power = reference::two_stage_step(oracle, dissipative);
+    auto const sums = advance(*simulation, 1, 1).sums;
+    EXPECT_NEAR(sums[SumColumns::dissipative_xy], dissipative[0][1],
+                1e-11 * (1 + std::abs(dissipative[0][1])));
+    EXPECT_NEAR(sums[SumColumns::dissipation], power.dissipation, 1e-11 * (1 + power.dissipation));
   }
 }
 

@@ -25,7 +25,7 @@ bool same(std::vector<Row> const& a, std::vector<Row> const& b) {
 inline bool same(State const& a, State const& b) {
   return same(a.position, b.position) && same(a.velocity, b.velocity) && same(a.spin, b.spin) &&
          same(a.diameter, b.diameter) && same(a.box_length, b.box_length) &&
-         same(a.offset, b.offset) && same(a.time, b.time) &&
+         same(a.box_aspect, b.box_aspect) && same(a.offset, b.offset) && same(a.time, b.time) &&
          a.strain_rate.has_value() == b.strain_rate.has_value() &&
          same(a.strain_rate.value_or(0.0), b.strain_rate.value_or(0.0));
 }

@@ -70,7 +70,8 @@ TEST(StateFile, SeveralStatesHaveALeadingAxis) {
 TEST(StateFile, StatesThatDisagreeAreNeverWritten) {
   TestFolder folder;
   for (auto const& spoil : std::vector<std::function<void(State&)>>{
-           [](State& s) { s.box_length += 1; }, [](State& s) { s.offset += 1; },
+           [](State& s) { s.box_length += 1; }, [](State& s) { s.box_aspect += 1; },
+           [](State& s) { s.offset += 1; },
            [](State& s) { s.time += 1; }, [](State& s) { s.strain_rate.reset(); },
            [](State& s) { s.spin.clear(); }, [](State& s) { s = some_state(6, 9); }}) {
     auto states = some_states(2, 4);
@@ -107,11 +108,26 @@ TEST(StateFile, ImpossibleValuesAreRefusedByName) {
   EXPECT_EQ(refused([](State& s) { s.spin[0] = NAN; }, "/state/spin, disk 0"), "refused");
   EXPECT_EQ(refused([](State& s) { s.diameter[2] = 0.0; }, "/state/diameter, disk 2"), "refused");
   EXPECT_EQ(refused([](State& s) { s.box_length = -1.0; }, "box_length = -1"), "refused");
+  for (double const aspect : {0.0, -4.0, HUGE_VAL})
+    EXPECT_EQ(refused([=](State& s) { s.box_aspect = aspect; }, "box_aspect = "), "refused");
   EXPECT_EQ(refused([](State& s) { s.offset = NAN; }, "/state@offset"), "refused");
   EXPECT_EQ(refused([](State& s) { s.time = INFINITY; }, "/state@time"), "refused");
   EXPECT_EQ(refused([](State& s) { s.strain_rate = NAN; }, "/state@strain_rate"), "refused");
   EXPECT_EQ(refused([](State& s) { s = some_state(1); }, "number of disks = 1"), "refused");
   EXPECT_EQ(refused([](State&) {}, ""), "accepted");
+}
+
+/// Files of square boxes have the bytes that they had before others were known.
+TEST(StateFile, SquareBoxesHaveNoAspect) {
+  TestFolder folder;
+  auto state = some_state(4);
+  for (double const aspect : {1.0, 4.0}) {
+    state.box_aspect = aspect;
+    write_states(folder / "s.h5", {state});
+    EXPECT_TRUE(same(read_states(folder / "s.h5").front(), state));
+    Hdf5Reader const file("s.h5", read_file(folder / "s.h5"));
+    EXPECT_EQ(file.has_attribute("/state", "box_aspect"), aspect != 1.0);
+  }
 }
 
 TEST(StateFile, CountIsComparedWithTheScenes) {
@@ -195,6 +211,7 @@ TEST(StateFile, H5pyReadsWhatIsWritten) {
                  "assert s[\"position\"].shape == (6, 2) and s[\"velocity\"].shape == (6, 2)\n"
                  "assert s[\"spin\"].shape == s[\"diameter\"].shape == (6,)\n"
                  "assert s.attrs[\"box_length\"] == 12.25 and s.attrs[\"time\"] == 1 / 3\n"
+                 "assert s.attrs[\"box_aspect\"] == 1 / 3\n"
                  "assert s.attrs[\"offset\"] == 0.1 and s.attrs[\"strain_rate\"] == 1e-4\n"
                  "assert s[\"position\"].attrs[\"unit\"] == \"d_s\"\n"
                  "assert list(s[\"diameter\"][:2]) == [1.0, 1.4]"),
@@ -225,6 +242,7 @@ TEST(StateFile, ReadsWhatH5pyWrites) {
   EXPECT_EQ(state.spin[7], 14.0);
   EXPECT_EQ(state.diameter[7], 1.0);
   EXPECT_EQ(state.box_length, 8.0);
+  EXPECT_EQ(state.box_aspect, 1.0);
   EXPECT_EQ(state.time, 2.5);
 }
 

@@ -20,6 +20,7 @@ inline State some_state(std::size_t count, unsigned seed = 1) {
     state.diameter.push_back(disk % 2 == 0 ? 1.0 : 1.4);
   }
   state.box_length = 12.25;
+  state.box_aspect = 1.0 / 3.0;
   state.offset = 0.1;
   state.time = 1.0 / 3.0;
   state.strain_rate = 1e-4;

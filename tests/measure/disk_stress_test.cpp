@@ -19,7 +19,7 @@ void expect_the_boxs(Scene const& scene) {
   advance(*simulation, 150);
   State const state = simulation->state();
   auto const of_disks = disk_stress(scene, state);
-  Profiles profiles(scene, state.box_length);
+  Profiles profiles(scene, Slices(state.box_length, state.box_height()));
   profiles.add({state, 150, 0.0});
   FrameResults results;
   profiles.report({&profiles}, results);
@@ -35,7 +35,7 @@ void expect_the_boxs(Scene const& scene) {
     }
     EXPECT_NEAR(sum, box[c], 1e-10 * size) << "column " << c;
   }
-  double const area = state.box_length * state.box_length;
+  double const area = state.box_length * state.box_height();
   auto const mean_of = [&](char const* name) {
     auto const& values = named(results.profiles, name).value;
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
@@ -59,6 +59,16 @@ TEST(DiskStress, AddsUpToThatOfTheBox) {
         scene.integration.engine = engine;
         expect_the_boxs(scene);
       }
+}
+
+TEST(DiskStress, AddsUpToThatOfABoxThatIsNotSquare) {
+  for (double const aspect : {4.0, 0.25}) {
+    SCOPED_TRACE(aspect);
+    Scene scene = small_scene("CD_rot", 0.84, 200);
+    scene.disks.box_aspect = aspect;
+    scene.integration.scheme = two_stage_scheme;
+    expect_the_boxs(scene);
+  }
 }
 
 TEST(DiskStress, AddsUpToThatOfTheBoxForHertzianDisks) {

@@ -58,7 +58,7 @@ TEST(Join, TheFirstSystemIsPictured) {
 
 TEST(Join, ProfilesAreOfTheAveragesOverAllFrames) {
   auto const [joined, whole] =
-      joined_and_whole(Profiles(test::plain_scene("CD_rot", rate), 12 * 1.3));
+      joined_and_whole(Profiles(test::plain_scene("CD_rot", rate), Slices(12 * 1.3, 12 * 1.3)));
   ASSERT_EQ(joined.profiles.size(), whole.profiles.size());
   for (std::size_t k = 0; k < whole.profiles.size(); ++k)
     for (std::size_t b = 0; b < whole.profiles[k].value.size(); ++b) {
@@ -74,7 +74,7 @@ TEST(Join, ProfilesAreOfTheAveragesOverAllFrames) {
 
 /// phi is an average, so of R = 4 systems as long its error is that of the mean of four numbers.
 TEST(Join, ErrorsAreThoseOfTheScatterOverSystems) {
-  Profiles const fresh(test::plain_scene("CD_rot", rate), 12 * 1.3);
+  Profiles const fresh(test::plain_scene("CD_rot", rate), Slices(12 * 1.3, 12 * 1.3));
   std::vector<Profiles> systems(4, fresh);
   std::vector<FrameObserver const*> all;
   std::vector<test::Seen> alone(4);

@@ -47,14 +47,14 @@ double packing_fraction(State const& state) {
 test::Seen profiles_of(std::vector<State> const& states) {
   Scene scene = test::plain_scene("CD_n", rate);
   scene.disks.packing_fraction = packing_fraction(states.front());
-  Profiles profiles(scene, L);
+  Profiles profiles(scene, Slices(L, L));
   for (auto const& state : states) profiles.add({state, 0, 0.0});
   return test::seen_by({&profiles});
 }
 
 TEST(Profiles, OfLinearFlow) {
   auto const results = [] {
-    Profiles profiles(test::plain_scene("CD_n", rate), L);
+    Profiles profiles(test::plain_scene("CD_n", rate), Slices(L, L));
     State const state = test::square_lattice(48, 1.25, rate);
     profiles.add({state, 0, 0.0});
     FrameResults found;
@@ -124,7 +124,7 @@ TEST(Profiles, KineticStressIsAboutTheLocalFlow) {
 
 TEST(Profiles, GoOnFromWhatWasSaved) {
   Scene const scene = test::plain_scene("CD", rate);
-  Profiles straight(scene, L), first(scene, L), second(scene, L);
+  Profiles straight(scene, Slices(L, L)), first(scene, Slices(L, L)), second(scene, Slices(L, L));
   ObserverState numbers;
   for (int f = 0; f < 12; ++f) {
     State const state = band_state(0.7 * f, 1e-4 * f);

@@ -107,6 +107,26 @@ TEST_F(TrajectoryTest, KeepsEveryFrame) {
   EXPECT_FALSE(std::filesystem::exists(file("whole.parts")));
 }
 
+/// Edges are taken apart and put together again when parts are joined: their bits stay.
+TEST_F(TrajectoryTest, KeepsTheHeightOfABoxThatIsNotSquare) {
+  for (double const aspect : {8.0, 1 / 3.0, 1 / 49.0, 61.7}) {
+    Trajectory trajectory(file("t.h5md"), header(), large);
+    trajectory.begin();
+    ObserverState numbers;
+    for (int f = 0; f < 4; ++f) {
+      State state = frame_state(f);
+      state.box_aspect = aspect;
+      trajectory.add({state, f, 0.0});
+      trajectory.save(numbers);
+    }
+    trajectory.finish();
+    double const height = aspect * frame_state(0).box_length;
+    EXPECT_EQ(frames_of(file("t.h5md"),
+                        [&](State const& state, auto) { EXPECT_EQ(state.box_height(), height); }),
+              4);
+  }
+}
+
 TEST_F(TrajectoryTest, KilledAtAnyFrameEndsTheSame) {
   write_straight();
   for (int killed = 1; killed < 12; ++killed) {

@@ -24,30 +24,31 @@ struct Contact {
   double contact_distance;  ///< d_ij = (d_i + d_j) / 2, [d_s]
 };
 
-/// gamma L modulo L, in [0, L).
-inline double reduced_offset(double strain, double box_length) {
-  return (strain - std::floor(strain)) * box_length;
+/// gamma L_y modulo L_x, in [0, L_x).
+inline double reduced_offset(double strain, State const& box) {
+  double const turns = strain * box.box_aspect;
+  return (turns - std::floor(turns)) * box.box_length;
 }
 
 /// Every pair in contact, by rising i, then j, then image.
 ///
-/// All images with r < d_ij count. Between disks in [0, L)^2 they have |n| <= 1 and |m| <= 2; the
+/// All images with r < d_ij count. Between disks in the box they have |n| <= 1 and |m| <= 2; the
 /// range here is wider, so that one disk of a pair may also be given by a neighbouring image.
 inline std::vector<Contact> contacts(Parameters const& p, State const& s, double strain) {
   std::vector<Contact> found;
-  double const L = s.box_length;
-  double const offset = reduced_offset(strain, L);
+  double const width = s.box_length, height = s.box_height();
+  double const offset = reduced_offset(strain, s);
   for (std::size_t i = 0; i < s.count(); ++i) {
     for (std::size_t j = i + 1; j < s.count(); ++j) {
       double const contact_distance = (s.diameter[i] + s.diameter[j]) / 2.0;
       for (int n = -2; n <= 2; ++n) {
-        double const y = s.position[i][1] - (s.position[j][1] + n * L);
+        double const y = s.position[i][1] - (s.position[j][1] + n * height);
         if (std::abs(y) >= contact_distance) continue;
         for (int m = -4; m <= 4; ++m) {
-          double const x = s.position[i][0] - (s.position[j][0] + m * L + n * offset);
+          double const x = s.position[i][0] - (s.position[j][0] + m * width + n * offset);
           double const r = std::sqrt(x * x + y * y);
           if (r >= contact_distance) continue;
-          double const vx = s.velocity[i][0] - (s.velocity[j][0] + n * p.strain_rate * L);
+          double const vx = s.velocity[i][0] - (s.velocity[j][0] + n * p.strain_rate * height);
           double const vy = s.velocity[i][1] - s.velocity[j][1];
           found.push_back({i, j, n, m, x, y, vx, vy, r, contact_distance});
         }

@@ -31,7 +31,7 @@ inline Sums measure(System const& system) {
   Parameters const& p = system.p;
   State const& s = system.s;
   Sums sums;
-  double const area = s.box_length * s.box_length;
+  double const area = s.box_length * s.box_height();
   for (Contact const& c : contacts(system)) {
     PairForce const f = pair_force(p, s, c);
     double const r[2] = {c.x, c.y};

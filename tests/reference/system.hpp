@@ -14,14 +14,14 @@ namespace bagnold::reference {
 /// drift.
 struct System {
   Parameters p;
-  State s;  ///< positions in [0, L)^2, lab-frame velocities; offset and time kept up to date
+  State s;  ///< positions in the box, lab-frame velocities; offset and time kept up to date
   long step = 0;
   double initial_strain = 0.0;  ///< at step 0
   double initial_time = 0.0;    ///< at step 0, [tau_e]
 
   /// Starts at the strain of s.offset. Spins are added at rest, or dropped, as the law wants.
   System(Parameters const& parameters, State state) : p(parameters), s(std::move(state)) {
-    initial_strain = s.offset / s.box_length;
+    initial_strain = s.offset / s.box_height();
     initial_time = s.time;
     if (!rotates(p)) s.spin.clear();
     if (rotates(p) && s.spin.empty()) s.spin.assign(s.count(), 0.0);
@@ -34,17 +34,17 @@ inline double strain(System const& system, long steps_ahead = 0) {
          system.p.strain_rate * system.p.time_step * static_cast<double>(system.step + steps_ahead);
 }
 
-/// Puts in place of each disk its image in [0, L)^2: a crossing of y = L takes gamma L off x and
-/// gammadot L off v_x, besides L off y.
+/// Puts in place of each disk its image in the box: a crossing of y = L_y takes gamma L_y off x and
+/// gammadot L_y off v_x, besides L_y off y.
 inline void wrap(Parameters const& p, State& s, double strain) {
-  double const L = s.box_length;
-  double const offset = reduced_offset(strain, L);
+  double const width = s.box_length, height = s.box_height();
+  double const offset = reduced_offset(strain, s);
   for (std::size_t i = 0; i < s.count(); ++i) {
-    double const n = std::floor(s.position[i][1] / L);
-    s.position[i][1] -= n * L;
+    double const n = std::floor(s.position[i][1] / height);
+    s.position[i][1] -= n * height;
     s.position[i][0] -= n * offset;
-    s.velocity[i][0] -= n * p.strain_rate * L;
-    s.position[i][0] -= std::floor(s.position[i][0] / L) * L;
+    s.velocity[i][0] -= n * p.strain_rate * height;
+    s.position[i][0] -= std::floor(s.position[i][0] / width) * width;
   }
 }
 
@@ -84,7 +84,7 @@ inline void step(System& system) {
   }
   ++system.step;
   wrap(p, after, strain(system));
-  after.offset = reduced_offset(strain(system), after.box_length);
+  after.offset = reduced_offset(strain(system), after);
   after.time = system.initial_time + dt * static_cast<double>(system.step);
 }
 

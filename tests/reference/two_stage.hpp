@@ -121,7 +121,7 @@ inline StepPower two_stage_step(System& system, double (&dissipative)[2][2]) {
   }
   ++system.step;
   wrap(p, s, strain(system));
-  s.offset = reduced_offset(strain(system), s.box_length);
+  s.offset = reduced_offset(strain(system), s);
   s.time = system.initial_time + dt * static_cast<double>(system.step);
   return power;
 }

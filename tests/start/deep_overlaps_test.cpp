@@ -9,14 +9,15 @@
 namespace bagnold {
 namespace {
 
-State some_state(std::size_t count, double length, unsigned seed) {
+State some_state(std::size_t count, double length, unsigned seed, double aspect = 1.0) {
   std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> number(-3 * length, 3 * length);
+  std::uniform_real_distribution<double> boxes(-3, 3);
   State state;
   state.box_length = length;
+  state.box_aspect = aspect;
   state.offset = 0.3 * length;
   for (std::size_t disk = 0; disk < count; ++disk) {
-    state.position.push_back({number(random), number(random)});
+    state.position.push_back({boxes(random) * length, boxes(random) * state.box_height()});
     state.diameter.push_back(disk % 2 == 0 ? 1.0 : 1.4);
   }
   return state;
@@ -31,7 +32,7 @@ DeepOverlaps by_all_pairs(State const& s, double limit) {
         for (int column = -12; column <= 12; ++column) {
           double const x =
               s.position[i][0] - s.position[j][0] + row * s.offset + column * s.box_length;
-          double const y = s.position[i][1] - s.position[j][1] + row * s.box_length;
+          double const y = s.position[i][1] - s.position[j][1] + row * s.box_height();
           double const overlap = 1 - 2 * std::hypot(x, y) / (s.diameter[i] + s.diameter[j]);
           if (!(overlap > limit)) continue;
           ++found.pairs;
@@ -42,14 +43,16 @@ DeepOverlaps by_all_pairs(State const& s, double limit) {
 
 TEST(DeepOverlaps, AreThoseOfAllPairs) {
   std::int64_t pairs = 0;
-  for (double const length : {3.0, 5.7, 12.0, 40.0})
+  constexpr std::pair<double, double> boxes[] = {{3.0, 1.0},  {5.7, 1.0},  {12.0, 1.0},
+                                                 {40.0, 1.0}, {3.0, 16.0}, {48.0, 1.0 / 16}};
+  for (auto const& [length, aspect] : boxes)
     for (unsigned seed = 1; seed <= 5; ++seed) {
-      State const state = some_state(60, length, seed);
+      State const state = some_state(60, length, seed, aspect);
       auto const expected = by_all_pairs(state, 0.2), found = deep_overlaps(state, 0.2);
-      EXPECT_EQ(found.pairs, expected.pairs) << length;
-      EXPECT_NEAR(found.deepest, expected.deepest, 1e-12) << length;
-      EXPECT_EQ(found.disk, expected.disk) << length;
-      EXPECT_EQ(found.neighbour, expected.neighbour) << length;
+      EXPECT_EQ(found.pairs, expected.pairs) << length << " " << aspect;
+      EXPECT_NEAR(found.deepest, expected.deepest, 1e-12) << length << " " << aspect;
+      EXPECT_EQ(found.disk, expected.disk) << length << " " << aspect;
+      EXPECT_EQ(found.neighbour, expected.neighbour) << length << " " << aspect;
       pairs += found.pairs;
     }
   EXPECT_GT(pairs, 1000);

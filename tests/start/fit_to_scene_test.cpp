@@ -159,6 +159,9 @@ TEST(FitToScene, DisagreementsAreRefusedByName) {
                     {"/folder/state.h5", "box_length", "disks.packing_fraction = 0.7"}));
   EXPECT_TRUE(names(refusal([](State& s) { s.box_length *= 1 - 3e-9; }), {"box_length"}));
   EXPECT_TRUE(names(refusal([](State& s) { s.box_length = NAN; }), {"box_length"}));
+  for (double const aspect : {2.0, 0.5, 1 + 3e-9, 0.0, std::nan("")})
+    EXPECT_TRUE(names(refusal([=](State& s) { s.box_aspect = aspect; }),
+                      {"/folder/state.h5", "box_aspect = ", "disks.box_aspect = 1 "}));
   for (double const rate : {0.0, -6e-3})
     EXPECT_TRUE(names(refusal([=](State& s) { s.strain_rate = rate; }),
                       {"/folder/state.h5", "strain_rate = ", "start.rescale"}));

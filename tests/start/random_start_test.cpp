@@ -37,7 +37,7 @@ Scene dilute(std::int64_t count, std::int64_t seed = 1) {
 /// Of all pairs and images, by the oracle.
 double overlap_by_all_pairs(State state) {
   state.velocity.resize(state.count());  // contacts hold them
-  return reference::largest_overlap({}, state, state.offset / state.box_length);
+  return reference::largest_overlap({}, state, state.offset / state.box_height());
 }
 
 /// The counter is (disk, 1), the key the seed; a 64-bit word w is the number (w + 1/2) / 2^64.
@@ -223,6 +223,27 @@ TEST(RelaxOverlaps, SeesTheOffsetOfImages) {
   EXPECT_NEAR(before, 0.5, 1e-12);
   EXPECT_LE(relax_overlaps(state, 1e-6, 20000, 0.35).largest_overlap, 1e-6);
   EXPECT_LE(overlap_by_all_pairs(state), 1e-6);
+}
+
+/// Boxes that are not square: their rows, and what crosses their edges.
+TEST(RandomStart, FillsBoxesThatAreNotSquare) {
+  for (double const aspect : {4.0, 0.25}) {
+    Scene scene = scene_of(200, 0.80);
+    scene.disks.box_aspect = aspect;
+    State const state = random_start(scene).state;
+    EXPECT_EQ(state.box_aspect, aspect);
+    EXPECT_EQ(state.box_length, scene.box_length());
+    EXPECT_LE(overlap_by_all_pairs(state), scene.start.overlap);
+    double right = 0, top = 0;
+    for (auto const& [x, y] : state.position) {
+      EXPECT_TRUE(0 <= x && x < state.box_length) << x;
+      EXPECT_TRUE(0 <= y && y < state.box_height()) << y;
+      right = std::max(right, x);
+      top = std::max(top, y);
+    }
+    EXPECT_GT(right, 0.9 * state.box_length);
+    EXPECT_GT(top, 0.9 * state.box_height());
+  }
 }
 
 TEST(RelaxOverlaps, LeavesWhatDoesNotOverlap) {

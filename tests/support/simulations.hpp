@@ -132,20 +132,20 @@ inline reference::Parameters reference_parameters(Scene const& scene) {
 /// Largest difference of two states of one system, whichever images their disks are at:
 /// positions [d_s], velocities [d_s/tau_e] and spins [1/tau_e] alike.
 inline double largest_difference(State const& a, State const& b, double strain_rate) {
-  double const length = a.box_length;
+  double const length = a.box_length, height = a.box_height();
   double largest = 0.0;
   auto const see = [&](double difference) {
     if (!(std::abs(difference) <= largest)) largest = std::abs(difference);
   };
   for (std::size_t i = 0; i < a.count(); ++i) {
     double dy = a.position[i][1] - b.position[i][1];
-    double const n = std::round(dy / length);
-    dy -= n * length;
+    double const n = std::round(dy / height);
+    dy -= n * height;
     double dx = a.position[i][0] - b.position[i][0] - n * a.offset;
     dx -= std::round(dx / length) * length;
     see(dx);
     see(dy);
-    see(a.velocity[i][0] - b.velocity[i][0] - n * strain_rate * length);
+    see(a.velocity[i][0] - b.velocity[i][0] - n * strain_rate * height);
     see(a.velocity[i][1] - b.velocity[i][1]);
     if (!a.spin.empty()) see(a.spin[i] - b.spin[i]);
   }

@@ -17,7 +17,7 @@ template <class Space>
 std::vector<std::uint32_t> disks_along_curve(CellGrid<Space> const& grid) {
   std::vector<std::uint32_t> order;
   order.reserve(grid.members.extent(0));
-  for (std::uint32_t const cell : cells_along_curve(grid.side))
+  for (std::uint32_t const cell : cells_along_curve(grid.columns, grid.rows))
     for (auto k = grid.first(cell); k < grid.first(cell + 1); ++k) order.push_back(grid.members(k));
   return order;
 }
@@ -39,7 +39,7 @@ inline void interleave(simd::LocalPair* pairs, std::uint32_t count) {
 
 /// Cuts disks into blocks of `size` along a Hilbert curve and lists their pairs within d_ij + skin.
 ///
-/// position: [N], in the box, [d_s]; box.offset in [0, L). Depends on positions alone: neither on
+/// position: [N], in the box, [d_s]; box.offset in [0, L_x). Depends on positions alone: neither on
 /// threads nor on an earlier order. Scratch of about 60 bytes a disk is freed on return.
 template <class Space>
 Blocks build_blocks(Space const& space, Kokkos::View<Vec2<Real>*, Space> const& position,
@@ -48,7 +48,7 @@ Blocks build_blocks(Space const& space, Kokkos::View<Vec2<Real>*, Space> const& 
   using Policy = Kokkos::RangePolicy<Space, Kokkos::IndexType<std::int64_t>>;
   auto const count = static_cast<std::uint32_t>(position.extent(0));
   Real const reach = big_diameter + skin;
-  auto const order = detail::disks_along_curve(make_cell_grid(space, position, box.length, reach));
+  auto const order = detail::disks_along_curve(make_cell_grid(space, position, box, reach));
 
   // Everything below is by rank along the curve.
   Kokkos::View<Vec2<Real>*, Space> place("blocks::place", count);
@@ -58,7 +58,7 @@ Blocks build_blocks(Space const& space, Kokkos::View<Vec2<Real>*, Space> const& 
     kind(rank) = species(order[rank]);
   }
   NeighborSearch<Space> const search{
-      place, kind, make_cell_grid(space, place, box.length, reach), table, box, skin};
+      place, kind, make_cell_grid(space, place, box, reach), table, box, skin};
 
   Blocks blocks;
   blocks.count = (count + size - 1) / size;

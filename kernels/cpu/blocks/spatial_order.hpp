@@ -27,15 +27,15 @@ inline std::uint64_t hilbert_index(int level, std::uint32_t x, std::uint32_t y) 
   return index;
 }
 
-/// The cells of a side x side grid, row by row numbered, in the order of the Hilbert curve.
-inline std::vector<std::uint32_t> cells_along_curve(int side) {
+/// The cells of a grid, row by row numbered, in the order of the Hilbert curve.
+inline std::vector<std::uint32_t> cells_along_curve(int columns, int rows) {
   int level = 0;
-  while ((1 << level) < side) ++level;
+  while ((1 << level) < std::max(columns, rows)) ++level;
   std::vector<std::pair<std::uint64_t, std::uint32_t>> cells;
-  cells.reserve(static_cast<std::size_t>(side) * side);
-  for (int y = 0; y < side; ++y)
-    for (int x = 0; x < side; ++x)
-      cells.emplace_back(hilbert_index(level, x, y), static_cast<std::uint32_t>(y) * side + x);
+  cells.reserve(static_cast<std::size_t>(rows) * columns);
+  for (int y = 0; y < rows; ++y)
+    for (int x = 0; x < columns; ++x)
+      cells.emplace_back(hilbert_index(level, x, y), static_cast<std::uint32_t>(y) * columns + x);
   std::sort(cells.begin(), cells.end());
   std::vector<std::uint32_t> order;
   order.reserve(cells.size());

@@ -20,22 +20,27 @@ struct RunningSum {
   }
 };
 
-/// Disks sorted into square cells at least `reach` wide; inside a cell in the order of their index,
+/// Disks sorted into cells at least `reach` wide and high; inside a cell in the order of their index,
 /// so that the grid does not depend on threads.
 template <class Space>
 struct CellGrid {
-  int side = 0;     ///< cells along one edge of the box
-  Real width = 0;   ///< of a cell, [d_s]
-  Kokkos::View<std::uint32_t*, Space> first;    ///< [side^2 + 1]: cell c holds members first(c) ..
+  int columns = 0, rows = 0;     ///< cells along the box, and across it
+  Real width = 0, height = 0;    ///< of a cell, [d_s]
+  Kokkos::View<std::uint32_t*, Space> first;    ///< [cells + 1]: cell c holds members first(c) ..
   Kokkos::View<std::uint32_t*, Space> members;  ///< [N] disk indices, cell by cell
 
-  KOKKOS_FUNCTION int column(Real coordinate) const {
-    int const c = static_cast<int>(coordinate / width);
-    return c < 0 ? 0 : (c >= side ? side - 1 : c);  // rounding may leave a coordinate at L itself
+  KOKKOS_FUNCTION int column(Real x) const { return within(x / width, columns); }
+  KOKKOS_FUNCTION int row(Real y) const { return within(y / height, rows); }
+
+  KOKKOS_FUNCTION std::int64_t cells() const { return static_cast<std::int64_t>(rows) * columns; }
+  KOKKOS_FUNCTION std::int64_t cell(Vec2<Real> const& point) const {
+    return static_cast<std::int64_t>(row(point.y)) * columns + column(point.x);
   }
 
-  KOKKOS_FUNCTION std::int64_t cell(Vec2<Real> const& point) const {
-    return static_cast<std::int64_t>(column(point.y)) * side + column(point.x);
+ private:
+  KOKKOS_FUNCTION static int within(Real place, int count) {
+    int const c = static_cast<int>(place);
+    return c < 0 ? 0 : (c >= count ? count - 1 : c);  // rounding may leave a coordinate at L itself
   }
 };
 
@@ -57,7 +62,7 @@ template <class Space>
 struct Fill {
   Kokkos::View<Vec2<Real>*, Space> position;
   CellGrid<Space> grid;
-  Kokkos::View<std::uint32_t*, Space> filled;  ///< [side^2]
+  Kokkos::View<std::uint32_t*, Space> filled;  ///< [cells]
 
   KOKKOS_FUNCTION void operator()(std::int64_t i) const {
     auto const c = grid.cell(position(i));
@@ -83,24 +88,34 @@ struct Sort {
 
 }  // namespace cell_grid
 
-/// Cells along one edge of a box of that length: at least `reach` wide; a cell a disk is enough.
-inline int cells_along(Real length, Real reach, std::int64_t disks) {
-  Real const most = std::ceil(std::sqrt(static_cast<Real>(disks)));
+/// Cells along an edge of a box, at least `reach` long; a cell a disk is enough. across: the length of
+/// the other edge, [d_s].
+inline int cells_along(Real length, Real across, Real reach, std::int64_t disks) {
+  Real const most = std::ceil(std::sqrt(static_cast<Real>(disks) * (length / across)));
   return static_cast<int>(std::clamp(length / reach, Real(1), std::max(Real(1), most)));
+}
+
+/// Cells of a box, without disks in them.
+template <class Space>
+CellGrid<Space> empty_cell_grid(ShearedBox const& box, Real reach, std::int64_t disks) {
+  CellGrid<Space> grid;
+  grid.columns = cells_along(box.length, box.height, reach, disks);
+  grid.rows = cells_along(box.height, box.length, reach, disks);
+  grid.width = box.length / grid.columns;
+  grid.height = box.height / grid.rows;
+  return grid;
 }
 
 /// Sort disks into cells. position: [N], in the box, [d_s]; reach: [d_s].
 template <class Space>
 CellGrid<Space> make_cell_grid(Space const& space,
-                               Kokkos::View<Vec2<Real>*, Space> const& position, Real length,
-                               Real reach) {
+                               Kokkos::View<Vec2<Real>*, Space> const& position,
+                               ShearedBox const& box, Real reach) {
   using Counts = Kokkos::View<std::uint32_t*, Space>;
   using Range = Kokkos::RangePolicy<Space>;
   auto const count = static_cast<std::int64_t>(position.extent(0));
-  CellGrid<Space> grid;
-  grid.side = cells_along(length, reach, count);
-  grid.width = length / grid.side;
-  auto const cells = static_cast<std::int64_t>(grid.side) * grid.side;
+  auto grid = empty_cell_grid<Space>(box, reach, count);
+  auto const cells = grid.cells();
   grid.first = Counts("neighbors::first", cells + 1);
   grid.members = Counts("neighbors::members", count);
   Counts const filled("neighbors::filled", cells);

@@ -10,7 +10,7 @@ namespace bagnold {
 
 /// Calls visit(Neighbor) for every disk image within d_ij + skin of disk i.
 ///
-/// The box must be at least 2 (d_max + skin) wide, so that a pair meets through one image only.
+/// The box must be at least 2 (d_max + skin) wide and high, so that a pair meets through one image only.
 /// In rows above and below the box the query point is moved instead of the cells: three columns
 /// hold all that is within reach, at any offset.
 template <class Space>
@@ -19,26 +19,26 @@ struct NeighborSearch {
   Kokkos::View<Species*, Space> species;      ///< [N]
   CellGrid<Space> grid;
   SpeciesTable table;
-  ShearedBox box;  ///< offset in [0, L)
+  ShearedBox box;  ///< offset in [0, L_x)
   Real skin;       ///< [d_s]
 
   template <class Visitor>
   KOKKOS_FUNCTION void operator()(std::uint32_t i, Visitor&& visit) const {
-    if (grid.side < 3) return all_pairs(i, visit);
+    if (grid.columns < 3 || grid.rows < 3) return all_pairs(i, visit);
     Vec2<Real> const point = position(i);
-    int const row_i = grid.column(point.y);
+    int const row_i = grid.row(point.y);
     for (int step = -1; step <= 1; ++step) {
       int row = row_i + step;
-      int const n = row < 0 ? -1 : (row >= grid.side ? 1 : 0);
-      row -= n * grid.side;
+      int const n = row < 0 ? -1 : (row >= grid.rows ? 1 : 0);
+      row -= n * grid.rows;
       Real const x = point.x - n * box.offset;
       int const m = static_cast<int>(math::floor(x / box.length));
       int const column_i = grid.column(x - m * box.length);
       for (int side_step = -1; side_step <= 1; ++side_step) {
         int column = column_i + side_step;
-        int const wrapped = column < 0 ? -1 : (column >= grid.side ? 1 : 0);
-        column -= wrapped * grid.side;
-        visit_cell(i, static_cast<std::int64_t>(row) * grid.side + column, Image{m + wrapped, n}, visit);
+        int const wrapped = column < 0 ? -1 : (column >= grid.columns ? 1 : 0);
+        column -= wrapped * grid.columns;
+        visit_cell(i, static_cast<std::int64_t>(row) * grid.columns + column, Image{m + wrapped, n}, visit);
       }
     }
   }

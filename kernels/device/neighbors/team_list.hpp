@@ -36,7 +36,7 @@ struct TeamList {
   template <class Team>
   KOKKOS_FUNCTION void sort_into_cells(Team const& members, std::int32_t count) const {
     auto const& grid = search.grid;
-    std::int32_t const cells = grid.side * grid.side;
+    auto const cells = static_cast<std::int32_t>(grid.cells());
     team::for_all(members, cells + 1, Clear{grid.first, filled});
     team::for_all(members, count, cell_grid::Count<Space>{search.position, grid});
     team::scan(members, cells + 1, RunningSum<Space>{grid.first});

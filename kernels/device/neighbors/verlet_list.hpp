@@ -14,12 +14,12 @@ struct VerletList {
   NeighborRows<Space> rows;
 };
 
-/// The list of the disks at list.at_build (in the box), with box.offset in [0, L).
+/// The list of the disks at list.at_build (in the box), with box.offset in [0, L_x).
 template <class Space>
 void build_list(Space const& space, VerletList<Space>& list,
                 Kokkos::View<Species*, Space> const& species, SpeciesTable const& table,
                 ShearedBox const& box) {
-  auto const grid = make_cell_grid(space, list.at_build, box.length, big_diameter + list.skin);
+  auto const grid = make_cell_grid(space, list.at_build, box, big_diameter + list.skin);
   NeighborSearch<Space> const search{list.at_build, species, grid, table, box, list.skin};
   list.rows = make_neighbor_rows(space, search, list.rows);
 }

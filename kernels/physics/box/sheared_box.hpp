@@ -8,7 +8,7 @@
 
 namespace bagnold {
 
-/// Which periodic image of a disk is meant: the one at (x + m L + n gamma L, y + n L).
+/// Which periodic image of a disk is meant: the one at (x + m L_x + n gamma L_y, y + n L_y).
 ///
 /// m in -2..2 and n in -1..1 while disks are in the box at a list build, so 15 images: 4 bits.
 struct Image {
@@ -16,32 +16,34 @@ struct Image {
   int n = 0;
 };
 
-/// The square box under Lees-Edwards shear at one instant (P1 Sec. II A, P2 Sec. II A).
+/// The box under Lees-Edwards shear at one instant (P1 Sec. II A, P2 Sec. II A), where square
+/// L_x = L_y = L.
 struct ShearedBox {
-  Real length;       ///< L, [d_s]
-  Real offset;       ///< gamma L, [d_s]; in [0, L) at a list build, and grows from there to the next
-  Real strain_rate;  ///< gammadot, [1 / tau_e]
+  Real length;           ///< L_x, [d_s]
+  Real offset;           ///< gamma L_y, [d_s]; in [0, L_x) at a list build, grows to the next
+  Real strain_rate;      ///< gammadot, [1 / tau_e]
+  Real height = length;  ///< L_y, [d_s]
 
   /// Where an image sits from its disk, [d_s].
   KOKKOS_FUNCTION Vec2<Real> shift(Image const& image) const {
-    return {image.m * length + image.n * offset, image.n * length};
+    return {image.m * length + image.n * offset, image.n * height};
   }
 
-  /// v_x of an image from that of its disk: n gammadot L, [d_s / tau_e].
+  /// v_x of an image from that of its disk: n gammadot L_y, [d_s / tau_e].
   KOKKOS_FUNCTION Real velocity_shift(Image const& image) const {
-    return image.n * (strain_rate * length);
+    return image.n * (strain_rate * height);
   }
 };
 
-/// Take a disk back into [0, L) x [0, L). A wrap in y changes x by the offset and v_x by gammadot L.
+/// Take a disk back into [0, L_x) x [0, L_y). A wrap in y changes x by the offset, v_x by gammadot L_y.
 ///
 /// Positions that are in the box already keep their bits.
 KOKKOS_INLINE_FUNCTION void wrap(ShearedBox const& box, Vec2<Real>& position, Real& velocity_x) {
-  Real const n = math::floor(position.y / box.length);
+  Real const n = math::floor(position.y / box.height);
   if (n != 0) {
-    position.y -= n * box.length;
+    position.y -= n * box.height;
     position.x -= n * box.offset;
-    velocity_x -= n * (box.strain_rate * box.length);
+    velocity_x -= n * (box.strain_rate * box.height);
   }
   Real const m = math::floor(position.x / box.length);
   if (m != 0) position.x -= m * box.length;

@@ -8,7 +8,7 @@ namespace bagnold {
 
 /// What is summed over a configuration: everything later observables are functions of.
 ///
-/// Pair sums run over pairs once, p_ab L^2 = sum f_a r_b (P1 Eqs. 9-10, P2 Eqs. 12-13); the
+/// Pair sums run over pairs once, p_ab L_x L_y = sum f_a r_b (P1 Eqs. 9-10, P2 Eqs. 12-13); the
 /// dissipative one is not symmetric in model CD. dv = v - gammadot y x^.
 struct SumColumns {
   enum : int {

@@ -65,6 +65,7 @@ State BlockDisks::state() const {
   }
   state.diameter = diameter;
   state.box_length = clock.box_length;
+  state.box_aspect = clock.box_aspect;
   state.offset = clock.offset(step, step);
   state.time = clock.time(step);
   state.strain_rate = clock.strain_rate;

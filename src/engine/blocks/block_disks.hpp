@@ -29,9 +29,7 @@ struct BlockDisks {
   BlockSystem system;
 
   std::size_t count() const { return diameter.size(); }
-  ShearedBox box_at(std::int64_t at) const {
-    return {clock.box_length, clock.offset(at, list_step), clock.strain_rate};
-  }
+  ShearedBox box_at(std::int64_t at) const { return clock.box(at, list_step); }
 
   /// Those of SumColumns that there are.
   int columns() const {

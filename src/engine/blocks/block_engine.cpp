@@ -24,7 +24,7 @@ BlockEngine::BlockEngine(std::unique_ptr<BlockLoop> loop, std::unique_ptr<BlockS
       disks_{.loop = std::move(loop),
              .stepper = std::move(stepper),
              .clock = {strain_rate, time_step, snapshot.state.box_length, snapshot.initial_offset,
-                       snapshot.initial_time},
+                       snapshot.initial_time, snapshot.state.box_aspect},
              .step = snapshot.step,
              .list_step = snapshot.list_step,
              .diameter = std::move(snapshot.state.diameter),

@@ -21,7 +21,7 @@ PairNow pair_now(BlockSystem const& all, ShearedBox const& box, OpenContact cons
   auto const a = all.blocks.slot_of(contact.a), b = all.blocks.slot_of(contact.b);
   auto const &p = all.now.record(a), &q = all.now.record(b);
   Image image;
-  image.n = static_cast<int>(std::lround((p.y - q.y) / box.length));
+  image.n = static_cast<int>(std::lround((p.y - q.y) / box.height));
   image.m = static_cast<int>(std::lround((p.x - q.x - image.n * box.offset) / box.length));
   auto const at = at_image(q, image, box);
   return {{p.x - at.x, p.y - at.y},

@@ -29,12 +29,13 @@ class EnsembleEngine final : public Ensemble {
         disks_(snapshots.front().state.count()),
         views_(snapshots.size(), disks_) {
     views_.step.allocate(law, table, time_step, snapshots.size(), disks_);
-    int most_along = 0;
+    std::size_t most_cells = 0;
     for (auto const& snapshot : snapshots) {
       add(snapshot, strain_rate, time_step);
-      most_along = std::max(most_along, constants_.back().cells_along);
+      auto const& [clock, columns, rows] = constants_.back();
+      most_cells = std::max(most_cells, static_cast<std::size_t>(columns) * rows);
     }
-    views_.make_cells(static_cast<std::size_t>(most_along));
+    views_.make_cells(most_cells);
     views_.make_entries(8 * disks_);  // grows where that is too little
     device_constants_ = to_device<Space>("state::constants", constants_);
     device_progress_ = to_device<Space>("state::progress", progress_);
@@ -103,10 +104,11 @@ class EnsembleEngine final : public Ensemble {
     Kokkos::deep_copy(part(views_.position, s), view_of(vectors(state.position)));
     Kokkos::deep_copy(part(views_.motion, s), view_of(motions<rotates>(state)));
     Kokkos::deep_copy(part(views_.species, s), view_of(species_of(state.diameter)));
-    constants_.push_back(
-        {{strain_rate, time_step, state.box_length, snapshot.initial_offset, snapshot.initial_time},
-         cells_along(state.box_length, big_diameter + rules_.skin,
-                     static_cast<std::int64_t>(disks_))});
+    Clock const clock{strain_rate, time_step, state.box_length, snapshot.initial_offset,
+                      snapshot.initial_time, state.box_aspect};
+    auto const grid = empty_cell_grid<Space>(clock.box(0, 0), big_diameter + rules_.skin,
+                                             static_cast<std::int64_t>(disks_));
+    constants_.push_back({clock, grid.columns, grid.rows});
     SystemProgress progress;
     progress.step = snapshot.step;
     progress.list_builds = snapshot.list_builds;
@@ -180,7 +182,7 @@ class EnsembleEngine final : public Ensemble {
     auto const of = views_.of(system);
     auto const& p = progress_[system];
     Clock const& clock = constants_[system].clock;
-    ShearedBox const box{clock.box_length, clock.offset(p.step, p.list_step), clock.strain_rate};
+    ShearedBox const box = clock.box(p.step, p.list_step);
     auto const& disks = of.disks;
     return {disks.position, disks.motion, disks.species, disks.neighbors,
             rules_.table,   box,          rules_.law,    Repulsion{}};

@@ -54,11 +54,11 @@ struct EnsembleViews {
                    (disks + measured_block - 1) / measured_block),
         samples("observables::samples", systems, room_for_samples) {}
 
-  /// Room for the cells of a grid of that many along an edge.
-  void make_cells(std::size_t side) {
+  /// Room for grids of up to so many cells.
+  void make_cells(std::size_t cells) {
     auto const systems = position.extent(0);
-    cell_first = Table<std::uint32_t>("neighbors::first", systems, side * side + 1);
-    cell_filled = Table<std::uint32_t>("neighbors::filled", systems, side * side + 1);
+    cell_first = Table<std::uint32_t>("neighbors::first", systems, cells + 1);
+    cell_filled = Table<std::uint32_t>("neighbors::filled", systems, cells + 1);
   }
 
   /// Room for so many neighbours of a system's disks; lists that were there are lost.

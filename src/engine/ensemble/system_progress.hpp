@@ -14,7 +14,7 @@ namespace bagnold {
 /// What one system of an ensemble is made of, apart from its disks.
 struct SystemConstants {
   Clock clock;
-  int cells_along;  ///< of its grid, along an edge
+  int columns, rows;  ///< of its cells
 };
 
 /// Where a system stands, and what it waits for.

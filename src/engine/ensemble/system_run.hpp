@@ -63,7 +63,9 @@ class SystemRun {
   KOKKOS_FUNCTION bool goes_on() const { return progress_.wait == SystemProgress::Wait::none; }
 
   KOKKOS_FUNCTION ShearedBox box_at(std::int64_t step) const {
-    return {since_.length, since_.offset(step - progress_.list_step), constants_.clock.strain_rate};
+    Clock const& clock = constants_.clock;
+    return {clock.box_length, since_.offset(step - progress_.list_step), clock.strain_rate,
+            clock.box_aspect * clock.box_length};
   }
 
   KOKKOS_FUNCTION void do_step() {
@@ -96,11 +98,15 @@ class SystemRun {
   }
 
   KOKKOS_FUNCTION void build_list() {
-    CellGrid<Space> const grid{constants_.cells_along, since_.length / constants_.cells_along,
-                               views_.cell_first, views_.cell_members};
+    ShearedBox const box = box_at(progress_.list_step);
+    CellGrid<Space> const grid{constants_.columns,
+                               constants_.rows,
+                               box.length / constants_.columns,
+                               box.height / constants_.rows,
+                               views_.cell_first,
+                               views_.cell_members};
     NeighborSearch<Space> const search{
-        system_.disks.at_build, system_.disks.species, grid, rules_.table, box_at(progress_.list_step),
-        rules_.skin};
+        system_.disks.at_build, system_.disks.species, grid, rules_.table, box, rules_.skin};
     progress_.entries = TeamList<Space>{search, views_.cell_filled, system_.disks.neighbors}(team_);
     if (progress_.entries > system_.disks.neighbors.entries.extent(0)) {
       progress_.wait = SystemProgress::Wait::for_entries;

@@ -26,7 +26,7 @@ class ReferenceEngine final : public Simulation {
                   Snapshot const& snapshot)
       : skin_(skin),
         clock_{strain_rate, time_step, snapshot.state.box_length, snapshot.initial_offset,
-               snapshot.initial_time},
+               snapshot.initial_time, snapshot.state.box_aspect},
         step_(snapshot.step),
         builds_(snapshot.list_builds),
         diameter_(snapshot.state.diameter) {
@@ -90,7 +90,7 @@ class ReferenceEngine final : public Simulation {
   }
 
   ShearedBox box_at(std::int64_t step) const {
-    return {clock_.box_length, clock_.offset(step, list_step_), clock_.strain_rate};
+    return clock_.box(step, list_step_);
   }
 
   [[noreturn]] void stop_unsound() const {

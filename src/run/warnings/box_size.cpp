@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "src/run/warnings/checks.hpp"
 
 namespace bagnold {
@@ -14,21 +16,23 @@ constexpr double least_length = 12;    ///< [d_s]: about 100 disks
 
 std::optional<Warning> box_size(FinishedRun const& finished) {
   double const anisotropy = finished.mean("R_v"), length = finished.run.box_length;
+  double const height = finished.run.box_height();
+  double const least = std::min(length, height);
   if (anisotropy > most_anisotropy)
     return Warning{
         "box_size",
-        {{"R_v", anisotropy}, {"box_length", length}},
+        {{"R_v", anisotropy}, {"box_height", height}},
         fmt::format("R_v = {:.2g}, about 1 in a homogeneous flow (P2 Fig. 24): bands as wide as "
-                    "the box of {:.3g} d_s lets them be",
-                    anisotropy, length),
+                    "the box of {:.3g} d_s across the flow lets them be",
+                    anisotropy, height),
         "compare with more disks, and see measure.profiles"};
-  if (length < least_length && !finished.run.plan.ramp)
+  if (least < least_length && !finished.run.plan.ramp)
     return Warning{
         "box_size",
-        {{"box_length", length}},
-        fmt::format("the box is {:.3g} d_s wide, less than {}: B and eta may be off by several "
+        {{"box_length", length}, {"box_height", height}},
+        fmt::format("the box is {:.3g} d_s {}, less than {}: B and eta may be off by several "
                     "standard errors",
-                    length, least_length),
+                    least, height < length ? "high" : "wide", least_length),
         "compare with more disks"};
   return {};
 }

@@ -59,7 +59,7 @@ inline constexpr Check* all_checks[] = {
 
 /// Mean relative overlap of contacts, 1 - r_ij/d_ij, from elastic pressure and contacts:
 ///
-///     sum f_el r_ij = 2 p_el L^2, f_el r_ij ~ (1 - r_ij/d_ij)^(alpha - 1), N Z/2 contacts
+///     sum f_el r_ij = 2 p_el L_x L_y, f_el r_ij ~ (1 - r_ij/d_ij)^(alpha - 1), N Z/2 contacts
 ///
 /// NaN where nothing touched.
 double mean_overlap(FinishedRun const& finished);

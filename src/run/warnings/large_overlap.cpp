@@ -15,7 +15,7 @@ constexpr double most_overlap = 0.02;
 
 double mean_overlap(FinishedRun const& finished) {
   auto const& disks = finished.run.scene.disks;
-  double const area = finished.run.box_length * finished.run.box_length;
+  double const area = finished.run.box_area();
   double const contacts = static_cast<double>(disks.count) * finished.mean("Z") / 2;
   return std::pow(2 * finished.mean("p_el") * area / contacts, 1 / (disks.force_exponent - 1));
 }

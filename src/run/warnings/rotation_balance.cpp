@@ -12,7 +12,8 @@ namespace {
 
 constexpr double most_power = 0.01;
 
-/// Energy of the rotation over L^2 in a window, if all disks were big, [m / tau_e^2].
+/// Energy of the rotation over the area of the box in a window, if all disks were big,
+/// [m / tau_e^2].
 double energy(FinishedRun const& finished, std::size_t window) {
   auto const& [run, found] = finished;
   double const rate = run.scene.shear.strain_rate;
@@ -20,8 +21,7 @@ double energy(FinishedRun const& finished, std::size_t window) {
   double const spin2 = (finished.in_window("spin_var", window) + mean * mean) * rate * rate;
   double const inertia =
       disk_mass(run.scene.mass_by_area(), big_diameter) * big_diameter * big_diameter / 8;
-  double const density =
-      static_cast<double>(run.scene.disks.count) / (run.box_length * run.box_length);
+  double const density = static_cast<double>(run.scene.disks.count) / run.box_area();
   return density * inertia * spin2 / 2;
 }
 

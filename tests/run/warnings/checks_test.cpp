@@ -44,7 +44,7 @@ class Checks : public testing::Test {
   }
 
   std::vector<double> row(Flow const& flow) {
-    double const area = scene.box_length() * scene.box_length();
+    double const area = scene.box_length() * scene.box_height();
     auto const n = static_cast<double>(scene.disks.count);
     double const noise = 1 + 0.05 * normal(random);
     double const pressure = flow.overlap * flow.contacts * n / 4 / area * noise;
@@ -115,10 +115,13 @@ TEST_F(Checks, TheHardCoreLimitIsThatOfSmallerDisks) {
 }
 
 TEST_F(Checks, LargeOverlaps) {
-  EXPECT_EQ(names(warnings_of(Flow{.overlap = 0.019})), "hard_core_limit");
-  auto const list = warnings_of(Flow{.overlap = 0.021});
-  ASSERT_EQ(names(list), "hard_core_limit large_overlap");
-  EXPECT_NEAR(number(list[1], "mean_overlap"), 0.021, 1e-4);
+  for (double const aspect : {1.0, 4.0}) {
+    scene.disks.box_aspect = aspect;
+    EXPECT_EQ(names(warnings_of(Flow{.overlap = 0.019})), "hard_core_limit");
+    auto const list = warnings_of(Flow{.overlap = 0.021});
+    ASSERT_EQ(names(list), "hard_core_limit large_overlap");
+    EXPECT_NEAR(number(list[1], "mean_overlap"), 0.021, 1e-4);
+  }
 }
 
 /// Above jamming there is no hard-core limit to be near to.
@@ -158,7 +161,8 @@ TEST_F(Checks, ARotationThatSpeedsUpKeepsItsPower) {
   Flow const flow{.torque = 0.1};
   double const rate = scene.shear.strain_rate, strain = 10;
   double const work = flow.friction * flow.overlap * flow.contacts / 4 * strain;  // of a disk
-  for (double const stored : {0.05, 0.2}) {
+  for (auto const& [stored, aspect] : {std::pair{0.05, 1.0}, {0.2, 1.0}, {0.05, 4.0}, {0.2, 4.0}}) {
+    scene.disks.box_aspect = aspect;
     double const gain = stored * work / (1.96 / 16 * rate * rate);
     auto const list = warnings_of([&](std::int64_t w) {
       Flow faster = flow;
@@ -272,6 +276,15 @@ TEST_F(Checks, BandsAndSmallBoxes) {
   auto const list = warnings_of(Flow{});
   ASSERT_EQ(names(list), "box_size");
   EXPECT_EQ(number(list[0], "box_length"), scene.box_length());
+  scene.disks.count = 1024;
+  for (double const aspect : {8.0, 1 / 8.0}) {
+    scene.disks.box_aspect = aspect;
+    EXPECT_EQ(names(warnings_of(Flow{})), "") << scene.box_length() << " " << scene.box_height();
+    scene.disks.box_aspect = aspect > 1 ? 16 : 1 / 16.0;
+    auto const narrow = warnings_of(Flow{});
+    ASSERT_EQ(names(narrow), "box_size");
+    EXPECT_EQ(number(narrow[0], "box_height"), scene.box_height());
+  }
 }
 
 }  // namespace

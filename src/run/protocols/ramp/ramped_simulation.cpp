@@ -11,19 +11,19 @@ RampedSimulation::RampedSimulation(Ramp const& ramp, Make make, Snapshot&& snaps
     : ramp_(ramp), make_(std::move(make)), initial_offset_(snapshot.initial_offset) {
   // past the end there is no piece: a finished run is still that of its last one
   auto const piece = ramp_.piece(std::min(snapshot.step, ramp_.steps() - 1));
-  snapshot.initial_offset = offset_of(piece, snapshot.state.box_length);
+  snapshot.initial_offset = offset_of(piece, snapshot.state);
   piece_ = make_(piece.rate, std::move(snapshot));
 }
 
 /// What the offset at step 0 would have been, had all steps been at this piece's rate: a simulation
 /// at one rate counts strain from there.
-double RampedSimulation::offset_of(Ramp::Piece const& piece, double box_length) const {
+double RampedSimulation::offset_of(Ramp::Piece const& piece, State const& box) const {
   long double const at_one_rate = static_cast<long double>(piece.begin) *
                                   (static_cast<long double>(piece.rate) * ramp_.time_step);
-  long double turns = initial_offset_ / static_cast<long double>(box_length) +
-                      ramp_.strain(piece.begin) - at_one_rate;
+  long double turns = initial_offset_ / static_cast<long double>(box.box_length) +
+                      box.box_aspect * (ramp_.strain(piece.begin) - at_one_rate);
   turns -= std::floor(turns);
-  return static_cast<double>(turns * box_length);
+  return static_cast<double>(turns * box.box_length);
 }
 
 void RampedSimulation::advance(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) {
@@ -47,7 +47,7 @@ void RampedSimulation::next_piece() {
   auto const before = piece_->snapshot();
   snapshot.state.strain_rate = next.rate;
   snapshot.step = step();
-  snapshot.initial_offset = offset_of(next, snapshot.state.box_length);
+  snapshot.initial_offset = offset_of(next, snapshot.state);
   snapshot.initial_time = before.initial_time;
   snapshot.list_builds = before.list_builds;
   piece_ = make_(next.rate, std::move(snapshot));

@@ -31,7 +31,7 @@ class RampedSimulation final : public Simulation {
   State state() const override { return piece_->state(); }
 
  private:
-  double offset_of(Ramp::Piece const& piece, double box_length) const;
+  double offset_of(Ramp::Piece const& piece, State const& box) const;
   void next_piece();
 
   Ramp ramp_;

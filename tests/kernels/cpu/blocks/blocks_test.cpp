@@ -31,12 +31,14 @@ TEST(SpatialOrder, HilbertCurveStepsFromCellToCell) {
 }
 
 TEST(SpatialOrder, HasEveryCellOnce) {
-  for (int side : {1, 2, 3, 7, 33}) {
-    auto const order = cells_along_curve(side);
+  constexpr std::pair<int, int> shapes[] = {{1, 1},   {2, 2},  {3, 3}, {7, 7},
+                                            {33, 33}, {3, 40}, {21, 2}};
+  for (auto const& [columns, rows] : shapes) {
+    auto const order = cells_along_curve(columns, rows);
     std::set<std::uint32_t> const all(order.begin(), order.end());
-    EXPECT_EQ(order.size(), static_cast<std::size_t>(side * side));
+    EXPECT_EQ(order.size(), static_cast<std::size_t>(columns * rows));
     EXPECT_EQ(all.size(), order.size());
-    EXPECT_EQ(*all.rbegin(), static_cast<std::uint32_t>(side * side - 1));
+    EXPECT_EQ(*all.rbegin(), static_cast<std::uint32_t>(columns * rows - 1));
   }
 }
 
@@ -45,11 +47,16 @@ TEST(SpatialOrder, HasEveryCellOnce) {
 TEST(Blocks, HoldEveryPairWhereItBelongs) {
   std::mt19937_64 random(3);
   double const skin = 0.35, rate = 1e-3;
-  for (auto const& [count, length] : {std::pair{20, 3.6}, {60, 7.0}, {700, 26.0}})
+  struct Case {
+    int count;
+    double length, height;
+  };
+  for (auto const& [count, length, height] : {Case{20, 3.6, 3.6}, {60, 7.0, 7.0}, {700, 26.0, 26.0},
+                                              {700, 6.5, 104.0}, {700, 104.0, 6.5}})
     for (double const turn : {0.0, 0.3, 0.999999}) {
-      auto const disks = anywhere(static_cast<std::size_t>(count), length, random);
       double const offset = turn * length;
-      ShearedBox const box{length, offset, rate};
+      ShearedBox const box{length, offset, rate, height};
+      auto const disks = anywhere(static_cast<std::size_t>(count), box, random);
       auto const table = make_species_table(true);
       auto const species = species_of(disks.diameter);
       auto const blocks = build_blocks(
@@ -93,7 +100,7 @@ TEST(Blocks, HoldEveryPairWhereItBelongs) {
           }
       }
       for (auto& row : found) std::sort(row.begin(), row.end());
-      EXPECT_EQ(found, all_pairs(disks, length, offset, skin)) << count << " disks, offset " << offset;
+      EXPECT_EQ(found, all_pairs(disks, box, skin)) << count << " disks, offset " << offset;
     }
 }
 

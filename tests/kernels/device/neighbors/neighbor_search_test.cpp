@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <array>
+
 #include "tests/kernels/device/neighbors/lists.hpp"
 #include "tests/support/typed.hpp"
 
@@ -28,12 +30,14 @@ std::vector<double> offsets(double length, std::mt19937_64& random) {
 
 /// Puts one coordinate of many disks on an edge of the box, or on both of a corner: at 0, below L,
 /// and where the rounding of a wrap leaves them, at L and a little below 0.
-void move_to_edges(Disks& disks, double length, std::mt19937_64& random) {
-  double const edges[] = {0.0, std::nextafter(length, 0.0), length, -1e-14 * length};
+void move_to_edges(Disks& disks, ShearedBox const& box, std::mt19937_64& random) {
+  auto const edge = [&](double length) {
+    return std::array{0.0, std::nextafter(length, 0.0), length, -1e-14 * length}[random() % 4];
+  };
   for (std::size_t i = 0; i < disks.count(); i += 2) {
     auto const where = random() % 12;
-    if (where < 8) disks.position[i].x = edges[random() % 4];
-    if (where >= 4) disks.position[i].y = edges[random() % 4];
+    if (where < 8) disks.position[i].x = edge(box.length);
+    if (where >= 4) disks.position[i].y = edge(box.height);
   }
 }
 
@@ -42,13 +46,14 @@ void move_to_edges(Disks& disks, double length, std::mt19937_64& random) {
 template <class Space>
 class NeighborSearchOn : public testing::Test {
  public:
-  static void expect_all_pairs(Disks const& disks, double length, double offset, double skin) {
+  static void expect_all_pairs(Disks const& disks, ShearedBox const& box, double skin) {
     VerletList<Space> list;
-    rebuild(list, disks, length, offset, skin);
+    rebuild(list, disks, box, skin);
     Rows const rows = rows_of(list.rows);
     expect_sound(rows);
-    ASSERT_EQ(difference(rows, all_pairs(disks, length, offset, skin)), "")
-        << disks.count() << " disks, L = " << length << ", offset " << offset << ", skin " << skin;
+    ASSERT_EQ(difference(rows, all_pairs(disks, box, skin)), "")
+        << disks.count() << " disks, " << box.length << " x " << box.height << ", offset "
+        << box.offset << ", skin " << skin;
   }
 };
 TYPED_TEST_SUITE(NeighborSearchOn, EveryBackend, TypeNames);
@@ -65,10 +70,11 @@ TYPED_TEST(NeighborSearchOn, RowsAreAllPairsWithinReach) {
       for (std::size_t count : {8, 9, 27, 64, 150}) {
         for (double offset : offsets(length, random)) {
           if (trial++ % one_trial_in<TypeParam>(97) != 0) continue;
-          Disks disks = anywhere(count, length, random);
-          this->expect_all_pairs(disks, length, offset, skin);
-          move_to_edges(disks, length, random);
-          this->expect_all_pairs(disks, length, offset, skin);
+          ShearedBox const box{length, offset, 0.0};
+          Disks disks = anywhere(count, box, random);
+          this->expect_all_pairs(disks, box, skin);
+          move_to_edges(disks, box, random);
+          this->expect_all_pairs(disks, box, skin);
           if (this->HasFatalFailure()) return;
         }
       }
@@ -83,8 +89,33 @@ TYPED_TEST(NeighborSearchOn, RowsAreAllPairsOfManyDisks) {
   for (double length : {narrowest(skin), 5.5, 24.0, 60.0}) {
     for (double offset : offsets(length, random)) {
       if (trial++ % one_trial_in<TypeParam>(4) != 0) continue;
-      this->expect_all_pairs(anywhere(500, length, random), length, offset, skin);
+      ShearedBox const box{length, offset, 0.0};
+      this->expect_all_pairs(anywhere(500, box, random), box, skin);
       if (this->HasFatalFailure()) return;
+    }
+  }
+}
+
+/// Tall boxes and flat ones, down to two cells one way and many the other.
+TYPED_TEST(NeighborSearchOn, RowsAreAllPairsInBoxesThatAreNotSquare) {
+  std::mt19937_64 random(4);
+  int trial = 0;
+  double const skin = 0.3, reach = big_diameter + skin;
+  for (double width : {2.001, 3.001, 4.7, 11.0}) {
+    for (double aspect : {4.0, 17.3, 64.0}) {
+      for (bool tall : {true, false}) {
+        double const shorter = width * reach, longer = aspect * shorter;
+        double const length = tall ? shorter : longer;
+        for (double offset : offsets(length, random)) {
+          if (trial++ % one_trial_in<TypeParam>(17) != 0) continue;
+          ShearedBox const box{length, offset, 0.0, tall ? longer : shorter};
+          Disks disks = anywhere(300, box, random);
+          this->expect_all_pairs(disks, box, skin);
+          move_to_edges(disks, box, random);
+          this->expect_all_pairs(disks, box, skin);
+          if (this->HasFatalFailure()) return;
+        }
+      }
     }
   }
 }

@@ -49,36 +49,41 @@ int changed_by_packing(std::vector<std::uint32_t> const& indices) {
   return changed;
 }
 
-/// Boxes at any instant: no offset, almost none, almost L, and past L as between list builds.
+/// Boxes at any instant: no offset, almost none, almost L_x, and past L_x as between list builds;
+/// square, tall and flat.
 std::vector<ShearedBox> boxes() {
   std::vector<ShearedBox> result;
   for (double length : {3.0, 7.3, 41.7})
     for (double offset : {0.0, 1e-12, 0.37 * length, std::nextafter(length, 0.0), 1.2 * length})
-      for (double rate : {0.0, 1e-3, -0.2}) result.push_back({length, offset, rate});
+      for (double rate : {0.0, 1e-3, -0.2})
+        for (double aspect : {1.0, 4.0, 0.25})
+          result.push_back({length, offset, rate, aspect * length});
   return result;
 }
 
 /// Disks well inside the box, so that rounding cannot take one over an edge.
 std::vector<Disk> inside(ShearedBox const& box, std::size_t count, std::uint64_t seed) {
   std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> place(1e-9 * box.length, (1 - 1e-9) * box.length);
+  std::uniform_real_distribution<double> share(1e-9, 1 - 1e-9);
   std::uniform_real_distribution<double> speed(-1.0, 1.0);
   std::vector<Disk> disks(count);
-  for (Disk& disk : disks) disk = {{place(random), place(random)}, {speed(random), speed(random)}};
+  for (Disk& disk : disks)
+    disk = {{share(random) * box.length, share(random) * box.height},
+            {speed(random), speed(random)}};
   return disks;
 }
 
-/// The image of a disk that sits m L + n gamma L to the right and n L above, and moves with
-/// v_x + n gammadot L (P1 below Eq. 8, P2 below Eq. 4).
+/// The image of a disk that sits m L_x + n gamma L_y to the right and n L_y above, and moves with
+/// v_x + n gammadot L_y (P1 below Eq. 8, P2 below Eq. 4).
 Disk image(ShearedBox const& box, Disk disk, int m, int n) {
   disk.position.x += m * box.length + n * box.offset;
-  disk.position.y += n * box.length;
-  disk.velocity.x += n * box.strain_rate * box.length;
+  disk.position.y += n * box.height;
+  disk.velocity.x += n * box.strain_rate * box.height;
   return disk;
 }
 
 /// Rounding of coordinates some boxes away.
-double rounding(ShearedBox const& box) { return 1e-14 * box.length; }
+double rounding(ShearedBox const& box) { return 1e-14 * std::max(box.length, box.height); }
 
 }  // namespace
 
@@ -111,9 +116,9 @@ TYPED_TEST(ShearedBoxOn, WrapTakesAnyImageBackToItsDisk) {
 TYPED_TEST(ShearedBoxOn, WrapKeepsTheBitsOfDisksInside) {
   for (ShearedBox const& box : boxes()) {
     auto disks = inside(box, 50, 2);
-    double const last = std::nextafter(box.length, 0.0);
-    for (double x : {0.0, 0.3 * box.length, last})
-      for (double y : {0.0, 0.7 * box.length, last}) disks.push_back({{x, y}, {0.1, 0.2}});
+    double const right = std::nextafter(box.length, 0.0), top = std::nextafter(box.height, 0.0);
+    for (double x : {0.0, 0.3 * box.length, right})
+      for (double y : {0.0, 0.7 * box.height, top}) disks.push_back({{x, y}, {0.1, 0.2}});
     auto const same = wrapped<TypeParam>(box, disks);
     for (std::size_t i = 0; i < disks.size(); ++i) {
       EXPECT_EQ(same[i].position.x, disks[i].position.x);
@@ -123,24 +128,23 @@ TYPED_TEST(ShearedBoxOn, WrapKeepsTheBitsOfDisksInside) {
   }
 }
 
-/// From anywhere within several boxes: once wrapped, disks are in [0, L)^2 and stay as they are,
-/// and each pair is at the separation and the relative velocity it had, through one image of the
+/// From anywhere within several boxes: once wrapped, disks are in the box and stay as they are, and
+/// each pair is at the separation and the relative velocity it had, through one image of the
 /// other.
 TYPED_TEST(ShearedBoxOn, WrapIsIdempotentAndKeepsPairs) {
   for (ShearedBox const& box : boxes()) {
-    double const length = box.length;
+    double const length = box.length, height = box.height;
     auto disks = inside(box, 200, 3);
     for (Disk& disk : disks) {
       disk.position.x = 9 * disk.position.x - 4 * length;
-      disk.position.y = 7 * disk.position.y - 3 * length;
+      disk.position.y = 7 * disk.position.y - 3 * height;
     }
     auto const once = wrapped<TypeParam>(box, disks);
     auto const twice = wrapped<TypeParam>(box, once);
     for (std::size_t i = 0; i < disks.size(); ++i) {
-      for (double const coordinate : std::array{once[i].position.x, once[i].position.y}) {
-        EXPECT_GE(coordinate, 0.0);
-        EXPECT_LT(coordinate, length);
-      }
+      auto const [x, y] = once[i].position;
+      EXPECT_TRUE(0.0 <= x && x < length) << x;
+      EXPECT_TRUE(0.0 <= y && y < height) << y;
       EXPECT_EQ(twice[i].position.x, once[i].position.x);
       EXPECT_EQ(twice[i].position.y, once[i].position.y);
       EXPECT_EQ(twice[i].velocity.x, once[i].velocity.x);
@@ -149,11 +153,11 @@ TYPED_TEST(ShearedBoxOn, WrapIsIdempotentAndKeepsPairs) {
       Vec2<Real> const before = disks[i].position - disks[j].position;
       Vec2<Real> const after = once[i].position - once[j].position;
       // r_ij = r_i - (r_j + image), so what the wrap added to r_i - r_j is the image's place.
-      double const n = std::round((after.y - before.y) / length);
+      double const n = std::round((after.y - before.y) / height);
       double const m = std::round((after.x - before.x - n * box.offset) / length);
-      EXPECT_NEAR(after.y - n * length, before.y, rounding(box));
+      EXPECT_NEAR(after.y - n * height, before.y, rounding(box));
       EXPECT_NEAR(after.x - n * box.offset - m * length, before.x, rounding(box));
-      EXPECT_NEAR(once[i].velocity.x - once[j].velocity.x - n * box.strain_rate * length,
+      EXPECT_NEAR(once[i].velocity.x - once[j].velocity.x - n * box.strain_rate * height,
                   disks[i].velocity.x - disks[j].velocity.x, rounding(box));
     }
   }
@@ -163,20 +167,19 @@ TYPED_TEST(ShearedBoxOn, WrapIsIdempotentAndKeepsPairs) {
 /// just below a multiple of L; the neighbour search counts with both, and with nothing farther off.
 TYPED_TEST(ShearedBoxOn, WrapBesideAnEdgeEndsWithinRoundingOfTheBox) {
   for (ShearedBox const& box : boxes()) {
-    double const length = box.length;
     std::vector<Disk> disks;
+    auto const beside = [](double edge) {
+      return std::array{edge, std::nextafter(edge, -1e9), std::nextafter(edge, 1e9)};
+    };
     for (int k = -5; k <= 5; ++k) {
-      double const edge = k * length;
-      for (double x : {edge, std::nextafter(edge, -1e9), std::nextafter(edge, 1e9)}) {
-        disks.push_back({{x, 0.5 * length}, {}});
-        disks.push_back({{0.5 * length, x}, {}});
-      }
+      for (double const x : beside(k * box.length)) disks.push_back({{x, 0.5 * box.height}, {}});
+      for (double const y : beside(k * box.height)) disks.push_back({{0.5 * box.length, y}, {}});
     }
     for (Disk const& disk : wrapped<TypeParam>(box, disks)) {
-      for (double coordinate : {disk.position.x, disk.position.y}) {
-        EXPECT_GE(coordinate, -rounding(box));
-        EXPECT_LE(coordinate, length);
-      }
+      EXPECT_GE(disk.position.x, -rounding(box));
+      EXPECT_LE(disk.position.x, box.length);
+      EXPECT_GE(disk.position.y, -rounding(box));
+      EXPECT_LE(disk.position.y, box.height);
     }
   }
 }
@@ -196,13 +199,13 @@ TEST(ShearedBox, ImagesAreWhereThePapersPutThem) {
   }
 }
 
-/// An image moves with the velocity with which its place does: the offset gamma L grows at gammadot
-/// L.
+/// An image moves with the velocity with which its place does: the offset gamma L_y grows at
+/// gammadot L_y.
 TEST(ShearedBox, ImagesMoveAsTheirPlaceDoes) {
   double const time = 0.5;
   for (ShearedBox const& box : boxes()) {
     ShearedBox later = box;
-    later.offset += box.strain_rate * box.length * time;
+    later.offset += box.strain_rate * box.height * time;
     for (int n = -1; n <= 1; ++n) {
       double const moved = later.shift({2, n}).x - box.shift({2, n}).x;
       EXPECT_NEAR(moved, box.velocity_shift({2, n}) * time, rounding(box));

@@ -39,13 +39,14 @@ RampedSimulation simulate(Scene const& scene, Snapshot const& from) {
   return {make_ramp(scene), make, Snapshot(from)};
 }
 
-/// Far apart on a square lattice, with the mean flow of the lowest rate.
+/// Far apart on a lattice of eight rows, with the mean flow of the lowest rate.
 State lattice(Scene const& scene) {
   State state;
   state.box_length = scene.box_length();
-  double const a = state.box_length / 8;
+  state.box_aspect = scene.disks.box_aspect;
+  double const a = state.box_length / 8, b = state.box_height() / 8;
   for (int i = 0; i < 64; ++i) {
-    state.position.push_back({(i % 8 + 0.5) * a, (i / 8 + 0.5) * a});
+    state.position.push_back({(i % 8 + 0.5) * a, (i / 8 + 0.5) * b});
     state.velocity.push_back({low * state.position.back()[1], 0.0});
     state.spin.push_back(-low / 2);
     state.diameter.push_back(i < 32 ? 1.0 : 1.4);
@@ -63,8 +64,9 @@ void advance_to(RampedSimulation& simulation, Ramp const& ramp, std::int64_t ste
 
 /// Disks that never touch, in mean flow: v = gammadot(t) y, moved by y times the strain of Eq. (38)
 /// summed over P2's steps of tau_e, spins -gammadot(t)/2.
-TEST(RampedSimulation, ScalesTheFlowWithTheRate) {
-  Scene const scene = scene_of(0.05, 5e-3);
+void expect_the_flow_scales(double aspect) {
+  Scene scene = scene_of(0.05, 5e-3);
+  scene.disks.box_aspect = aspect;
   Ramp const ramp = make_ramp(scene);
   auto simulation = simulate(scene, first_snapshot(lattice(scene)));
   OpenWindows windows;
@@ -79,7 +81,7 @@ TEST(RampedSimulation, ScalesTheFlowWithTheRate) {
     for (std::int64_t s = 0; s < stop; ++s)
       strain += static_cast<long double>(ramp.piece(s).rate) * ramp.time_step;
     double const gamma = static_cast<double>(strain), L = state.box_length;
-    EXPECT_NEAR(std::remainder(state.offset - gamma * L, L), 0, 1e-11);
+    EXPECT_NEAR(std::remainder(state.offset - gamma * aspect * L, L), 0, 1e-11);
     EXPECT_NEAR(state.time, static_cast<double>(stop) * 0.05, 1e-9);
     EXPECT_EQ(state.strain_rate, rate);
     for (std::size_t i = 0; i < 64; ++i) {
@@ -93,13 +95,23 @@ TEST(RampedSimulation, ScalesTheFlowWithTheRate) {
   }
 }
 
+TEST(RampedSimulation, ScalesTheFlowWithTheRate) { expect_the_flow_scales(1.0); }
+
+TEST(RampedSimulation, ScalesTheFlowInBoxesThatAreNotSquare) {
+  expect_the_flow_scales(4.0);
+  expect_the_flow_scales(0.25);
+}
+
 /// Stopped at any step, taken up again from the snapshot: the same bits.
 TEST(RampedSimulation, GoesOnBitForBit) {
   Scene scene = scene_of(0.82, 2e-2);
   scene.disks.seed = 5;
   Ramp const ramp = make_ramp(scene);
-  for (auto const* engine : {"reference", "auto"}) {
+  constexpr std::pair<char const*, double> cases[] = {
+      {"reference", 1.0}, {"auto", 1.0}, {"auto", 3.0}};
+  for (auto const& [engine, aspect] : cases) {
     scene.integration.engine = engine;
+    scene.disks.box_aspect = aspect;
     auto const start = first_snapshot(random_start(scene).state);
     auto straight = simulate(scene, start);
     OpenWindows all;
