@@ -24,8 +24,8 @@ from figure_data import Point, flat, same
 from plotting import np
 
 FIGURES = pathlib.Path(__file__).resolve().parents[1] / "inputs/figures/figures.toml"
-KEYS = ("disks.packing_fraction", "disks.elasticity", "disks.count", "disks.seed", "shear.strain_rate",
-        "shear.ramp_rate")
+KEYS = ("disks.packing_fraction", "disks.elasticity", "disks.count", "disks.box_aspect", "disks.seed",
+        "shear.strain_rate", "shear.ramp_rate")
 # What `bagnold analyse KIND` takes where no --x or --y says otherwise.
 OWN = {"crossover": ["B_p_el"], "divergence": ["B_p_el", "p_el"], "friction-law": ["I", "mu"],
        "exponents": ["B_p"], "transition": ["Z", "B_p_el"], "kink": ["p_el"], "jump": ["R_v"],
@@ -83,7 +83,7 @@ def paths_of(panel):
         return [panel["samples"]]
     if "series" in panel:
         return ["series/" + name for name in (panel["series"], "strain_rate", "direction")]
-    return []  # averages, or a field: 65536 disks are no small table
+    return []  # averages, or a field: 8192 disks are no small table
 
 
 def rounded(value, digits=4):
@@ -122,8 +122,16 @@ def write_whole(path, text):
     os.replace(part, path)
 
 
-def write_means(path, points, names):
+def keys_of(points):
+    """Those that all points have; the shape of the box where one is not square."""
     keys = [key for key in KEYS if all(key in scene for scene, _ in points)]
+    if all(scene.get("disks.box_aspect", 1) == 1 for scene, _ in points):
+        keys = [key for key in keys if key != "disks.box_aspect"]
+    return keys
+
+
+def write_means(path, points, names):
+    keys = keys_of(points)
     lines = [keys + [name + ending for name in names for ending in ("", "_error")]]
     for scene, place in points:
         with open(place / "summary.json", encoding="utf-8") as file:
@@ -144,12 +152,13 @@ def write_means(path, points, names):
 def write_rest(path, points, panels):
     """`panels`: those of the data set that show more than averages."""
     stored = []
+    keys = keys_of(points)
     for scene, place in points:
         wanted = {name for panel in panels for name in paths_of(panel)
                   if all(same(scene.get(k), v) for k, v in panel.get("where", {}).items())}
         point = Point(str(place), scene)
         if wanted:
-            stored.append({"scene": {key: scene[key] for key in KEYS if key in scene}}
+            stored.append({"scene": {key: scene[key] for key in keys}}
                           | {name: content(point, name) for name in sorted(wanted)})
     if stored:
         lines = ",\n".join(json.dumps(one, separators=(",", ":")) for one in stored)
