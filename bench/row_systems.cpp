@@ -9,9 +9,9 @@
 #include "src/config/errors.hpp"
 #include "src/config/scene_file.hpp"
 #include "src/config/time_step.hpp"
+#include "src/engine/make_simulation.hpp"
 #include "src/io/state_file.hpp"
 #include "src/run/replica_scheduler.hpp"
-#include "src/engine/make_simulation.hpp"
 #include "src/start/start.hpp"
 
 namespace bagnold::bench {

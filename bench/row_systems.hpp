@@ -7,8 +7,8 @@
 #include "bench/rows.hpp"
 #include "src/config/plan.hpp"
 #include "src/config/scene.hpp"
-#include "src/run/run_measured.hpp"
 #include "src/engine/simulation.hpp"
+#include "src/run/run_measured.hpp"
 
 namespace bagnold::bench {
 

@@ -4,8 +4,8 @@
 #include <Kokkos_Core.hpp>
 #include <algorithm>
 
-#include "kernels/device/neighbors/neighbor_search.hpp"
 #include "kernels/cpu/simd/pack.hpp"
+#include "kernels/device/neighbors/neighbor_search.hpp"
 
 namespace bagnold::accuracy {
 

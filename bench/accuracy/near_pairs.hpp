@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernels/physics/species.hpp"
 #include "kernels/physics/box/sheared_box.hpp"
+#include "kernels/physics/species.hpp"
 
 namespace bagnold::accuracy {
 

@@ -14,14 +14,15 @@ Contact<typename World::Pair> contact_of(World const& world, Touch<typename Worl
   using Pair = typename World::Pair;
   auto const &a = motion[t.i], &b = motion[t.j];
   Vec2<Pair> const velocity{static_cast<Pair>(a.velocity.x - b.velocity.x) - t.velocity_shift,
-                      static_cast<Pair>(a.velocity.y - b.velocity.y)};
+                            static_cast<Pair>(a.velocity.y - b.velocity.y)};
   Pair spins = 0;
   if constexpr (World::rotates)
     spins = static_cast<Pair>(a.spin * world.table.diameter[world.species[t.i]] +
                               b.spin * world.table.diameter[world.species[t.j]]);
-  return {t.normal,
-          velocity_at_contact<typename World::Law>(velocity, t.separation, t.inverse_distance, spins),
-          t.relative_overlap, t.inverse_distance};
+  return {
+      t.normal,
+      velocity_at_contact<typename World::Law>(velocity, t.separation, t.inverse_distance, spins),
+      t.relative_overlap, t.inverse_distance};
 }
 
 /// On i from j, P1 and P2 Eq. (2).

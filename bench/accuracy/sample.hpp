@@ -77,8 +77,8 @@ void sample_motion(World const& world, typename World::Positions const& position
   for (std::size_t i = 0; i < world.size(); ++i) {
     auto const species = world.species[i];
     double const m = 1 / world.table.inverse_mass[species];
-    double const vx = peculiar_x<double>(motion[i].velocity.x, position[i].y,
-                                         world.clock.strain_rate);
+    double const vx =
+        peculiar_x<double>(motion[i].velocity.x, position[i].y, world.clock.strain_rate);
     double const vy = motion[i].velocity.y, spin = motion[i].spin;
     add_motion(to, m, vx, vy);
     to[Sample::kinetic_energy] += m * (vx * vx + vy * vy) / 2;

@@ -7,9 +7,9 @@
 
 #include "bench/accuracy/near_pairs.hpp"
 #include "kernels/cpu/blocks/blocks.hpp"
+#include "kernels/device/neighbors/verlet_list.hpp"
 #include "kernels/physics/laws/contact.hpp"
 #include "kernels/physics/schemes/flight_and_kick.hpp"
-#include "kernels/device/neighbors/verlet_list.hpp"
 #include "src/config/errors.hpp"
 #include "src/engine/clock.hpp"
 #include "src/state/state.hpp"
@@ -74,8 +74,7 @@ class World {
         double time_step)
       : law(law_),
         table(table_),
-        clock{strain_rate,  time_step,      state.box_length, state.offset,
-              state.time, state.box_aspect},
+        clock{strain_rate, time_step, state.box_length, state.offset, state.time, state.box_aspect},
         position(state.count()),
         motion(state.count()),
         species(state.count()) {
@@ -131,9 +130,8 @@ class World {
       if (distance2 >= reach * reach) continue;
       Pair const distance = std::sqrt(distance2);
       touches.push_back({pair.i, pair.j, pair.big,
-                         static_cast<Pair>(box.velocity_shift(pair.image)),
-                         separation, Pair(1) / distance * separation, 1 - distance / reach,
-                         1 / reach});
+                         static_cast<Pair>(box.velocity_shift(pair.image)), separation,
+                         Pair(1) / distance * separation, 1 - distance / reach, 1 / reach});
     }
     if (near_.across == near_.pairs.size()) across_ = touches.size();
     ++counts.searches;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The pair loop of each law, compiled as engines compile it, for count.py to look at. Nothing runs.
+#include "kernels/cpu/steps/block_step.hpp"
 #include "kernels/physics/laws/cd.hpp"
 #include "kernels/physics/laws/cd_n.hpp"
 #include "kernels/physics/laws/cd_rot.hpp"
 #include "kernels/physics/laws/general.hpp"
 #include "kernels/physics/repulsion/repulsion.hpp"
-#include "kernels/cpu/steps/block_step.hpp"
 
 namespace bagnold {
 

@@ -8,8 +8,8 @@
 
 namespace bagnold {
 
-/// Loops over the disks of one system, each a launch from the host. Where a loop is called by host and
-/// device alike, its body is the same named functor in both.
+/// Loops over the disks of one system, each a launch from the host. Where a loop is called by host
+/// and device alike, its body is the same named functor in both.
 template <class Space>
 struct Launches {
   Space space;

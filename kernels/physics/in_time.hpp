@@ -7,10 +7,10 @@
 
 namespace bagnold {
 
-/// A number that changes with time t as a polynomial, c_0 + c_1 t + .. of a fixed degree: what a disk in
-/// free flight has. Formulas that are written for numbers then hold for whole flights: a product's degree
-/// is the sum of those of its factors, so nothing is cut off and nothing multiplied by zero.
-/// T: a number or a pack.
+/// A number that changes with time t as a polynomial, c_0 + c_1 t + .. of a fixed degree: what a
+/// disk in free flight has. Formulas that are written for numbers then hold for whole flights: a
+/// product's degree is the sum of those of its factors, so nothing is cut off and nothing
+/// multiplied by zero. T: a number or a pack.
 template <class T, int degree>
 struct InTime {
   T c[degree + 1]{};
@@ -46,8 +46,7 @@ KOKKOS_FORCEINLINE_FUNCTION InTime<T, p + q> operator*(InTime<T, p> const& a,
                                                        InTime<T, q> const& b) {
   InTime<T, p + q> product;
   for (int i = 0; i <= p; ++i)
-    for (int j = 0; j <= q; ++j)
-      product.c[i + j] = multiply_add(a.c[i], b.c[j], product.c[i + j]);
+    for (int j = 0; j <= q; ++j) product.c[i + j] = multiply_add(a.c[i], b.c[j], product.c[i + j]);
   return product;
 }
 

@@ -8,8 +8,9 @@
 
 namespace bagnold {
 
-/// What draws random numbers while a system is stepped: each has a stream of its own for each seed, and
-/// none depends on what the others draw. The number is part of what is drawn: append, never renumber.
+/// What draws random numbers while a system is stepped: each has a stream of its own for each seed,
+/// and none depends on what the others draw. The number is part of what is drawn: append, never
+/// renumber.
 enum class Stream : std::uint64_t {
   contact_samples = 0,  ///< which configurations of a contact are looked at
   thermal_noise = 1     ///< forces of a bath
@@ -23,8 +24,8 @@ KOKKOS_INLINE_FUNCTION constexpr std::uint64_t mixed(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-/// Random numbers by what they are for: of a disk or pair, at a step. No state: bits depend neither on
-/// threads nor on restarts.
+/// Random numbers by what they are for: of a disk or pair, at a step. No state: bits depend neither
+/// on threads nor on restarts.
 struct RandomStream {
   std::uint64_t key;
 

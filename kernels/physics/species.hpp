@@ -30,7 +30,17 @@ struct SpeciesTable {
 inline constexpr Real small_diameter = 1.0;
 inline constexpr Real big_diameter = 1.4;
 
-/// Mass m of a disk of diameter d: 1 (P2, `equal`), or (pi/2) d^2 (P1, `area`: m_0 = rho_0 d_s^2/2).
+/// Pairs by their contact distance: small-small, small-big (in this order in lists), big-big.
+inline constexpr int pair_classes = 3;
+
+KOKKOS_INLINE_FUNCTION constexpr int pair_class(Species a, Species b) { return a + b; }
+
+constexpr Real class_distance(int pair_class) {  ///< d_ij, [d_s]
+  return small_diameter + pair_class * (big_diameter - small_diameter) / 2;
+}
+
+/// Mass m of a disk of diameter d: 1 (P2, `equal`), or (pi/2) d^2 (P1, `area`: m_0 = rho_0
+/// d_s^2/2).
 constexpr Real disk_mass(bool by_area, Real diameter) {
   return by_area ? Real(1.57079632679489661923) * diameter * diameter : Real(1);
 }
@@ -40,8 +50,8 @@ constexpr Real disk_inertia(bool by_area, Real diameter) {
   return disk_mass(by_area, diameter) * diameter * diameter / 8;
 }
 
-/// How much faster the points of contact of two disks change their velocity along the tangent than along
-/// the normal: mu/mu_t = 1, or where they roll 1 + mu (d_i^2/4I_i + d_j^2/4I_j) = 3.
+/// How much faster the points of contact of two disks change their velocity along the tangent than
+/// along the normal: mu/mu_t = 1, or where they roll 1 + mu (d_i^2/4I_i + d_j^2/4I_j) = 3.
 constexpr Real tangential_mobility(bool rotates) { return rotates ? 3 : 1; }
 
 constexpr SpeciesTable make_species_table(bool mass_by_area) {

@@ -32,8 +32,8 @@ std::vector<std::string_view> names_of() {
   return names;
 }
 
-/// use(std::type_identity<T>) with the type of that name in a list; a value-initialised result where
-/// there is none.
+/// use(std::type_identity<T>) with the type of that name in a list; a value-initialised result
+/// where there is none.
 template <class List, class Use>
 auto with_named(std::string_view name, Use const& use) {
   using Result = decltype(use(std::type_identity<std::tuple_element_t<0, List>>{}));

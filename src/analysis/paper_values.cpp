@@ -30,8 +30,8 @@ std::vector<PaperValue> paper_values(Scene const& scene, std::vector<Observable>
                         [r = ratio("sigma_kin", "sigma")](Averages a) { return std::abs(r(a)); }});
     }
     if (phi < 0.75 && q <= 10)
-      values.push_back({"delta_p/p", "0.05 to 0.12, smaller phi", "P1 Appendix",
-                        ratio("delta_p", "p")});
+      values.push_back(
+          {"delta_p/p", "0.05 to 0.12, smaller phi", "P1 Appendix", ratio("delta_p", "p")});
   }
   if (disks.model == "CD_rot") {
     values.push_back({"spin_mean", "about -1/2", "P2 Fig. 20", of("spin_mean")});

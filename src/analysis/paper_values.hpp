@@ -11,9 +11,9 @@ namespace bagnold {
 
 /// A number that one of the two papers states in its text for scenes like this one.
 struct PaperValue {
-  std::string quantity;  ///< "p_kin/p"
-  std::string stated;    ///< "about 0.10"
-  std::string source;    ///< "P1 Sec. III A"
+  std::string quantity;                                  ///< "p_kin/p"
+  std::string stated;                                    ///< "about 0.10"
+  std::string source;                                    ///< "P1 Sec. III A"
   std::function<double(std::span<double const>)> value;  ///< ours, of the averages
 };
 

@@ -26,7 +26,7 @@ std::string_view word(Verdict verdict);
 /// half of it: those of P1 Eq. (16), B_p and B_sigma, in the hard-core limit of Bagnold's rheology
 /// (P1 Fig. 1), those of P2 Eq. (20), eta_p and eta_sigma, in Newton's (P2 Sec. III A).
 struct Limit {
-  std::string name;                        ///< "Bagnold" or "Newton"
+  std::string name;                         ///< "Bagnold" or "Newton"
   std::map<std::string, WithError> ratios;  ///< by quantity: at half the rate over at the rate
   Verdict verdict = Verdict::undecided;
   double longer =

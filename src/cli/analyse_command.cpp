@@ -6,9 +6,9 @@
 
 #include "src/analysis/kinds/kinds.hpp"
 #include "src/cli/commands.hpp"
-#include "src/run/plot.hpp"
 #include "src/config/errors.hpp"
 #include "src/io/atomic_file.hpp"
+#include "src/run/plot.hpp"
 
 namespace bagnold {
 namespace {

@@ -8,10 +8,10 @@
 #include "src/analysis/rate_limit.hpp"
 #include "src/cli/checked_sweep.hpp"
 #include "src/cli/options.hpp"
-#include "src/run/run_folder.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/scene_file.hpp"
 #include "src/io/atomic_file.hpp"
+#include "src/run/run_folder.hpp"
 
 namespace bagnold {
 
@@ -129,7 +129,7 @@ int check_limit_command(CheckLimitOptions const& options) {
   for (auto const* name : compared) found[name] = {whole.at(name), half.at(name)};
   auto const limit = analysis::rate_limit(found, options.tolerance);
   io::replace_text(points.folder / "check_limit.json",
-                        json_of(limit, scene.shear.strain_rate, options.tolerance).dump(2) + "\n");
+                   json_of(limit, scene.shear.strain_rate, options.tolerance).dump(2) + "\n");
   if (!options.run.quiet) print(limit, found, scene.shear.strain_rate, options.tolerance);
   return 0;
 }
@@ -138,9 +138,9 @@ int check_limit_command(CheckLimitOptions const& options) {
 
 Command add_check_limit(CLI::App& program) {
   auto const options = std::make_shared<CheckLimitOptions>();
-  CLI::App& command = add_command(
-      program, "check-limit",
-      "is the rate small enough? The scene at its rate and at half of it, compared");
+  CLI::App& command =
+      add_command(program, "check-limit",
+                  "is the rate small enough? The scene at its rate and at half of it, compared");
   add_scene_options(command, options->run);
   command.add_option("--out", options->run.folder, "folder for both runs [results/SCENE-limit]");
   command.add_option("--jobs", options->jobs, "runs at a time [default: cores / threads]")

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "src/run/validate_scene.hpp"
 #include "src/cli/commands.hpp"
 #include "src/io/state_file.hpp"
+#include "src/run/validate_scene.hpp"
 #include "src/start/start.hpp"
 
 namespace bagnold {

@@ -58,7 +58,7 @@ struct SweepOptions {
 };
 
 struct CheckLimitOptions {
-  SceneOptions run;           ///< folder "": results/NAME-limit
+  SceneOptions run;         ///< folder "": results/NAME-limit
   int jobs = 0;             ///< runs at a time; 0: as many as the cores take
   double tolerance = 0.05;  ///< relative change that counts as none
 };

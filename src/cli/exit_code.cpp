@@ -7,8 +7,8 @@
 #include <string>
 #include <system_error>
 
-#include "src/run/messages.hpp"
 #include "src/config/errors.hpp"
+#include "src/run/messages.hpp"
 
 namespace bagnold {
 
@@ -48,10 +48,11 @@ ExitCode exit_code_of(std::exception_ptr const& failure) {
   } catch (std::bad_alloc const&) {
     return told("out of memory; use fewer disks or a machine with more", bad_input);
   } catch (std::length_error const& error) {
-    return told(std::string(error.what()) +
-                    ": disks.count and integration.skin ask for more than lists can hold; use fewer "
-                    "disks or a smaller skin",
-                bad_input);
+    return told(
+        std::string(error.what()) +
+            ": disks.count and integration.skin ask for more than lists can hold; use fewer "
+            "disks or a smaller skin",
+        bad_input);
   } catch (std::exception const& error) {
     return told(
         std::string("internal error (") + error.what() + "); please report it, with the scene",

@@ -13,9 +13,9 @@
 #include "src/cli/figure_file.hpp"
 #include "src/cli/figure_stated.hpp"
 #include "src/cli/options.hpp"
-#include "src/run/plot.hpp"
 #include "src/config/errors.hpp"
 #include "src/io/atomic_file.hpp"
+#include "src/run/plot.hpp"
 
 namespace bagnold {
 
@@ -199,8 +199,8 @@ int list_figures(FigureFile const& file) {
   return 0;
 }
 
-/// Makes a figure of the papers: runs its sweeps where they are not done, draws it, and compares with
-/// what the text of the paper states. Codes as of a sweep; 1 where there is no picture.
+/// Makes a figure of the papers: runs its sweeps where they are not done, draws it, and compares
+/// with what the text of the paper states. Codes as of a sweep; 1 where there is no picture.
 int figure_command(FigureOptions const& options) try {
   FigureFile const file(find_figure_file(options.figures));
   if (options.name.empty()) return list_figures(file);
@@ -234,15 +234,16 @@ int figure_command(FigureOptions const& options) try {
 
 Command add_figure(CLI::App& program) {
   auto const options = std::make_shared<FigureOptions>();
-  CLI::App& command = add_command(
-      program, "figure", "run and draw a figure of the papers; without a name: list them");
+  CLI::App& command = add_command(program, "figure",
+                                  "run and draw a figure of the papers; without a name: list them");
   command.add_option("NAME", options->name, "P2-15: Fig. 15 of P2 (docs/figures.md)");
   command.add_flag("--quick", options->quick, "a small version, of minutes, where there is one");
   command.add_option("--out", options->folder,
                      "folder for pictures, and for data that figures share [results/figures]");
   command.add_option("--data", options->data,
                      "draw from the tables in this folder, docs/data/figures; run nothing");
-  command.add_option("--figures", options->figures, "file of figures [inputs/figures/figures.toml]");
+  command.add_option("--figures", options->figures,
+                     "file of figures [inputs/figures/figures.toml]");
   command.add_option("--jobs", options->jobs, "runs at a time [default: cores]")
       ->check(CLI::Range(1, 4096));
   command.add_flag("--quiet", options->quiet, "no progress and no table; errors are still shown");

@@ -12,9 +12,11 @@ namespace {
 
 int info_command() {
   Provenance const made = provenance();
-  fmt::print("bagnold   {}\ngit       {}\ncompiler  {}\nKokkos    {}\nbackends  {}\nCPU       {}, {} threads\n",
-             made.version, made.git, made.compiler, made.kokkos, made.backends, made.cpu,
-             std::thread::hardware_concurrency());
+  fmt::print(
+      "bagnold   {}\ngit       {}\ncompiler  {}\nKokkos    {}\nbackends  {}\nCPU       {}, {} "
+      "threads\n",
+      made.version, made.git, made.compiler, made.kokkos, made.backends, made.cpu,
+      std::thread::hardware_concurrency());
   return 0;
 }
 

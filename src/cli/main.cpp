@@ -12,16 +12,17 @@
 #include "src/cli/commands.hpp"
 #include "src/cli/exit_code.hpp"
 #include "src/cli/options.hpp"
-#include "src/run/provenance.hpp"
 #include "src/cli/signals.hpp"
 #include "src/cli/standard_streams.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/nearest_word.hpp"
 #include "src/config/shown.hpp"
+#include "src/run/provenance.hpp"
 
 namespace {
 
-/// Large arrays go back to the system as soon as they are freed: what comes after them needs the room.
+/// Large arrays go back to the system as soon as they are freed: what comes after them needs the
+/// room.
 void give_back_large_arrays() {
 #ifdef __GLIBC__
   mallopt(M_MMAP_THRESHOLD, 4 << 20);

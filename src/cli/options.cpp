@@ -27,7 +27,8 @@ void add_machine_options(CLI::App& command, Machine& machine, bool& quiet) {
 void add_scene_options(CLI::App& command, SceneOptions& options) {
   command.add_option("SCENE", options.scene_file, "scene file in TOML (see inputs/reference.toml)")
       ->required();
-  command.add_option("--set", options.overrides, "table.key=value, over the scene; may be repeated")
+  command
+      .add_option("--set", options.overrides, "table.key=value, over the scene; may be repeated")
       ->allow_extra_args(false);
   add_unstable_flag(command, options.allow_unstable);
 }

@@ -29,8 +29,8 @@ void Progress::show(std::int64_t steps) {
     report(steps);
     reported_ = now;
   }
-  if (quiet_ || now - shown_ < (terminal_ ? std::chrono::milliseconds(500)
-                                          : std::chrono::milliseconds(30000)))
+  if (quiet_ || now - shown_ <
+                    (terminal_ ? std::chrono::milliseconds(500) : std::chrono::milliseconds(30000)))
     return;
   print(steps, now);
 }

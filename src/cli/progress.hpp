@@ -10,8 +10,8 @@
 namespace bagnold {
 
 /// Where a run stands, as a line on stdout: rewritten twice a second on a terminal, a plain line
-/// every half minute elsewhere. Steps are those of all replicas together. A sweep that started the run
-/// is told too.
+/// every half minute elsewhere. Steps are those of all replicas together. A sweep that started the
+/// run is told too.
 class Progress {
  public:
   Progress(Scene const& scene, Plan const& plan, std::int64_t first_steps, bool quiet);

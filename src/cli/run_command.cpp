@@ -48,8 +48,7 @@ Command add_run(CLI::App& program) {
 
 Command add_resume(CLI::App& program) {
   auto const options = std::make_shared<ResumeOptions>();
-  CLI::App& command =
-      add_command(program, "resume", "go on with an interrupted run, bit for bit");
+  CLI::App& command = add_command(program, "resume", "go on with an interrupted run, bit for bit");
   command.add_option("DIR", options->folder, "folder of the run")->required();
   add_machine_options(command, options->machine, options->quiet);
   return {&command, [options] { return resume_command(*options); }};

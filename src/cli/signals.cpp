@@ -45,8 +45,9 @@ bool ignored(int signal) {
 void catch_checkpoint_signal() { handle(SIGUSR1, on_checkpoint_signal); }
 
 void catch_signals() {
-  // A terminal or batch system signals a sweep and its points, and the sweep passes its own on: a point
-  // must not take the second for impatience. If the sweep quits at once, its points die with it.
+  // A terminal or batch system signals a sweep and its points, and the sweep passes its own on: a
+  // point must not take the second for impatience. If the sweep quits at once, its points die with
+  // it.
   once_only = sweep::report_pipe() >= 0;
   for (int const signal : {SIGINT, SIGTERM}) handle(signal, on_stop_signal);
   if (!ignored(SIGHUP)) handle(SIGHUP, on_stop_signal);

@@ -10,12 +10,12 @@
 
 #include "src/cli/checked_sweep.hpp"
 #include "src/cli/options.hpp"
-#include "src/run/provenance.hpp"
-#include "src/run/run_folder.hpp"
-#include "src/run/run_time_estimate.hpp"
 #include "src/cli/signals.hpp"
 #include "src/config/errors.hpp"
 #include "src/io/atomic_file.hpp"
+#include "src/run/provenance.hpp"
+#include "src/run/run_folder.hpp"
+#include "src/run/run_time_estimate.hpp"
 #include "src/sweep/results.hpp"
 #include "src/sweep/scheduler.hpp"
 #include "src/sweep/slurm.hpp"
@@ -105,7 +105,8 @@ int emit_slurm(sweep::Sweep const& sweep, sweep::SweepFolder const& folder,
   if (options.allow_unstable) words += " --allow-unstable";
   std::vector<double> seconds;
   for (auto const& time : times_of_points(sweep).each) seconds.push_back(time.most);
-  sweep::SlurmJob const job{this_program(), fs::absolute(options.sweep_file), folder.path(), words,
+  sweep::SlurmJob const job{this_program(),      fs::absolute(options.sweep_file),
+                            folder.path(),       words,
                             threads_of(options), std::move(seconds)};
   fs::create_directories(folder.path() / "slurm");
   auto const points = folder.path() / "points.slurm", collect = folder.path() / "collect.slurm";

@@ -33,7 +33,8 @@ void print_loop(Run const& run) {
     return with_error(bin.estimates[static_cast<std::size_t>(at - bin.observables.begin())]);
   };
   fmt::print("\n{:<13} {:<28} {}\n", "strain rate", "sigma up [m/tau_e^2]", "sigma down");
-  for (std::size_t k = 0; k < std::min(loop.up.size(), loop.down.size()); k += loop_bins_a_decade / 4)
+  for (std::size_t k = 0; k < std::min(loop.up.size(), loop.down.size());
+       k += loop_bins_a_decade / 4)
     fmt::print("{:<13.3g} {:<28} {}\n", loop.up[k].strain_rate, sigma(loop.up[k]),
                sigma(loop.down[k]));
 }
@@ -61,9 +62,10 @@ void print_table(Run const& run, std::vector<NamedEstimate> const& list) {
   for (auto const& named : list) {
     auto const& [name, unit, meaning, value] = named.observable;
     auto const& all = named.estimate.all;
-    fmt::print("{:<13} {:<26} {:<17} {:<19} {}\n", name, with_error(all), unit,
-               all.correlation ? fmt::format("{:.2g}", *all.correlation * named.sample_strain) : "-",
-               meaning);
+    fmt::print(
+        "{:<13} {:<26} {:<17} {:<19} {}\n", name, with_error(all), unit,
+        all.correlation ? fmt::format("{:.2g}", *all.correlation * named.sample_strain) : "-",
+        meaning);
   }
 
   print_ends(run);

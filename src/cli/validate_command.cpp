@@ -4,11 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "src/run/validate_scene.hpp"
 #include "src/cli/options.hpp"
-#include "src/run/machine.hpp"
-#include "src/run/start_or_resume.hpp"
-#include "src/run/run_time_estimate.hpp"
 #include "src/config/cascade.hpp"
 #include "src/config/run_time.hpp"
 #include "src/config/scene_file.hpp"
@@ -16,6 +12,10 @@
 #include "src/config/time_step.hpp"
 #include "src/config/toml_text.hpp"
 #include "src/engine/make_simulation.hpp"
+#include "src/run/machine.hpp"
+#include "src/run/run_time_estimate.hpp"
+#include "src/run/start_or_resume.hpp"
+#include "src/run/validate_scene.hpp"
 #include "src/sweep/sweep_table.hpp"
 
 namespace bagnold {
@@ -94,8 +94,9 @@ int validate_command(SceneOptions const& options) {
   auto const scheme = scheme_of(scene);
   fmt::print("# time step      {:.6g} tau_e, {}, spectral radius of a single contact {:.6f}\n",
              plan.time_step, scheme, contact_spectral_radius(scene, plan.time_step));
-  fmt::print("# stable         up to {:.3g} tau_e for six contacts a disk, measured {:.3g} (Z = 3.5)\n",
-             largest_stable_time_step(scene, scheme), dense_flow_time_step(scene, scheme));
+  fmt::print(
+      "# stable         up to {:.3g} tau_e for six contacts a disk, measured {:.3g} (Z = 3.5)\n",
+      largest_stable_time_step(scene, scheme), dense_flow_time_step(scene, scheme));
   if (scene.disks.replicas > 1)
     fmt::print("# replicas       {}, seeds {} to {}; the steps and windows below are of each\n",
                scene.disks.replicas, scene.disks.seed, scene.disks.seed + scene.disks.replicas - 1);
@@ -107,7 +108,8 @@ int validate_command(SceneOptions const& options) {
     if (runs.size() > 1) fmt::print("#\n# strain rate    {:g}\n", runs[k].shear.strain_rate);
     print_plan(runs[k], make_plan(runs[k]), times.each[k], threads);
   }
-  if (runs.size() > 1) fmt::print("#\n# all {} rates    {}\n", runs.size(), in_words(times.sum(), threads));
+  if (runs.size() > 1)
+    fmt::print("#\n# all {} rates    {}\n", runs.size(), in_words(times.sum(), threads));
   fmt::print("#                {}\n", times.how);
   return 0;
 }
@@ -116,8 +118,8 @@ int validate_command(SceneOptions const& options) {
 
 Command add_validate(CLI::App& program) {
   auto const options = std::make_shared<SceneOptions>();
-  CLI::App& command = add_command(
-      program, "validate", "check a scene; print it resolved, its steps, memory and time");
+  CLI::App& command = add_command(program, "validate",
+                                  "check a scene; print it resolved, its steps, memory and time");
   add_scene_options(command, *options);
   return {&command, [options] { return validate_command(*options); }};
 }

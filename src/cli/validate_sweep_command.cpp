@@ -3,8 +3,8 @@
 
 #include "src/cli/checked_sweep.hpp"
 #include "src/cli/commands.hpp"
-#include "src/run/run_time_estimate.hpp"
 #include "src/config/errors.hpp"
+#include "src/run/run_time_estimate.hpp"
 
 namespace bagnold {
 

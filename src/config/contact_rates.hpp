@@ -6,8 +6,8 @@
 namespace bagnold {
 
 /// Two small disks in contact, the lightest pair: squared frequency of the undamped motion,
-/// [1/tau_e^2], and rates of damping along and across the contact, [1/tau_e]; these 0 for a law that is
-/// not linear.
+/// [1/tau_e^2], and rates of damping along and across the contact, [1/tau_e]; these 0 for a law
+/// that is not linear.
 struct ContactRates {
   double stiffness = 0;   ///< 2 k/m; of a force that is not harmonic at the largest overlap
   double normal = 0;      ///< 2 k_n/m

@@ -69,10 +69,10 @@ void look_at_others(Scene const& scene, Refusals const& refuse) {
     refuse({"disks.packing_fraction"},
            "disks.packing_fraction = 1 (must be below 1: disks cannot fill the plane)");
   if (std::ranges::count(force_exponents(), disks.force_exponent) == 0)
-    refuse({"disks.force_exponent"},
-           fmt::format("disks.force_exponent = {} (must be {})",
-                       disks.force_exponent, exponent_choice()));
-  if (std::ranges::count(separate_models(), disks.model) == 0 && (disks.damping_normal != 1 || disks.damping_tangential != 1))
+    refuse({"disks.force_exponent"}, fmt::format("disks.force_exponent = {} (must be {})",
+                                                 disks.force_exponent, exponent_choice()));
+  if (std::ranges::count(separate_models(), disks.model) == 0 &&
+      (disks.damping_normal != 1 || disks.damping_tangential != 1))
     refuse({"disks.model", "disks.damping_normal", "disks.damping_tangential"},
            fmt::format("disks.damping_normal and disks.damping_tangential belong to model "
                        "{}, not \"{}\"; change disks.model or leave them out",

@@ -46,7 +46,9 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
   auto const exponents = force_exponents();
   constexpr double many = std::numeric_limits<double>::infinity();
   // asked again at each key: a reader learns the protocol on the way
-  auto const is = [&chosen = shear.protocol](std::string_view protocol) { return chosen == protocol; };
+  auto const is = [&chosen = shear.protocol](std::string_view protocol) {
+    return chosen == protocol;
+  };
   auto const of = [](std::initializer_list<std::string_view> protocols, Key key) {
     key.protocols = protocols;
     return key;
@@ -58,92 +60,159 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
   visit(Key{"disks.count", "", "number of disks N, even: half small, half big", required, 2, 2e8},
         disks.count);
   visit(Key{"disks.packing_fraction", "", "phi: area of the disks over area of the box", required,
-            0, 1, above}, disks.packing_fraction);
+            0, 1, above},
+        disks.packing_fraction);
   visit(Key{"disks.box_aspect", "", "L_y / L_x: height of the box, across the flow, over its width",
-            optional, 1.0 / 64, 64}, disks.box_aspect);
+            optional, 1.0 / 64, 64},
+        disks.box_aspect);
   visit(Key{"disks.elasticity", "", "Q = tau_d/tau_e; k_d = 1/Q", required, 1e-3, 1e6},
         disks.elasticity);
-  visit(Key{"disks.mass", "", "equal: m = 1 for all (P2); area: m = (pi/2) d^2 (P1)", required, 0,
-            0, false, {"equal", "area"}}, disks.mass);
+  visit(Key{"disks.mass",
+            "",
+            "equal: m = 1 for all (P2); area: m = (pi/2) d^2 (P1)",
+            required,
+            0,
+            0,
+            false,
+            {"equal", "area"}},
+        disks.mass);
   visit(Key{"disks.seed", "", "of the random start", optional, 0, 9.2e18}, disks.seed);
-  visit(Key{"disks.replicas", "", "systems side by side, of the seeds seed .. seed + R - 1", optional,
-            1, 4096}, disks.replicas);
+  visit(Key{"disks.replicas", "", "systems side by side, of the seeds seed .. seed + R - 1",
+            optional, 1, 4096},
+        disks.replicas);
   visit(Key{"disks.damping_normal", "1/Q", normal_damping_meaning(), optional, 0, 1e6},
         disks.damping_normal);
   visit(Key{"disks.damping_tangential", "1/Q", tangential_damping_meaning(), optional, 0, 1e6},
         disks.damping_tangential);
-  visit(Key{"disks.force_exponent", "", exponent_meaning(), optional, exponents.front(), exponents.back()},
+  visit(Key{"disks.force_exponent", "", exponent_meaning(), optional, exponents.front(),
+            exponents.back()},
         disks.force_exponent);
 
-  visit(Key{"start.kind", "", "random positions, or a state file", optional, 0, 0, false,
-            {"random", "state"}}, start.kind);
+  visit(Key{"start.kind",
+            "",
+            "random positions, or a state file",
+            optional,
+            0,
+            0,
+            false,
+            {"random", "state"}},
+        start.kind);
   visit(Key{"start.file", "", "state file, relative to the scene file", optional}, start.file);
   visit(Key{"start.rescale", "",
             "scale velocities and spins of a state made at another strain rate (P2 Eqs. 40-41)",
-            optional}, start.rescale);
+            optional},
+        start.rescale);
   visit(Key{"start.overlap", "", "relative overlap at which a random start is relaxed enough",
-            optional, 0, 0.05, above}, start.overlap);
+            optional, 0, 0.05, above},
+        start.overlap);
   visit(Key{"start.iterations", "", "most iterations of that relaxation", optional, 0, 1e8},
         start.iterations);
 
-  visit(Key{"shear.protocol", "", "what is done to the strain rate", optional, 0, 0, false,
-            {"steady", "cascade", "ramp"}}, shear.protocol);
+  visit(Key{"shear.protocol",
+            "",
+            "what is done to the strain rate",
+            optional,
+            0,
+            0,
+            false,
+            {"steady", "cascade", "ramp"}},
+        shear.protocol);
   visit(of({"steady", "ramp"}, Key{"shear.strain_rate", "1/tau_e", "gammadot; of a ramp the lowest",
-            !is("cascade"), 0, 1, above}), shear.strain_rate);
-  visit(of({"cascade"}, Key{"shear.strain_rates", "1/tau_e", "gammadot of each stage, largest first",
-            is("cascade"), 0, 1, above}), shear.strain_rates);
-  visit(Key{"shear.strain", "", "gamma, total; of a ramp at its lowest rate, before it", !is("ramp"), 0, 1e9,
-            above}, shear.strain);
-  visit(of({"steady", "cascade"}, Key{"shear.discard", "",
-            "share of the strain not measured, rounded up to whole windows, or \"auto\": MSER-5",
-            optional, 0, 1}), shear.discard);
-  visit(of({"steady", "cascade"}, Key{"shear.target_error", "",
-            "relative standard errors of NAMEs at which a run ends before `strain`", optional, 0, 1,
-            above}), shear.target_error);
-  visit(of({"ramp"}, Key{"shear.ramp_rate", "1/tau_e", "kappa~, decades a time, P2 Eq. 39", is("ramp"), 0,
-            0.1, above}), shear.ramp_rate);
-  visit(of({"ramp"}, Key{"shear.strain_rate_high", "1/tau_e", "gammadot up to which a ramp goes", is("ramp"),
-            0, 1, above}), shear.strain_rate_high);
+                                   !is("cascade"), 0, 1, above}),
+        shear.strain_rate);
+  visit(of({"cascade"}, Key{"shear.strain_rates", "1/tau_e",
+                            "gammadot of each stage, largest first", is("cascade"), 0, 1, above}),
+        shear.strain_rates);
+  visit(Key{"shear.strain", "", "gamma, total; of a ramp at its lowest rate, before it",
+            !is("ramp"), 0, 1e9, above},
+        shear.strain);
+  visit(of({"steady", "cascade"},
+           Key{"shear.discard", "",
+               "share of the strain not measured, rounded up to whole windows, or \"auto\": MSER-5",
+               optional, 0, 1}),
+        shear.discard);
+  visit(of({"steady", "cascade"},
+           Key{"shear.target_error", "",
+               "relative standard errors of NAMEs at which a run ends before `strain`", optional, 0,
+               1, above}),
+        shear.target_error);
+  visit(of({"ramp"}, Key{"shear.ramp_rate", "1/tau_e", "kappa~, decades a time, P2 Eq. 39",
+                         is("ramp"), 0, 0.1, above}),
+        shear.ramp_rate);
+  visit(of({"ramp"}, Key{"shear.strain_rate_high", "1/tau_e", "gammadot up to which a ramp goes",
+                         is("ramp"), 0, 1, above}),
+        shear.strain_rate_high);
   visit(of({"ramp"}, Key{"shear.cycles", "", "times up and down", optional, 1, 1e6}), shear.cycles);
-  visit(of({"ramp"}, Key{"shear.ramp_window", "tau_e", "window whose averages are recorded", optional,
-            0, many, above}), shear.ramp_window);
-  visit(of({"ramp"}, Key{"shear.ramp_every", "tau_e", "between changes of the strain rate", optional,
-            0, 1e6, above}), shear.ramp_every);
+  visit(of({"ramp"}, Key{"shear.ramp_window", "tau_e", "window whose averages are recorded",
+                         optional, 0, many, above}),
+        shear.ramp_window);
+  visit(of({"ramp"}, Key{"shear.ramp_every", "tau_e", "between changes of the strain rate",
+                         optional, 0, 1e6, above}),
+        shear.ramp_every);
 
-  visit(Key{"integration.scheme", "", "how the motion is stepped, or \"auto\": two stages", optional, 0, 0,
-            false, scheme_words()}, integration.scheme);
-  visit(Key{"integration.engine", "", "how the scheme is computed; none changes the physics", optional,
-            0, 0, false, {"auto", "reference", "dense", "contact-rich", "windowed"}}, integration.engine);
-  visit(Key{"integration.time_step", "tau_e", "dt, or \"auto\": the scheme's rule, or \"paper\": the papers'",
-            optional, 0, 10, above, {automatic, of_papers}}, integration.time_step);
+  visit(Key{"integration.scheme", "", "how the motion is stepped, or \"auto\": two stages",
+            optional, 0, 0, false, scheme_words()},
+        integration.scheme);
+  visit(Key{"integration.engine",
+            "",
+            "how the scheme is computed; none changes the physics",
+            optional,
+            0,
+            0,
+            false,
+            {"auto", "reference", "dense", "contact-rich", "windowed"}},
+        integration.engine);
+  visit(Key{"integration.time_step",
+            "tau_e",
+            "dt, or \"auto\": the scheme's rule, or \"paper\": the papers'",
+            optional,
+            0,
+            10,
+            above,
+            {automatic, of_papers}},
+        integration.time_step);
   visit(Key{"integration.skin", "d_s", "neighbour list reaches this far beyond contact", optional,
-            0.01, 10}, integration.skin);
+            0.01, 10},
+        integration.skin);
 
   visit(Key{"measure.every", "steps", "between evaluations inside a window", optional, 1, 1e12},
         measure.every);
-  visit(of({"steady", "cascade"}, Key{"measure.contacts", "",
-            "durations, rate, angles and clusters of contacts", optional}), measure.contacts);
-  visit(of({"steady", "cascade"}, Key{"measure.correlations", "",
-            "relative velocities in contact, of contacts in time and once a collision", optional}),
-        measure.correlations);
-  visit(of({"steady", "cascade"}, Key{"measure.profiles", "",
-            "profiles over y of flow, packing and stress; band fractions", optional}),
+  visit(
+      of({"steady", "cascade"},
+         Key{"measure.contacts", "", "durations, rate, angles and clusters of contacts", optional}),
+      measure.contacts);
+  visit(
+      of({"steady", "cascade"},
+         Key{"measure.correlations", "",
+             "relative velocities in contact, of contacts in time and once a collision", optional}),
+      measure.correlations);
+  visit(of({"steady", "cascade"},
+           Key{"measure.profiles", "",
+               "profiles over y of flow, packing and stress; band fractions", optional}),
         measure.profiles);
-  visit(of({"steady", "cascade"}, Key{"measure.fields", "",
-            "packing fraction and strain rate within 4 d_s of each disk", optional}), measure.fields);
-  visit(of({"steady", "cascade"}, Key{"measure.rotation", "", "histogram of thetadot/gammadot",
-            optional}), measure.rotation);
-  visit(of({"steady", "cascade"}, Key{"measure.frame_strain", "",
-            "between the frames that these three look at", optional, 0, many, above}),
+  visit(of({"steady", "cascade"},
+           Key{"measure.fields", "", "packing fraction and strain rate within 4 d_s of each disk",
+               optional}),
+        measure.fields);
+  visit(of({"steady", "cascade"},
+           Key{"measure.rotation", "", "histogram of thetadot/gammadot", optional}),
+        measure.rotation);
+  visit(of({"steady", "cascade"},
+           Key{"measure.frame_strain", "", "between the frames that these three look at", optional,
+               0, many, above}),
         measure.frame_strain);
 
-  visit(of({"steady", "cascade"}, Key{"output.sample_strain", "",
-            "window whose averages are recorded", optional, 0, many, above}), output.sample_strain);
-  visit(of({"steady", "cascade"}, Key{"output.trajectory_strain", "",
-            "between the frames of trajectory.h5md; 0: none", optional, 0, many}),
+  visit(of({"steady", "cascade"},
+           Key{"output.sample_strain", "", "window whose averages are recorded", optional, 0, many,
+               above}),
+        output.sample_strain);
+  visit(of({"steady", "cascade"},
+           Key{"output.trajectory_strain", "", "between the frames of trajectory.h5md; 0: none",
+               optional, 0, many}),
         output.trajectory_strain);
   visit(Key{"output.checkpoint_minutes", "min", "wall time between checkpoints", optional, 0, many,
-            above}, output.checkpoint_minutes);
+            above},
+        output.checkpoint_minutes);
   visit(Key{"output.plot", "", "draw plot.png", optional}, output.plot);
 }
 

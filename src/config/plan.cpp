@@ -28,23 +28,27 @@ std::string box_in_words(Scene const& scene) {
   if (disks.box_aspect == 1)
     return fmt::format("disks.count = {} makes a box {:.3g} d_s wide", disks.count,
                        scene.box_length());
-  return fmt::format("disks.count = {} with disks.box_aspect = {} makes a box {:.3g} d_s wide and "
-                     "{:.3g} high",
-                     disks.count, disks.box_aspect, scene.box_length(), scene.box_height());
+  return fmt::format(
+      "disks.count = {} with disks.box_aspect = {} makes a box {:.3g} d_s wide and "
+      "{:.3g} high",
+      disks.count, disks.box_aspect, scene.box_length(), scene.box_height());
 }
 
 /// Of the trajectory of one replica, [bytes]: the part that is not written yet, with a frame beyond
-/// its length and what is the same in all, copies of a frame on its way, HDF5's cache of each dataset.
+/// its length and what is the same in all, copies of a frame on its way, HDF5's cache of each
+/// dataset.
 double memory_of_trajectory(Scene const& scene, Plan const& plan) {
   auto const count = static_cast<double>(scene.disks.count);
   double const frame = count * (scene.rotates() ? 7 : 6) * 8;
-  double const frames = 1 + static_cast<double>(plan.steps) / static_cast<double>(plan.trajectory_steps);
-  double const part = std::min(frames * frame, trajectory_memory / static_cast<double>(scene.disks.replicas));
+  double const frames =
+      1 + static_cast<double>(plan.steps) / static_cast<double>(plan.trajectory_steps);
+  double const part =
+      std::min(frames * frame, trajectory_memory / static_cast<double>(scene.disks.replicas));
   return part + 2 * frame + count * (48 + 20) + 6 * 1024 * 1024;
 }
 
-/// Of what is kept of frames, [bytes]: of each slice 1.5 d_s thick about 20 sums, twice; of fields the
-/// last one. All of it also in a checkpoint and in its image.
+/// Of what is kept of frames, [bytes]: of each slice 1.5 d_s thick about 20 sums, twice; of fields
+/// the last one. All of it also in a checkpoint and in its image.
 double memory_of_frames(Scene const& scene, Plan const& plan) {
   double const measured = static_cast<double>((plan.windows - plan.discarded_windows)) *
                           static_cast<double>(plan.window_steps);
@@ -65,8 +69,8 @@ std::int64_t discarded_of(Scene const& scene, std::int64_t windows) {
 
 void refuse_many_windows(double windows, std::string const& key, double value, double least) {
   if (windows > most_windows)
-    throw InputError(fmt::format("{} = {} makes {:.0f} windows (limit {:.0f}); use at least {}", key, value,
-                                 windows, most_windows, least));
+    throw InputError(fmt::format("{} = {} makes {:.0f} windows (limit {:.0f}); use at least {}",
+                                 key, value, windows, most_windows, least));
 }
 
 Plan plan_of_ramp(Scene const& scene) {
@@ -95,10 +99,11 @@ Plan make_plan(Scene const& scene) {
   double const step_strain = plan.time_step * scene.shear.strain_rate;
   double const steps = round_up(scene.shear.strain / step_strain);
   if (!(steps * static_cast<double>(scene.disks.replicas) <= most_steps))
-    throw InputError(fmt::format(
-        "shear.strain = {} takes {:.3g} steps (limit {:.0g}); raise shear.strain_rate = {} or lower "
-        "shear.strain",
-        scene.shear.strain.at(0), steps, most_steps, scene.shear.strain_rate));
+    throw InputError(
+        fmt::format("shear.strain = {} takes {:.3g} steps (limit {:.0g}); raise shear.strain_rate "
+                    "= {} or lower "
+                    "shear.strain",
+                    scene.shear.strain.at(0), steps, most_steps, scene.shear.strain_rate));
   double const window = std::max(1.0, round_up(scene.output.sample_strain / step_strain));
   plan.steps = std::max<std::int64_t>(1, static_cast<std::int64_t>(steps));
   plan.window_steps = static_cast<std::int64_t>(std::min(window, most_steps));
@@ -107,8 +112,7 @@ Plan make_plan(Scene const& scene) {
                       scene.output.sample_strain, std::ceil(steps / most_windows) * step_strain);
   plan.discarded_windows = discarded_of(scene, plan.windows);
   auto const steps_between = [&](double strain) {
-    return static_cast<std::int64_t>(
-        std::clamp(round_up(strain / step_strain), 1.0, most_steps));
+    return static_cast<std::int64_t>(std::clamp(round_up(strain / step_strain), 1.0, most_steps));
   };
   plan.frame_steps = steps_between(scene.measure.frame_strain);
   if (scene.output.trajectory_strain > 0)
@@ -191,21 +195,23 @@ void check_feasible(Scene const& scene, Plan const& plan, bool allow_unstable) {
     Scene by_rule = scene;
     by_rule.integration.time_step = automatic;
     throw InputError(fmt::format(
-        "integration.time_step = {} (unstable: one step of a single contact of the lightest pair has "
+        "integration.time_step = {} (unstable: one step of a single contact of the lightest pair "
+        "has "
         "spectral radius {:.3g}, above 1, with {}); \"auto\" takes {}, or pass --allow-unstable",
         plan.time_step, radius, scheme_of(scene), time_step(by_rule)));
   }
 
   double const needed = memory_needed(scene, plan);
-  double const there = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
-                       static_cast<double>(sysconf(_SC_PAGE_SIZE));
+  double const there =
+      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
   bool const alone = scene.disks.replicas == 1;
   if (needed > there)
-    throw InputError(fmt::format(
-        "disks.count = {}{} needs about {:.1f} GiB of memory, this machine has {:.1f}; use fewer disks{}",
-        scene.disks.count,
-        alone ? "" : fmt::format(" with disks.replicas = {}", scene.disks.replicas),
-        needed / 0x1p30, there / 0x1p30, alone ? "" : " or replicas"));
+    throw InputError(
+        fmt::format("disks.count = {}{} needs about {:.1f} GiB of memory, this machine has {:.1f}; "
+                    "use fewer disks{}",
+                    scene.disks.count,
+                    alone ? "" : fmt::format(" with disks.replicas = {}", scene.disks.replicas),
+                    needed / 0x1p30, there / 0x1p30, alone ? "" : " or replicas"));
 }
 
 }  // namespace bagnold

@@ -26,7 +26,7 @@ struct Plan {
   /// Step after the last one of a window.
   std::int64_t window_end(std::int64_t window) const;
 
-  double strain(std::int64_t step) const;      ///< from step 0 to the start of `step`
+  double strain(std::int64_t step) const;       ///< from step 0 to the start of `step`
   double mean_rate(std::int64_t window) const;  ///< gammadot over a window, [1/tau_e]
   int direction(std::int64_t window) const;     ///< of a ramp: +1 up, -1 down; 0: none
 };
@@ -50,8 +50,8 @@ inline constexpr double trajectory_memory = 64 << 20;
 /// Memory a run needs, all in, [bytes].
 double memory_needed(Scene const& scene, Plan const& plan);
 
-/// What the input checks alone cannot see: stability of the time step (unless allowed), width of the
-/// box, memory of this machine. Throws InputError.
+/// What the input checks alone cannot see: stability of the time step (unless allowed), width of
+/// the box, memory of this machine. Throws InputError.
 void check_feasible(Scene const& scene, Plan const& plan, bool allow_unstable);
 
 /// What a user should know before the run although it may go ahead; empty if nothing.

@@ -43,10 +43,10 @@ struct Scene {
 
   struct Shear {
     std::string protocol = "steady";
-    double strain_rate = 0;            ///< gammadot; of a ramp the lowest
-    std::vector<double> strain_rates;  ///< of a cascade, the largest first
-    Strain strain = 2.0;               ///< gamma; of a ramp: before it, at the lowest rate
-    std::optional<double> discard = 0.5;         ///< none: "auto"
+    double strain_rate = 0;               ///< gammadot; of a ramp the lowest
+    std::vector<double> strain_rates;     ///< of a cascade, the largest first
+    Strain strain = 2.0;                  ///< gamma; of a ramp: before it, at the lowest rate
+    std::optional<double> discard = 0.5;  ///< none: "auto"
     std::map<std::string, double> target_error;  ///< relative standard error, by NAME
     double ramp_rate = 0;                        ///< kappa~, P2 Eq. 39
     double strain_rate_high = 0;

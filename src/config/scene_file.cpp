@@ -74,9 +74,9 @@ class Reader {
 
   /// Whether a key or table is known, and all that is in it.
   void look_at(std::string const& name, toml::node const& node) {
-    bool const is_table_name =
-        std::any_of(known_.begin(), known_.end(),
-                    [&](std::string const& k) { return k.starts_with(name + "."); });
+    bool const is_table_name = std::any_of(known_.begin(), known_.end(), [&](std::string const& k) {
+      return k.starts_with(name + ".");
+    });
     if (is_table_name && node.is_table()) {
       for (auto const& [inner, inner_node] : *node.as_table())
         look_at(name + "." + std::string(inner.str()), inner_node);
@@ -97,8 +97,8 @@ class Reader {
   }
 
   [[noreturn]] void refuse(Key const& key, toml::node const& node, std::string const& why) const {
-    throw InputError(
-        fmt::format("{}{} = {} ({}): {}", place(key.name, node), key.name, describe(node), why, key.meaning));
+    throw InputError(fmt::format("{}{} = {} ({}): {}", place(key.name, node), key.name,
+                                 describe(node), why, key.meaning));
   }
 
   void refuse_other_protocol(Key const& key, toml::node const& node,
@@ -258,14 +258,13 @@ Scene scene_of(toml::table table, std::string const& origin, std::filesystem::pa
 }  // namespace
 
 Scene parse_scene(std::string_view text, std::string const& origin,
-                  std::filesystem::path const& folder,
-                  std::vector<std::string> const& overrides) {
+                  std::filesystem::path const& folder, std::vector<std::string> const& overrides) {
   toml::table table = parse_toml(text, origin);
   if (auto const* sweep = table.get("sweep"); sweep && sweep->is_table())
-    throw InputError(fmt::format("{}:{}:{}: [sweep] makes many scenes of this one; run them all with "
-                                 "`bagnold sweep {}`",
-                                 origin, sweep->source().begin.line, sweep->source().begin.column,
-                                 origin));
+    throw InputError(
+        fmt::format("{}:{}:{}: [sweep] makes many scenes of this one; run them all with "
+                    "`bagnold sweep {}`",
+                    origin, sweep->source().begin.line, sweep->source().begin.column, origin));
   std::vector<Override> put;
   for (auto const& one : overrides) put.push_back(from_command_line(one));
   return scene_of(std::move(table), origin, folder, put);

@@ -24,9 +24,8 @@ double spectral_radius(S scheme, ContactRates const& r, double time_step) {
 
 double contact_spectral_radius(Scene const& scene, std::string_view scheme, double time_step) {
   ContactRates const r(scene);
-  return with_named<Schemes>(scheme, [&]<class S>(std::type_identity<S>) {
-    return spectral_radius(S{}, r, time_step);
-  });
+  return with_named<Schemes>(
+      scheme, [&]<class S>(std::type_identity<S>) { return spectral_radius(S{}, r, time_step); });
 }
 
 double contact_spectral_radius(Scene const& scene, double time_step) {
@@ -38,7 +37,8 @@ double largest_stable_time_step(Scene const& scene, std::string_view scheme) {
   ContactRates const r(scene);
   double const rate = contacts * std::max(r.normal, r.tangential);
   return with_named<Schemes>(scheme, [&]<class S>(std::type_identity<S>) {
-    return std::min(S::largest_rate / rate, S::largest_frequency / std::sqrt(contacts * r.stiffness));
+    return std::min(S::largest_rate / rate,
+                    S::largest_frequency / std::sqrt(contacts * r.stiffness));
   });
 }
 

@@ -15,8 +15,10 @@ double rule_of(Scene const& scene, std::string_view scheme) {
   auto const input = damping_input(scene.disks);
   return with_named<Laws>(scene.disks.model, [&]<class Law>(std::type_identity<Law>) {
     return with_named<Schemes>(scheme, [&]<class S>(std::type_identity<S>) -> double {
-      if constexpr (S::template can_step<Law>) return S::template time_step<Law>(input);
-      else return Law::paper_time_step(input.elasticity);  // refused by name where it is run
+      if constexpr (S::template can_step<Law>)
+        return S::template time_step<Law>(input);
+      else
+        return Law::paper_time_step(input.elasticity);  // refused by name where it is run
     });
   });
 }
@@ -39,8 +41,8 @@ double two_stage_time_step(Scene const& scene) { return rule_of(scene, two_stage
 double time_step(Scene const& scene) {
   auto const& given = scene.integration.time_step;
   if (given.number) return *given.number;
-  double const rule = given.word == of_papers ? paper_time_step(scene.disks)
-                                              : rule_of(scene, scheme_of(scene));
+  double const rule =
+      given.word == of_papers ? paper_time_step(scene.disks) : rule_of(scene, scheme_of(scene));
   double const piece = scene.shear.ramp_every;
   if (scene.shear.protocol != "ramp") return rule;
   return piece / std::ceil(piece / rule * (1 - 1e-12));

@@ -7,8 +7,8 @@
 
 namespace bagnold {
 
-/// The scheme of a scene: as given, or where it is "auto" two stages, which bear every time step that
-/// the papers' scheme bears.
+/// The scheme of a scene: as given, or where it is "auto" two stages, which bear every time step
+/// that the papers' scheme bears.
 std::string_view scheme_of(Scene const& scene);
 
 /// The papers' time step of a law, [tau_e], see kernels/physics/laws/paper_time_step.hpp.
@@ -17,7 +17,8 @@ double paper_time_step(Scene::Disks const& disks);
 /// The time step of TwoStageLeapfrog, [tau_e].
 double two_stage_time_step(Scene const& scene);
 
-/// The time step of a scene: as given, or by the rule named; of a ramp shortened to divide ramp_every.
+/// The time step of a scene: as given, or by the rule named; of a ramp shortened to divide
+/// ramp_every.
 double time_step(Scene const& scene);
 
 /// The scene with scheme and time step told instead of ruled, as it is kept beside results.

@@ -20,10 +20,12 @@ inline std::string where(Clock const& clock, std::int64_t step) {
 
 [[noreturn]] inline void too_fast(Clock const& clock, std::int64_t step, std::size_t disk,
                                   double moved, double skin) {
-  throw NumericalError(fmt::format(
-      "{}: disk {} moves {:.3g} d_s against the mean flow in one step, more than the neighbour list's "
-      "skin of {:.3g} d_s allows; take a smaller integration.time_step or a larger integration.skin",
-      where(clock, step), disk, moved, skin));
+  throw NumericalError(
+      fmt::format("{}: disk {} moves {:.3g} d_s against the mean flow in one step, more than the "
+                  "neighbour list's "
+                  "skin of {:.3g} d_s allows; take a smaller integration.time_step or a larger "
+                  "integration.skin",
+                  where(clock, step), disk, moved, skin));
 }
 
 /// Throws where a motion is no number.
@@ -38,10 +40,11 @@ inline void check_finite(Clock const& clock, std::int64_t step, State const& sta
 
 [[noreturn]] inline void too_deep(Clock const& clock, std::int64_t step, std::size_t disk,
                                   double overlap) {
-  throw NumericalError(fmt::format(
-      "{}: disk {} overlaps a neighbour by {:.1f}% (limit {:.0f}%): no grain any more; take a smaller "
-      "shear.strain_rate, integration.time_step or disks.packing_fraction",
-      where(clock, step), disk, 100 * overlap, 100 * largest_relative_overlap));
+  throw NumericalError(
+      fmt::format("{}: disk {} overlaps a neighbour by {:.1f}% (limit {:.0f}%): no grain any more; "
+                  "take a smaller "
+                  "shear.strain_rate, integration.time_step or disks.packing_fraction",
+                  where(clock, step), disk, 100 * overlap, 100 * largest_relative_overlap));
 }
 
 }  // namespace bagnold::failure

@@ -19,7 +19,8 @@ template <class Made, class Make>
 Made on_backend(std::string const& backend, Make const& make) {
   Made made;
   [&]<class... Space>(std::tuple<Space...> const*) {
-    ((backend == backend_name<Space> ? void(made = make(std::type_identity<Space>{})) : void()), ...);
+    ((backend == backend_name<Space> ? void(made = make(std::type_identity<Space>{})) : void()),
+     ...);
   }(static_cast<Backends const*>(nullptr));
   return made;
 }

@@ -39,11 +39,10 @@ std::unique_ptr<Simulation> make_engine(Scene const& scene, Snapshot& snapshot,
   auto const engines = engines_for(scene);
   if (integration.engine != "reference")
     if (auto loop = make_block_loop(backend))
-      return std::make_unique<BlockEngine>(std::move(loop), engines.stepper(scene),
-                                           stepping(integration.engine),
-                                           make_species_table(scene.mass_by_area()),
-                                           scene.shear.strain_rate, time_step(scene),
-                                           integration.skin, snapshot);
+      return std::make_unique<BlockEngine>(
+          std::move(loop), engines.stepper(scene), stepping(integration.engine),
+          make_species_table(scene.mass_by_area()), scene.shear.strain_rate, time_step(scene),
+          integration.skin, snapshot);
   return engines.reference(scene, snapshot, backend);
 }
 

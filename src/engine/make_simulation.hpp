@@ -11,8 +11,8 @@
 namespace bagnold {
 
 /// The simulation of a scene from a snapshot, on a backend by its name; "" takes the first of the
-/// build's. Throws InputError where the build does not have it. A snapshot that may be moved from is
-/// left as it was where this throws.
+/// build's. Throws InputError where the build does not have it. A snapshot that may be moved from
+/// is left as it was where this throws.
 std::unique_ptr<Simulation> make_simulation(Scene const& scene, Snapshot&& snapshot,
                                             std::string const& backend);
 std::unique_ptr<Simulation> make_simulation(Scene const& scene, Snapshot const& snapshot,
@@ -21,12 +21,12 @@ std::unique_ptr<Simulation> make_simulation(Scene const& scene, Snapshot const& 
 /// Whether a backend works in memory that the host does not reach.
 bool is_device_backend(std::string const& backend);
 
-/// Why Kokkos cannot start on this machine, "" if it can: it starts all of its backends, so one with
-/// CUDA wants a device, whichever backend is to be used.
+/// Why Kokkos cannot start on this machine, "" if it can: it starts all of its backends, so one
+/// with CUDA wants a device, whichever backend is to be used.
 std::string why_no_start();
 
-/// Whether the replicas of a scene are stepped by launches that they share, as on a device they are,
-/// unless each is to be looked at on its own: its contacts, or a rate that changes.
+/// Whether the replicas of a scene are stepped by launches that they share, as on a device they
+/// are, unless each is to be looked at on its own: its contacts, or a rate that changes.
 bool steps_together(Scene const& scene, std::string const& backend);
 
 /// The simulations of replicas that step together, from snapshots [R] of equally many disks; to be

@@ -36,8 +36,8 @@ double anisotropy(Averages a) { return (total(a, &Part::xx) - total(a, &Part::yy
 
 constexpr std::string_view stress_unit = "m/tau_e^2";
 
-/// How the velocity at the contact, V^C_T = V_T + V^R (P2 Eqs. 30-34), goes with the rotation in it.
-/// sum(averages, column): of ContactColumns.
+/// How the velocity at the contact, V^C_T = V_T + V^R (P2 Eqs. 30-34), goes with the rotation in
+/// it. sum(averages, column): of ContactColumns.
 template <class Sum>
 void add_rotation_in_contact(std::vector<Observable>& list, Sum const& sum) {
   using M = ContactMotion;
@@ -45,22 +45,22 @@ void add_rotation_in_contact(std::vector<Observable>& list, Sum const& sum) {
     return sum(a, ContactColumns::motion + column) / sum(a, ContactColumns::motion + M::contacts);
   };
   auto const at_contact2 = [mean](Averages a) {
-    return mean(a, M::tangential2) + 2 * mean(a, M::tangential_rotational) + mean(a, M::rotational2);
+    return mean(a, M::tangential2) + 2 * mean(a, M::tangential_rotational) +
+           mean(a, M::rotational2);
   };
   list.push_back({"v_C_T_rms", "d_s/tau_e", "across it at the point of contact",
                   [=](Averages a) { return std::sqrt(at_contact2(a)); }});
   list.push_back({"v_R_rms", "d_s/tau_e", "of that the part of the rotation",
                   [=](Averages a) { return std::sqrt(mean(a, M::rotational2)); }});
-  list.push_back({"contact_rotation_correlation", "1",
-                  "correlation coefficient of V^C_T with V^R over contacts in time",
-                  [=](Averages a) {
-                    double const turn = mean(a, M::rotational);
-                    double const slip = mean(a, M::tangential) + turn;
-                    double const both = mean(a, M::tangential_rotational) + mean(a, M::rotational2);
-                    return (both - slip * turn) /
-                           std::sqrt((at_contact2(a) - slip * slip) *
-                                     (mean(a, M::rotational2) - turn * turn));
-                  }});
+  list.push_back(
+      {"contact_rotation_correlation", "1",
+       "correlation coefficient of V^C_T with V^R over contacts in time", [=](Averages a) {
+         double const turn = mean(a, M::rotational);
+         double const slip = mean(a, M::tangential) + turn;
+         double const both = mean(a, M::tangential_rotational) + mean(a, M::rotational2);
+         return (both - slip * turn) /
+                std::sqrt((at_contact2(a) - slip * slip) * (mean(a, M::rotational2) - turn * turn));
+       }});
 }
 
 /// Those of contacts, in whose names Z = 2 tau_dur nu_coll.
@@ -94,8 +94,8 @@ std::vector<Observable> observables(Scene const& scene, double box_length) {
   double const area = scene.disks.box_aspect * box_length * box_length;
   double const rate = scene.shear.strain_rate;
   double const n = static_cast<double>(scene.disks.count);
-  double const bagnold = 1 / (area * rate * rate);                      // P1 Eq. 16, P2 Eq. 19
-  double const newton = scene.disks.elasticity / (area * rate);         // P2 Eq. 20
+  double const bagnold = 1 / (area * rate * rate);               // P1 Eq. 16, P2 Eq. 19
+  double const newton = scene.disks.elasticity / (area * rate);  // P2 Eq. 20
   auto const of = [](auto function, auto part, double factor) {
     return [=](Averages a) { return function(a, part) * factor; };
   };
@@ -108,7 +108,8 @@ std::vector<Observable> observables(Scene const& scene, double box_length) {
       {"p_el", stress_unit, "its elastic part", of(p, elastic, 1 / area)},
       {"p_dis", stress_unit, "its dissipative part", of(p, dissipative, 1 / area)},
       {"p_kin", stress_unit, "its kinetic part", of(p, kinetic, 1 / area)},
-      {"sigma", stress_unit, "shear stress -p_xy", [=](Averages a) { return shear_stress(a) / area; }},
+      {"sigma", stress_unit, "shear stress -p_xy",
+       [=](Averages a) { return shear_stress(a) / area; }},
       {"sigma_el", stress_unit, "its elastic part", of(s, elastic, 1 / area)},
       {"sigma_dis", stress_unit, "its dissipative part", of(s, dissipative, 1 / area)},
       {"sigma_kin", stress_unit, "its kinetic part", of(s, kinetic, 1 / area)},
@@ -118,7 +119,8 @@ std::vector<Observable> observables(Scene const& scene, double box_length) {
       {"delta_p_kin", stress_unit, "its kinetic part", of(d, kinetic, 1 / area)},
       {"sigma_dev", stress_unit, "sqrt(delta_p^2 + sigma^2)",
        [=](Averages a) { return std::hypot(anisotropy(a), shear_stress(a)) / area; }},
-      {"B_p", "1", "Bagnold coefficient p/gammadot^2", [=](Averages a) { return pressure(a) * bagnold; }},
+      {"B_p", "1", "Bagnold coefficient p/gammadot^2",
+       [=](Averages a) { return pressure(a) * bagnold; }},
       {"B_p_el", "1", "its elastic part", of(p, elastic, bagnold)},
       {"B_p_dis", "1", "its dissipative part", of(p, dissipative, bagnold)},
       {"B_p_kin", "1", "its kinetic part", of(p, kinetic, bagnold)},
@@ -129,9 +131,11 @@ std::vector<Observable> observables(Scene const& scene, double box_length) {
       {"B_sigma_kin", "1", "its kinetic part", of(s, kinetic, bagnold)},
       {"eta_p", "1", "Q p/gammadot", [=](Averages a) { return pressure(a) * newton; }},
       {"eta_p_el", "1", "its elastic part", of(p, elastic, newton)},
-      {"eta_sigma", "1", "viscosity Q sigma/gammadot", [=](Averages a) { return shear_stress(a) * newton; }},
+      {"eta_sigma", "1", "viscosity Q sigma/gammadot",
+       [=](Averages a) { return shear_stress(a) * newton; }},
       {"eta_sigma_el", "1", "its elastic part", of(s, elastic, newton)},
-      {"mu", "1", "macroscopic friction sigma/p", [=](Averages a) { return shear_stress(a) / pressure(a); }},
+      {"mu", "1", "macroscopic friction sigma/p",
+       [=](Averages a) { return shear_stress(a) / pressure(a); }},
       {"I", "1", "inertial number gammadot/sqrt(p), P1 Eq. 20",
        [=](Averages a) { return rate / std::sqrt(pressure(a) / area); }},
       {"T_g", "m d_s^2/tau_e^2", "granular temperature sum m dv^2/2N, so that p_kin = n T_g",
@@ -139,12 +143,11 @@ std::vector<Observable> observables(Scene const& scene, double box_length) {
       {"Z", "1", "contacts per disk", [=](Averages a) { return a[C::contacts] / n; }},
       {"R_v", "1", "<dv_x^2>/<v_y^2>, P2 Eq. 37",
        [=](Averages a) { return a[C::velocity_x2] / a[C::velocity_y2]; }},
-      {"energy_gap", "1", "1 - dissipated power/(sigma gammadot L_x L_y): 0 if no energy is lost or made", [=](Averages a) {
-         return 1 - a[C::dissipation] / (shear_stress(a) * rate);
-       }},
-      {"p_dis_share", "1", "p_dis/p: 0 over whole contacts", [=](Averages a) {
-         return pressure(a, dissipative) / pressure(a);
-       }}};
+      {"energy_gap", "1",
+       "1 - dissipated power/(sigma gammadot L_x L_y): 0 if no energy is lost or made",
+       [=](Averages a) { return 1 - a[C::dissipation] / (shear_stress(a) * rate); }},
+      {"p_dis_share", "1", "p_dis/p: 0 over whole contacts",
+       [=](Averages a) { return pressure(a, dissipative) / pressure(a); }}};
   if (scene.rotates()) {
     list.push_back({"spin_mean", "1", "<thetadot>/gammadot",
                     [=](Averages a) { return a[C::spin] / (n * rate); }});

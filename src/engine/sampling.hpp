@@ -21,7 +21,7 @@ struct WindowSums {
 /// window, and from there every so many.
 struct Sampling {
   std::int64_t window_steps = std::int64_t{1} << 60;
-  std::int64_t every = std::int64_t{1} << 60;                    ///< [steps]
+  std::int64_t every = std::int64_t{1} << 60;                         ///< [steps]
   std::int64_t last_step = std::numeric_limits<std::int64_t>::max();  ///< the end of the run
 
   KOKKOS_FUNCTION std::int64_t window(std::int64_t step) const { return step / window_steps; }

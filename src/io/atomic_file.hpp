@@ -26,8 +26,8 @@ void sync_file(Descriptor const& file, std::filesystem::path const& path);
 [[noreturn]] void fail_different(std::filesystem::path const& path);
 
 /// Writes a new file, content and then tail, brings it to the disk, reads it again and compares. An
-/// older file at `path` is removed first. On failure nothing is left there, and FileError says what to
-/// do.
+/// older file at `path` is removed first. On failure nothing is left there, and FileError says what
+/// to do.
 void write_verified(std::filesystem::path const& path, std::span<std::byte const> content,
                     std::span<std::byte const> tail = {});
 

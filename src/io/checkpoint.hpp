@@ -47,8 +47,9 @@ Checkpoint parse_checkpoint(std::string const& name, std::vector<std::byte> imag
 void write_checkpoint(std::filesystem::path const& folder, Checkpoint checkpoint);
 
 /// The checkpoint with most steps, of all systems, that verifies, a finished temporary included;
-/// nothing if none does. `remarks` (if not null) gets one line for each that was rejected. FileError
-/// where none verifies and one of them cannot be read: it may be whole, and is not to be run over.
+/// nothing if none does. `remarks` (if not null) gets one line for each that was rejected.
+/// FileError where none verifies and one of them cannot be read: it may be whole, and is not to be
+/// run over.
 std::optional<Checkpoint> newest_checkpoint(std::filesystem::path const& folder,
                                             std::vector<std::string>* remarks);
 

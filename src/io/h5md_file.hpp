@@ -48,8 +48,8 @@ class H5mdFile {
 };
 
 /// visit(state, step) for every frame of an open file, in order; bits are those that were appended,
-/// but of the time-independent members only those of the box are set, box_aspect up to rounding: the
-/// height is exact. Throws FileError.
+/// but of the time-independent members only those of the box are set, box_aspect up to rounding:
+/// the height is exact. Throws FileError.
 void for_each_frame(Handle const& file,
                     std::function<void(State const&, std::int64_t)> const& visit);
 

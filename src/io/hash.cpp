@@ -20,8 +20,7 @@ void Xxh3::add(std::span<std::byte const> bytes) {
 }
 
 std::string Xxh3::hex() const {
-  return fmt::format("{:016x}",
-                     XXH3_64bits_digest(static_cast<XXH3_state_t const*>(state_.get())));
+  return fmt::format("{:016x}", XXH3_64bits_digest(static_cast<XXH3_state_t const*>(state_.get())));
 }
 
 std::string xxh3_hex(std::span<std::byte const> bytes) {

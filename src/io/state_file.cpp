@@ -112,8 +112,7 @@ void put_states(Hdf5Writer& file, std::vector<State> states, std::string const& 
   auto const group = at + "/state";
   file.group(group);
   bool const spins = !states.front().spin.empty();
-  file.dataset(group + "/position", flat(taken(states, &State::position)), rows,
-               {{"unit", "d_s"}});
+  file.dataset(group + "/position", flat(taken(states, &State::position)), rows, {{"unit", "d_s"}});
   file.dataset(group + "/velocity", flat(taken(states, &State::velocity)), rows,
                {{"unit", "d_s/tau_e"}, {"frame", "laboratory"}});
   if (spins)
@@ -143,8 +142,7 @@ std::vector<State> get_states(Hdf5Reader const& file, std::string const& at,
         file.name(), shape.back()));
   State common;
   common.box_length = file.number(group, "box_length");
-  if (file.has_attribute(group, "box_aspect"))
-    common.box_aspect = file.number(group, "box_aspect");
+  if (file.has_attribute(group, "box_aspect")) common.box_aspect = file.number(group, "box_aspect");
   common.offset = file.number(group, "offset");
   common.time = file.number(group, "time");
   if (file.has_attribute(group, "strain_rate"))
@@ -204,11 +202,13 @@ std::vector<State> foreign_states(std::string const& name, std::vector<std::byte
     }
   });
   if (!answered || answered->empty())
-    throw InputError(fmt::format("{}: HDF5 crashes on it: the file is damaged; make it again", name));
+    throw InputError(
+        fmt::format("{}: HDF5 crashes on it: the file is damaged; make it again", name));
   auto const kind = static_cast<Answer>(answered->front());
   answered->erase(answered->begin());
   if (kind == Answer::refusal)
-    throw InputError(std::string(reinterpret_cast<char const*>(answered->data()), answered->size()));
+    throw InputError(
+        std::string(reinterpret_cast<char const*>(answered->data()), answered->size()));
   return states_in(name, *std::move(answered), expected_count);
 }
 

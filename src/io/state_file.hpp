@@ -25,9 +25,10 @@ namespace bagnold::io {
 std::vector<State> read_states(std::filesystem::path const& path,
                                std::optional<std::size_t> expected_count = std::nullopt);
 
-/// Replaces the file as a whole, sealed: R states of equal N, box, offset, time and rate, with a leading
-/// axis R where there are several. FileError where it cannot be written. The states are not
-/// checked: one that went wrong is written to be looked at. Each array is freed when it is in the file.
+/// Replaces the file as a whole, sealed: R states of equal N, box, offset, time and rate, with a
+/// leading axis R where there are several. FileError where it cannot be written. The states are not
+/// checked: one that went wrong is written to be looked at. Each array is freed when it is in the
+/// file.
 void write_states(std::filesystem::path const& path, std::vector<State> states);
 
 /// The group `state` in the group `at` ("": the root), as state files and checkpoints hold it.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "src/engine/contacts/contact_record.hpp"
 #include "src/measure/counts.hpp"
 #include "src/measure/frame_observer.hpp"
-#include "src/engine/contacts/contact_record.hpp"
 
 namespace bagnold {
 

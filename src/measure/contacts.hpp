@@ -5,8 +5,8 @@
 
 #include "src/config/plan.hpp"
 #include "src/config/scene.hpp"
-#include "src/measure/frames.hpp"
 #include "src/engine/contacts/contact_record.hpp"
+#include "src/measure/frames.hpp"
 
 namespace bagnold {
 

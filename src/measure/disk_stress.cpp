@@ -6,8 +6,8 @@
 #include "kernels/device/dynamics/stepped_system.hpp"
 #include "kernels/device/sums/measure.hpp"
 #include "src/config/time_step.hpp"
-#include "src/measure/disk_search.hpp"
 #include "src/engine/with_physics.hpp"
+#include "src/measure/disk_search.hpp"
 
 namespace bagnold {
 
@@ -21,8 +21,8 @@ std::vector<Sums<false>> sums_of(Forces const& forces, std::size_t count) {
 }
 
 template <Scheme scheme, ContactLaw Law, class Repulsion>
-std::vector<Sums<false>> stress_under(Law const& law, Repulsion const&,
-                                      Scene const& scene, State const& state) {
+std::vector<Sums<false>> stress_under(Law const& law, Repulsion const&, Scene const& scene,
+                                      State const& state) {
   auto const search = disk_search(state, 0.0);
   SteppedSystem<Law, Repulsion, FrameSpace, scheme> system{
       {}, make_species_table(scene.mass_by_area()), law, time_step(scene)};

@@ -43,7 +43,8 @@ class FrameObserver {
   /// The inverse, before the first frame of a resumed run.
   virtual void load(ObserverState const& numbers) = 0;
 
-  /// What of its files is no longer as it was saved, and what to do; empty: nothing. The run goes on.
+  /// What of its files is no longer as it was saved, and what to do; empty: nothing. The run goes
+  /// on.
   virtual std::string lost() const { return {}; }
 
   /// Adds what has been found so far. systems: observers of its kind, [R], of each system one,

@@ -89,8 +89,7 @@ std::vector<SampledObservable> joined_observables(
   auto all = systems.front()->observables();
   for (auto system = systems.begin() + 1; system != systems.end(); ++system) {
     auto const other = (*system)->observables();
-    for (std::size_t k = 0; k < all.size(); ++k)
-      all[k].samples.push_back(other[k].samples.front());
+    for (std::size_t k = 0; k < all.size(); ++k) all[k].samples.push_back(other[k].samples.front());
   }
   return all;
 }

@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "src/measure/frame_observer.hpp"
 #include "src/engine/simulation.hpp"
+#include "src/measure/frame_observer.hpp"
 
 namespace bagnold {
 

@@ -10,9 +10,9 @@
 #include <omp.h>
 #endif
 
-#include "src/run/messages.hpp"
 #include "src/config/errors.hpp"
 #include "src/engine/make_simulation.hpp"
+#include "src/run/messages.hpp"
 
 namespace bagnold {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "src/run/run_folder.hpp"
 #include "src/config/scene.hpp"
+#include "src/run/run_folder.hpp"
 
 namespace bagnold {
 

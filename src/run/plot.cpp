@@ -106,7 +106,8 @@ std::string draw_frames(std::filesystem::path const& result, std::filesystem::pa
   return draw({plot_frames_script, {plotting}}, result, folder);
 }
 
-std::string draw_analysis(std::filesystem::path const& drawn, std::filesystem::path const& picture) {
+std::string draw_analysis(std::filesystem::path const& drawn,
+                          std::filesystem::path const& picture) {
   return draw({plot_analysis_script, {plotting}}, drawn, picture);
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/run/provenance.hpp"
 
-#include <Kokkos_Core.hpp>
 #include <fmt/format.h>
 
+#include <Kokkos_Core.hpp>
 #include <fstream>
 
 #include "git_version.hpp"

@@ -6,14 +6,14 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "src/run/protocols/ramp/hysteresis.hpp"
-#include "src/run/provenance.hpp"
-#include "src/run/target_error.hpp"
-#include "src/run/warnings/warning.hpp"
 #include "src/config/keys.hpp"
 #include "src/config/scene_file.hpp"
 #include "src/io/atomic_file.hpp"
 #include "src/io/result_file.hpp"
+#include "src/run/protocols/ramp/hysteresis.hpp"
+#include "src/run/provenance.hpp"
+#include "src/run/target_error.hpp"
+#include "src/run/warnings/warning.hpp"
 #include "src/statistics/stopping.hpp"
 
 namespace bagnold {
@@ -332,8 +332,7 @@ void write_summary(RunFolder const& folder, Run const& run, std::vector<NamedEst
   summary["warnings"] = warnings_json(warnings);
   add_protocol(summary, run);
   bool const several = run.replicas.size() > 1 && !run.plan.ramp;
-  if (several)
-    summary["errors_from"] = errors_from(run);
+  if (several) summary["errors_from"] = errors_from(run);
   summary["observables"] = Json::object();
   for (auto const& named : list)
     summary["observables"][std::string(named.observable.name)] =

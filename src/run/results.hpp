@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "src/run/run_folder.hpp"
 #include "src/config/plan.hpp"
 #include "src/config/scene.hpp"
-#include "src/run/run_measured.hpp"
 #include "src/engine/observables.hpp"
+#include "src/run/run_folder.hpp"
+#include "src/run/run_measured.hpp"
 #include "src/statistics/replicas.hpp"
 
 namespace bagnold {
@@ -20,7 +20,8 @@ struct Replica {
   double initial_time = 0.0;  ///< at step 0, [tau_e]
   std::map<std::string, double> start_record;
   std::map<std::string, double> engine;  ///< its counters and choices at the last checkpoint
-  std::optional<ObserverState> saved_frames;   ///< of the checkpoint it goes on from; none: it begins
+  std::optional<ObserverState>
+      saved_frames;  ///< of the checkpoint it goes on from; none: it begins
   Measurement measurement;
 };
 
@@ -33,7 +34,8 @@ struct Run {
   std::string backend;
   double wall_seconds = 0.0;  ///< of stepping, resumes included
   bool steady_found = true;   ///< by shear.discard = "auto"; false: the middle was taken
-  std::map<std::string, std::optional<double>> reached;  ///< relative errors, of those with a target
+  std::map<std::string, std::optional<double>>
+      reached;              ///< relative errors, of those with a target
   bool target_met = false;  ///< by all of them, at this look and at the one before
 
   double box_height() const { return scene.disks.box_aspect * box_length; }  ///< L_y, [d_s]

@@ -7,11 +7,11 @@
 #include <iterator>
 #include <vector>
 
-#include "src/run/messages.hpp"
 #include "src/config/errors.hpp"
 #include "src/io/atomic_file.hpp"
 #include "src/io/checkpoint.hpp"
 #include "src/io/trajectory_parts.hpp"
+#include "src/run/messages.hpp"
 
 namespace bagnold {
 

@@ -46,7 +46,7 @@ std::int64_t step_of(std::span<MeasuredSystem const> systems) {
 }  // namespace
 
 bool run_measured(std::span<MeasuredSystem const> systems, Plan const& plan,
-                std::function<bool()> const& go_on) {
+                  std::function<bool()> const& go_on) {
   Stretch stretch;
   for (auto const& [simulation, measurement] : systems)
     if (simulation.step() == 0) measurement.frames.show(simulation, -1);
@@ -70,7 +70,7 @@ bool run_measured(std::span<MeasuredSystem const> systems, Plan const& plan,
 }
 
 bool run_measured(Simulation& simulation, Plan const& plan, Measurement& measurement,
-                std::function<bool()> const& go_on) {
+                  std::function<bool()> const& go_on) {
   MeasuredSystem const one{simulation, measurement};
   return run_measured({&one, 1}, plan, go_on);
 }

@@ -7,8 +7,8 @@
 
 #include "src/config/errors.hpp"
 #include "src/config/plan.hpp"
-#include "src/measure/frames.hpp"
 #include "src/engine/simulation.hpp"
+#include "src/measure/frames.hpp"
 #include "src/statistics/windows.hpp"
 
 namespace bagnold {
@@ -38,10 +38,10 @@ struct SystemFailure : NumericalError {
 /// `go_on` is called about twenty times a second, between steps; how often changes no bit. Returns
 /// false where it did.
 bool run_measured(Simulation& simulation, Plan const& plan, Measurement& measurement,
-                std::function<bool()> const& go_on);
+                  std::function<bool()> const& go_on);
 
 /// The same for several systems, told to advance in turn to the same step. Throws SystemFailure.
 bool run_measured(std::span<MeasuredSystem const> systems, Plan const& plan,
-                std::function<bool()> const& go_on);
+                  std::function<bool()> const& go_on);
 
 }  // namespace bagnold

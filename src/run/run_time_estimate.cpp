@@ -8,11 +8,11 @@
 #include <cmath>
 #include <limits>
 
+#include "src/config/errors.hpp"
+#include "src/engine/make_simulation.hpp"
+#include "src/io/state_file.hpp"
 #include "src/run/machine.hpp"
 #include "src/run/run_time_trial.hpp"
-#include "src/config/errors.hpp"
-#include "src/io/state_file.hpp"
-#include "src/engine/make_simulation.hpp"
 #include "src/start/start.hpp"
 
 namespace bagnold {
@@ -66,7 +66,8 @@ struct Place {
 };
 
 /// Runs that lie far from each other, the one of most steps first, so many at most.
-std::vector<std::size_t> far_apart(std::vector<PlannedRun> const& runs, std::vector<Place> const& places) {
+std::vector<std::size_t> far_apart(std::vector<PlannedRun> const& runs,
+                                   std::vector<Place> const& places) {
   auto const steps = [](PlannedRun const& run) { return disk_steps(run.scene, run.plan); };
   auto const most = std::ranges::max_element(runs, {}, steps);
   std::vector<std::size_t> chosen{static_cast<std::size_t>(most - runs.begin())};
@@ -162,8 +163,8 @@ RunTimes times_of_many(std::vector<PlannedRun> const& runs) {
   }
   RunTimes times;
   for (std::size_t k = 0; k < scenes.size(); ++k)
-    times.each.push_back(run_time(pictures_take(scenes[k]) +
-                                  disk_strain(runs[k]) * cost_at(places[k], tried)));
+    times.each.push_back(
+        run_time(pictures_take(scenes[k]) + disk_strain(runs[k]) * cost_at(places[k], tried)));
   times.how = fmt::format("from trials of {} of them", tried.size());
   return times;
 }

@@ -29,8 +29,9 @@ struct PlannedRun {
   Plan plan;
 };
 
-/// Of many runs, as of the points of a sweep: from trials of some that lie far apart in what decides
-/// the time. The others take, for each disk and unit of strain, what the nearest of these do.
+/// Of many runs, as of the points of a sweep: from trials of some that lie far apart in what
+/// decides the time. The others take, for each disk and unit of strain, what the nearest of these
+/// do.
 RunTimes times_of_many(std::vector<PlannedRun> const& runs);
 
 }  // namespace bagnold

@@ -9,12 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include "src/engine/contacts/contact_columns.hpp"
+#include "src/engine/make_simulation.hpp"
 #include "src/measure/contacts.hpp"
 #include "src/measure/make_frames.hpp"
 #include "src/run/protocols/ramp/ramped_simulation.hpp"
 #include "src/run/run_measured.hpp"
-#include "src/engine/contacts/contact_columns.hpp"
-#include "src/engine/make_simulation.hpp"
 #include "src/start/start.hpp"
 
 namespace bagnold {
@@ -62,8 +62,8 @@ class Stepped {
  public:
   Stepped(Scene const& scene, Plan const& plan, State state, std::int64_t step) : plan_(plan) {
     Snapshot from = first_snapshot(std::move(state));
-    double const turns = from.state.offset / from.state.box_length -
-                         from.state.box_aspect * plan.strain(step);
+    double const turns =
+        from.state.offset / from.state.box_length - from.state.box_aspect * plan.strain(step);
     from.step = step;
     from.initial_offset = (turns - std::floor(turns)) * from.state.box_length;
     simulation_ = simulation_of(scene, plan, std::move(from));

@@ -6,19 +6,19 @@
 #include <algorithm>
 #include <utility>
 
-#include "src/run/messages.hpp"
-#include "src/run/pictures.hpp"
-#include "src/run/provenance.hpp"
-#include "src/run/target_error.hpp"
-#include "src/run/warnings/warning.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/scene_file.hpp"
+#include "src/engine/make_simulation.hpp"
 #include "src/io/state_file.hpp"
 #include "src/measure/contacts.hpp"
 #include "src/measure/make_frames.hpp"
+#include "src/run/messages.hpp"
+#include "src/run/pictures.hpp"
 #include "src/run/protocols/ramp/ramped_simulation.hpp"
+#include "src/run/provenance.hpp"
 #include "src/run/run_measured.hpp"
-#include "src/engine/make_simulation.hpp"
+#include "src/run/target_error.hpp"
+#include "src/run/warnings/warning.hpp"
 #include "src/start/start.hpp"
 #include "src/statistics/stopping.hpp"
 
@@ -219,7 +219,7 @@ ReplicaScheduler::Request Runner::request() const {
   std::chrono::duration<double> const since = SteadyClock::now() - checkpointed_;
   bool const due = since.count() > 60 * run_.scene.output.checkpoint_minutes;
   return monitor_.checkpoint_requested() || due ? ReplicaScheduler::Request::hold
-                                                 : ReplicaScheduler::Request::go_on;
+                                                : ReplicaScheduler::Request::go_on;
 }
 
 io::SystemCheckpoint Runner::checkpoint_of(std::size_t r) {

@@ -7,13 +7,13 @@
 #include <optional>
 #include <vector>
 
+#include "src/engine/simulation.hpp"
+#include "src/io/checkpoint.hpp"
 #include "src/run/machine.hpp"
 #include "src/run/monitor.hpp"
+#include "src/run/replica_scheduler.hpp"
 #include "src/run/results.hpp"
 #include "src/run/run_folder.hpp"
-#include "src/io/checkpoint.hpp"
-#include "src/run/replica_scheduler.hpp"
-#include "src/engine/simulation.hpp"
 
 namespace bagnold {
 

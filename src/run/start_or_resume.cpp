@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "src/run/messages.hpp"
-#include "src/run/runner.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/scene_file.hpp"
 #include "src/config/time_step.hpp"
@@ -12,6 +10,8 @@
 #include "src/io/atomic_file.hpp"
 #include "src/io/checkpoint.hpp"
 #include "src/io/state_file.hpp"
+#include "src/run/messages.hpp"
+#include "src/run/runner.hpp"
 #include "src/start/deep_overlaps.hpp"
 
 namespace bagnold {
@@ -73,7 +73,8 @@ std::vector<StartedState> states_in_file(Scene const& scene) {
 }
 
 bool begun(std::filesystem::path const& folder) {
-  for (auto const* name : {"checkpoint.h5", "checkpoint.previous.h5", "checkpoint.h5.tmp", "result.h5"})
+  for (auto const* name :
+       {"checkpoint.h5", "checkpoint.previous.h5", "checkpoint.h5.tmp", "result.h5"})
     if (std::filesystem::exists(folder / name)) return true;
   return false;
 }

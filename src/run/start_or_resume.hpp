@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <vector>
 
+#include "src/config/scene.hpp"
 #include "src/run/machine.hpp"
 #include "src/run/monitor.hpp"
 #include "src/run/run_folder.hpp"
-#include "src/config/scene.hpp"
 #include "src/start/start.hpp"
 
 namespace bagnold {

@@ -103,11 +103,11 @@ void check_target(Scene const& scene) {
   auto const of_frames = names_of_frames(scene);
   for (auto const& [name, error] : scene.shear.target_error)
     if (std::ranges::find(of_frames, name) != of_frames.end())
-      throw InputError(
-          fmt::format("shear.target_error = {{ {} = {} }} (is measured on frames, and where these "
-                      "begin depends on where the run ends); name what every window has, as B_p, or "
-                      "give shear.strain alone",
-                      name, error));
+      throw InputError(fmt::format(
+          "shear.target_error = {{ {} = {} }} (is measured on frames, and where these "
+          "begin depends on where the run ends); name what every window has, as B_p, or "
+          "give shear.strain alone",
+          name, error));
     else if (std::ranges::find(names, name) == names.end())
       throw InputError(
           fmt::format("shear.target_error = {{ {} = {} }} (no such NAME in this scene's "

@@ -7,10 +7,10 @@
 
 #include "kernels/cpu/blocks/blocks.hpp"
 #include "kernels/physics/species.hpp"
-#include "src/run/messages.hpp"
-#include "src/run/target_error.hpp"
 #include "src/config/cascade.hpp"
 #include "src/config/errors.hpp"
+#include "src/run/messages.hpp"
+#include "src/run/target_error.hpp"
 
 namespace bagnold {
 
@@ -25,7 +25,8 @@ void refuse_less_than_a_window(Scene const& scene, Plan const& plan) {
       scene.shear.strain.at(0), scene.output.sample_strain));
 }
 
-/// Least number of pairs in the lists of disks placed evenly: of disks within d_s + skin of each other,
+/// Least number of pairs in the lists of disks placed evenly: of disks within d_s + skin of each
+/// other,
 ///
 ///     N n pi (d_s + skin)^2 / 2,    n = phi / [pi (d_s^2 + d_b^2) / 8]
 ///

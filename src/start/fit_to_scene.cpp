@@ -33,9 +33,10 @@ void refuse_disagreement(State const& state, Scene const& scene) {
                        state.count()));
   double const length = scene.box_length(), aspect = scene.disks.box_aspect;
   if (!(std::abs(state.box_aspect - aspect) <= 1e-9 * aspect))
-    refuse(fmt::format("box_aspect = {}, disks.box_aspect = {} (must agree to 1e-9); set "
-                       "disks.box_aspect = {}",
-                       state.box_aspect, aspect, state.box_aspect));
+    refuse(
+        fmt::format("box_aspect = {}, disks.box_aspect = {} (must agree to 1e-9); set "
+                    "disks.box_aspect = {}",
+                    state.box_aspect, aspect, state.box_aspect));
   if (!(std::abs(state.box_length - length) <= 1e-9 * length))
     refuse(
         fmt::format("box_length = {} but disks.count and disks.packing_fraction = {} give {} "

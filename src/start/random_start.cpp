@@ -47,11 +47,12 @@ StartedState random_start(Scene const& scene) {
   started.record = {{"start_iterations", static_cast<double>(done.iterations)},
                     {"start_overlap", done.largest_overlap}};
   if (done.largest_overlap > 0.05)
-    throw NumericalError(fmt::format(
-        "after {} iterations of relaxing the random start an overlap of {:.1f}% is left (limit 5%); "
-        "lower disks.packing_fraction = {}, or raise start.iterations = {}",
-        done.iterations, 100 * done.largest_overlap, scene.disks.packing_fraction,
-        scene.start.iterations));
+    throw NumericalError(
+        fmt::format("after {} iterations of relaxing the random start an overlap of {:.1f}% is "
+                    "left (limit 5%); "
+                    "lower disks.packing_fraction = {}, or raise start.iterations = {}",
+                    done.iterations, 100 * done.largest_overlap, scene.disks.packing_fraction,
+                    scene.start.iterations));
 
   state.velocity.resize(count);
   for (std::size_t i = 0; i < count; ++i)

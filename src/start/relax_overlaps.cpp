@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "kernels/device/side_by_side.hpp"
 #include "kernels/device/dynamics/relaxation.hpp"
+#include "kernels/device/side_by_side.hpp"
 #include "src/engine/device_copy.hpp"
 
 namespace bagnold {
@@ -29,8 +29,8 @@ class Relaxer {
   void iterate() {
     Real largest2 = 0;
     side_by_side::parallel_reduce("start::Relax", policy(),
-                            Relax<Space>{forces(), motion_, next_position_, list_.at_build},
-                            Kokkos::Max<Real>(largest2));
+                                  Relax<Space>{forces(), motion_, next_position_, list_.at_build},
+                                  Kokkos::Max<Real>(largest2));
     std::swap(position_, next_position_);
     if (!list_holds(0.0, largest2, list_.skin)) renew_list();
   }
@@ -39,7 +39,7 @@ class Relaxer {
     using Overlap = LargestOverlap<NoDissipation, HarmonicRepulsion, Space>;
     typename Overlap::Value deepest{};
     side_by_side::parallel_reduce("start::LargestOverlap", policy(), Overlap{forces()},
-                            Kokkos::MaxLoc<Real, std::int64_t>(deepest));
+                                  Kokkos::MaxLoc<Real, std::int64_t>(deepest));
     return std::max(0.0, deepest.val);
   }
 
@@ -102,7 +102,8 @@ Relaxation relax_on(State& state, double overlap, std::int64_t iterations, doubl
 
 Relaxation relax_overlaps(State& state, double overlap, std::int64_t iterations, double skin) {
 #ifdef KOKKOS_ENABLE_SERIAL
-  constexpr std::size_t worth_threads = 8192;  // fewer disks wait for each other more than they move
+  constexpr std::size_t worth_threads =
+      8192;  // fewer disks wait for each other more than they move
   if (state.count() < worth_threads || Kokkos::DefaultHostExecutionSpace().concurrency() == 1)
     return relax_on<Kokkos::Serial>(state, overlap, iterations, skin);
 #endif

@@ -14,7 +14,7 @@ namespace bagnold {
 
 /// Everything a simulation needs to go on bit for bit.
 struct Snapshot {
-  State state;                                       ///< as the engine holds it, outside the box perhaps
+  State state;  ///< as the engine holds it, outside the box perhaps
   std::vector<std::array<double, 2>> list_position;  ///< [N], at the last list build, [d_s]
   std::int64_t list_step = 0;                        ///< step of that build
   std::int64_t step = 0;                             ///< steps done

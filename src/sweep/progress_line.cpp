@@ -13,8 +13,9 @@ namespace bagnold::sweep {
 ProgressLine::ProgressLine(Sweep const& sweep, bool quiet)
     : quiet_(quiet), terminal_(isatty(STDOUT_FILENO) == 1), start_(Clock::now()), shown_(start_) {
   for (auto const& point : sweep.points)
-    points_.push_back({point.plan.strain(point.plan.steps), static_cast<double>(point.plan.steps) *
-                                                     static_cast<double>(point.scene.disks.count)});
+    points_.push_back(
+        {point.plan.strain(point.plan.steps),
+         static_cast<double>(point.plan.steps) * static_cast<double>(point.scene.disks.count)});
 }
 
 void ProgressLine::started(std::size_t) { ++running_; }

@@ -19,8 +19,8 @@ struct Column {
 /// What the points of a sweep have come to.
 struct Results {
   std::vector<Column> columns;  ///< every observable of any point, in the order of first appearance
-  std::vector<std::string> status;  ///< [P]: "done", "failed" (begun, no result) or "open"
-  std::vector<std::string> warnings;  ///< [P]: names of a point's warnings, a space between
+  std::vector<std::string> status;        ///< [P]: "done", "failed" (begun, no result) or "open"
+  std::vector<std::string> warnings;      ///< [P]: names of a point's warnings, a space between
   std::vector<std::string> rough_errors;  ///< [P]: NAMEs whose errors are rough, a space between
 };
 

@@ -24,8 +24,8 @@ struct SlurmJob {
 void refuse_slurm_name(std::filesystem::path const& folder);
 
 /// An array of one task a chain (beyond 1000 chains a task does several in turn) that runs
-/// `bagnold sweep FILE --out DIR --chain K`. The wall time asked for is twice that of the longest task,
-/// 10 minutes at least.
+/// `bagnold sweep FILE --out DIR --chain K`. The wall time asked for is twice that of the longest
+/// task, 10 minutes at least.
 std::string slurm_array(Sweep const& sweep, SlurmJob const& job);
 
 /// The step behind it, which writes the tables.

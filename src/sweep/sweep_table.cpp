@@ -61,7 +61,8 @@ class TableReader {
                                  name, describe(node), name));
       lists(name, "", *node.as_table(), name == "grid" ? sweep.grid : sweep.zip);
     } else {
-      refuse(node, fmt::format("unknown key sweep.{}; [sweep] takes grid, zip and chain", shown(name)));
+      refuse(node,
+             fmt::format("unknown key sweep.{}; [sweep] takes grid, zip and chain", shown(name)));
     }
   }
 
@@ -78,8 +79,8 @@ class TableReader {
     for (auto const& [key, node] : entries) {
       std::string const name = prefix + std::string(key->str());
       if (name.find_first_not_of(key_letters) != std::string::npos)
-        refuse(*node, fmt::format("sweep.{}: {} is no key; write \"table.key\" = [value, value]", where,
-                                  shown(name)));
+        refuse(*node, fmt::format("sweep.{}: {} is no key; write \"table.key\" = [value, value]",
+                                  where, shown(name)));
       if (auto const* inner = node->as_table())
         lists(where, name + ".", *inner, keys);
       else

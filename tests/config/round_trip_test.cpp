@@ -33,7 +33,8 @@ TEST(RoundTrip, KeepsEveryBitOfAwkwardNumbers) {
 TEST(RoundTrip, KeepsTheWordsOfTheIntegration) {
   Scene scene = minimal_scene();
   for (auto const scheme : {std::string_view(automatic), papers_scheme, two_stage_scheme})
-    for (NumberOrWord const& step : {NumberOrWord(automatic), NumberOrWord(of_papers), NumberOrWord(0.25)}) {
+    for (NumberOrWord const& step :
+         {NumberOrWord(automatic), NumberOrWord(of_papers), NumberOrWord(0.25)}) {
       scene.integration.scheme = scheme;
       scene.integration.time_step = step;
       Scene const back = round_trip(scene);

@@ -87,7 +87,8 @@ inline bool same(Scene const& a, Scene const& b) {
 /// The root of the sources, which has inputs/.
 inline std::filesystem::path const source_folder = BAGNOLD_SOURCE_FOLDER;
 
-inline Scene::Disks disks(std::string const& model, double elasticity, std::string const& mass = "equal") {
+inline Scene::Disks disks(std::string const& model, double elasticity,
+                          std::string const& mass = "equal") {
   Scene::Disks d;
   d.model = model;
   d.elasticity = elasticity;

@@ -7,9 +7,9 @@
 #include <mutex>
 #include <set>
 
+#include "src/engine/ensemble/ensemble_engine.hpp"
 #include "src/measure/contacts.hpp"
 #include "src/measure/make_frames.hpp"
-#include "src/engine/ensemble/ensemble_engine.hpp"
 #include "tests/support/heap.hpp"
 #include "tests/support/simulations.hpp"
 
@@ -181,8 +181,8 @@ TEST(Allocations, LawsDifferInNothingElse) {
 }
 
 TEST(Allocations, ArraysOfAWayOfSteppingAreOnlyThere) {
-  std::set<std::string> const of_dense{"steps::active", "steps::active_count",
-                                       "steps::contacts", "steps::is_active"};
+  std::set<std::string> const of_dense{"steps::active", "steps::active_count", "steps::contacts",
+                                       "steps::is_active"};
   for (auto const& law : law_names())
     for (std::string const engine : {"reference", "dense", "contact-rich", "windowed"}) {
       auto const found = labels(held(scene_of(law, engine)).views);

@@ -9,12 +9,13 @@ struct Case {
   char const* name;
   char const* law;
   double packing_fraction, elasticity, strain_rate;
-  double warm_up;            ///< strain before the audit
-  std::int64_t steps;        ///< between comparisons
-  double pair_contacts;      ///< to audit: pairs that touch, summed over steps
+  double warm_up;        ///< strain before the audit
+  std::int64_t steps;    ///< between comparisons
+  double pair_contacts;  ///< to audit: pairs that touch, summed over steps
 };
 
-/// Pairs whose gap is smaller than `within` either way, [d_s], so that rounding decides if they touch.
+/// Pairs whose gap is smaller than `within` either way, [d_s], so that rounding decides if they
+/// touch.
 int grazing(State const& s, double within) {
   int found = 0;
   double const L = s.box_length;
@@ -41,11 +42,12 @@ int grazing(Scene const& scene, State const& start, std::int64_t steps, double w
   return found;
 }
 
-/// A long run of the automatic engine, compared stretch by stretch with the reference engine started
-/// from the same state. The reference evaluates every pair of its list at every step, so a contact
-/// missed or one too many at any step shows in the number of contacts, which must be equal. Stretches
-/// are short: collisions multiply rounding by up to d/gap each, and an overdamped contact opens so
-/// gently that rounding may move its end by a step: numbers may differ by pairs that graze, no more.
+/// A long run of the automatic engine, compared stretch by stretch with the reference engine
+/// started from the same state. The reference evaluates every pair of its list at every step, so a
+/// contact missed or one too many at any step shows in the number of contacts, which must be equal.
+/// Stretches are short: collisions multiply rounding by up to d/gap each, and an overdamped contact
+/// opens so gently that rounding may move its end by a step: numbers may differ by pairs that
+/// graze, no more.
 class Audit : public testing::TestWithParam<Case> {};
 
 TEST_P(Audit, NoContactIsMissedAndNoneIsExtra) {

@@ -63,8 +63,8 @@ TEST_P(Balance, AngularMomentumOfAPairIsConserved) {
   }
 }
 
-/// Power in minus dissipation is the change of energy, d(K + V)/dt = sigma gammadot L_x L_y - D, within
-/// 1% of the power at the papers' time step, and closing as dt^2 while contacts last.
+/// Power in minus dissipation is the change of energy, d(K + V)/dt = sigma gammadot L_x L_y - D,
+/// within 1% of the power at the papers' time step, and closing as dt^2 while contacts last.
 TEST_P(Balance, EnergyIsAccountedFor) {
   struct Case {
     char const* mass;
@@ -106,8 +106,8 @@ TEST_P(Balance, EnergyIsAccountedFor) {
         power_in += in;
         balance += in - time_step / 2 * (before.dissipation + last.dissipation);
       }
-      double const change = last.kinetic_energy + last.elastic_energy - first.kinetic_energy -
-                            first.elastic_energy;
+      double const change =
+          last.kinetic_energy + last.elastic_energy - first.kinetic_energy - first.elastic_energy;
       return std::abs(balance - change) / std::abs(power_in);
     };
     double const paper = std::min(paper_time_step(scene.disks), 0.05);

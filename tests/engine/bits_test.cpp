@@ -95,7 +95,8 @@ TEST_P(Bits, GoOnFromASnapshot) {
     ASSERT_EQ(a.sums.size(), b.sums.size());
     for (std::size_t w = 0; w < a.sums.size(); ++w) EXPECT_EQ(a.sums[w].sums, b.sums[w].sums);
   };
-  for (double packing_fraction : {0.82, 0.55}) for_schemes(small_scene(packing_fraction, 300), test);
+  for (double packing_fraction : {0.82, 0.55})
+    for_schemes(small_scene(packing_fraction, 300), test);
 }
 
 /// How often lists are built must not be seen in the trajectory beyond the rounding of wraps.
@@ -155,16 +156,18 @@ State shaken_lattice(Scene const& scene) {
   for (long k = 0; k < side * side; ++k) {
     double const t = static_cast<double>(k);
     double const y = spacing * (static_cast<double>(k / side) + 0.5 + 0.02 * std::cos(78.233 * t));
-    state.position.push_back({spacing * (static_cast<double>(k % side) + 0.5 + 0.02 * std::sin(12.9898 * t)), y});
-    state.velocity.push_back({scene.shear.strain_rate * y + 0.02 * std::sin(4.1 * t), 0.1 + 0.02 * std::cos(5.3 * t)});
+    state.position.push_back(
+        {spacing * (static_cast<double>(k % side) + 0.5 + 0.02 * std::sin(12.9898 * t)), y});
+    state.velocity.push_back(
+        {scene.shear.strain_rate * y + 0.02 * std::sin(4.1 * t), 0.1 + 0.02 * std::cos(5.3 * t)});
     state.spin.push_back(0.02 * std::sin(2.7 * t));
     state.diameter.push_back((k + k / side) % 3 == 0 ? small_diameter : big_diameter);
   }
   return state;
 }
 
-/// Systems that do not fit into cache go through both halves of a step block by block. Where contacts are
-/// recorded all blocks go through the first half before any goes through the second.
+/// Systems that do not fit into cache go through both halves of a step block by block. Where
+/// contacts are recorded all blocks go through the first half before any goes through the second.
 TEST(LargeBits, DependNeitherOnTheOrderOfBlocksNorOnTheBackend) {
   Scene scene = small_scene("CD_rot", 0.65, 320 * 320);
   scene.integration.skin = 0.35;

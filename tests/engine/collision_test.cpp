@@ -28,7 +28,8 @@ class Collision : public EverySimulation {
   }
 };
 
-/// Restitution of head-on disks against P1 Eq. (7); the scheme is of first order across the opening.
+/// Restitution of head-on disks against P1 Eq. (7); the scheme is of first order across the
+/// opening.
 TEST_P(Collision, RestitutionIsThatOfTheClosedForm) {
   for (double elasticity : {2.0, 10.0, 50.0}) {
     for (double time_step : {0.02, 0.01, 0.005}) {

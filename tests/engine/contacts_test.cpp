@@ -31,7 +31,8 @@ class Contacts : public EverySimulation {
 
 /// The velocities of every contact at the step that is its own, in any engine.
 TEST_P(Contacts, AreLookedAtWhereAllPairsWouldBe) {
-  constexpr std::pair<double, double> cases[] = {{0.82, 1.0}, {0.6, 1.0}, {0.82, 4.0}, {0.82, 0.25}};
+  constexpr std::pair<double, double> cases[] = {
+      {0.82, 1.0}, {0.6, 1.0}, {0.82, 4.0}, {0.82, 0.25}};
   for (auto const& [packing_fraction, aspect] : cases) {
     Scene scene = small_scene(packing_fraction, 64);
     scene.disks.box_aspect = aspect;

@@ -18,13 +18,16 @@ struct Cost {
 Cost cost(Scene const& scene, double warm_up, double strain) {
   auto const simulation = simulate(scene, random_start(scene).state, backend_names().front());
   auto const steps = [&](double of) {
-    return std::llround(of / (scene.shear.strain_rate * scene.integration.time_step.number.value()));
+    return std::llround(of /
+                        (scene.shear.strain_rate * scene.integration.time_step.number.value()));
   };
   advance(*simulation, steps(warm_up));
   auto const before = simulation->snapshot();
   auto const sums = advance(*simulation, steps(strain), 10);
   auto const after = simulation->snapshot();
-  auto const spent = [&](char const* name) { return after.counters.at(name) - before.counters.at(name); };
+  auto const spent = [&](char const* name) {
+    return after.counters.at(name) - before.counters.at(name);
+  };
   double const disks = static_cast<double>(scene.disks.count);
   double const singly = std::max(1.0, spent("steps_one_by_one"));
   double const windows = std::max(1.0, spent("windows"));
@@ -46,8 +49,8 @@ Scene scene_of(char const* law, double packing_fraction, double elasticity, doub
   return scene;
 }
 
-/// Of the pairs looked at, 3.5 a disk in the list of a plain engine at this density, hardly more than
-/// those that touch are worked out.
+/// Of the pairs looked at, 3.5 a disk in the list of a plain engine at this density, hardly more
+/// than those that touch are worked out.
 TEST(Counters, ContactRichStepsVisitFewPairsBeyondThoseThatTouch) {
   Cost const c = cost(scene_of("CD_rot", 0.82, 1, 1e-3), 0.5, 0.2);
   EXPECT_LT(c.pairs_evaluated, 1.35 * c.touching);

@@ -96,7 +96,8 @@ TEST(LookaheadGain, GoesOnFromItsMemory) {
     straight.for_each_memory([&](char const* name, auto& value) { memory[name] = value; });
     copy.for_each_memory([&](char const* name, auto& value) { value = memory.at(name); });
     auto const goes_on = [k](LookaheadGain& pay) {
-      return pay.window_done(16, 0.2 + 0.1 * (k % 7), 16.0 * (k / 1000 % 2 == 0 ? 10 : 30), 16 * one_by_one);
+      return pay.window_done(16, 0.2 + 0.1 * (k % 7), 16.0 * (k / 1000 % 2 == 0 ? 10 : 30),
+                             16 * one_by_one);
     };
     bool const straight_on = goes_on(straight);
     ASSERT_EQ(goes_on(copy), straight_on);

@@ -43,9 +43,8 @@ TEST(LookaheadTuning, GoesOnFromItsMemory) {
   for (int k = 0; k < 777; ++k) {
     LookaheadTuning copy;
     std::map<std::string, double> memory;
-    straight.for_each_memory([&](char const* name, auto& value) {
-      memory[name] = static_cast<double>(value);
-    });
+    straight.for_each_memory(
+        [&](char const* name, auto& value) { memory[name] = static_cast<double>(value); });
     copy.for_each_memory([&](char const* name, auto& value) {
       value = static_cast<std::decay_t<decltype(value)>>(memory.at(name));
     });

@@ -72,8 +72,8 @@ TEST_P(Statistics, OfEveryEngineAreThoseOfTheReference) {
       auto const a = mean(found, observable), b = mean(expected, observable);
       double const apart = (a.value - b.value) / std::hypot(a.error, b.error);
       RecordProperty(engine + "_" + name + "_standard_errors_apart", std::to_string(apart));
-      // Two would fail once in twenty by chance; an engine that loses a contact in a thousand is caught
-      // by the audit, step by step.
+      // Two would fail once in twenty by chance; an engine that loses a contact in a thousand is
+      // caught by the audit, step by step.
       EXPECT_LT(std::abs(apart), 5) << engine << ' ' << name << ' ' << a.value << "(" << a.error
                                     << ") against " << b.value << "(" << b.error << ")";
       EXPECT_LT(a.error, 0.1 * std::abs(a.value));

@@ -99,7 +99,8 @@ TEST_P(Trajectory, OfADiluteGas) {
     constexpr int steps = 900;
     auto const sums = advance(*simulation, steps, 1);
     auto const expected = advance(*oracle, steps, 1);
-    EXPECT_LT(largest_difference(simulation->state(), oracle->state(), scene.shear.strain_rate), 1e-10);
+    EXPECT_LT(largest_difference(simulation->state(), oracle->state(), scene.shear.strain_rate),
+              1e-10);
     ASSERT_EQ(sums.weight, expected.weight);
     using C = SumColumns;
     EXPECT_GE(expected.sums[C::contacts], 2.0 * static_cast<double>(count));
@@ -119,8 +120,8 @@ TEST_P(Trajectory, OfADiluteGas) {
   }
 }
 
-/// Two disks of a thin gas fly at each other from where the list does not hold them, fast enough to meet
-/// within the first window, and no others do.
+/// Two disks of a thin gas fly at each other from where the list does not hold them, fast enough to
+/// meet within the first window, and no others do.
 TEST_P(Trajectory, OfDisksThatOutflyTheList) {
   Scene scene = small_scene(0.05, 16);
   scene.disks.elasticity = 50;
@@ -141,11 +142,12 @@ TEST_P(Trajectory, OfDisksThatOutflyTheList) {
   using C = SumColumns;
   EXPECT_GE(expected.sums[C::contacts], 20);
   EXPECT_EQ(sums.sums[C::contacts], expected.sums[C::contacts]);
-  EXPECT_LT(largest_difference(simulation->state(), oracle->state(), scene.shear.strain_rate), 1e-11);
+  EXPECT_LT(largest_difference(simulation->state(), oracle->state(), scene.shear.strain_rate),
+            1e-11);
 }
 
-/// Thousands of disks, so that a fast engine cuts them into several patches, in contact across every
-/// edge: against the reference engine, which knows no patches.
+/// Thousands of disks, so that a fast engine cuts them into several patches, in contact across
+/// every edge: against the reference engine, which knows no patches.
 TEST_P(Trajectory, InManyPatches) {
   if (engine() == "reference") GTEST_SKIP() << "is the oracle";
   Scene scene = small_scene(0.84, 5000);

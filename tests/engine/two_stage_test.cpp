@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/reference/two_stage.hpp"
+
 #include "tests/support/simulations.hpp"
 
 namespace bagnold::test {
@@ -14,15 +15,16 @@ class TwoStage : public EverySimulation {
   }
 };
 
-/// Against all pairs and all images, from the formulas: weak and strong damping, so that alpha is near
-/// 1/2, well below, and at its bound.
+/// Against all pairs and all images, from the formulas: weak and strong damping, so that alpha is
+/// near 1/2, well below, and at its bound.
 TEST_P(TwoStage, IsThatOfTheAllPairsReference) {
   struct Case {
     double packing_fraction, elasticity, time_step;
     char const* mass;
   };
   for (auto const& [packing_fraction, elasticity, time_step, mass] :
-       {Case{0.60, 20.0, 0.2, "area"}, Case{0.84, 1.0, 0.1, "equal"}, Case{0.84, 0.2, 0.035, "area"}}) {
+       {Case{0.60, 20.0, 0.2, "area"}, Case{0.84, 1.0, 0.1, "equal"},
+        Case{0.84, 0.2, 0.035, "area"}}) {
     Scene scene = two_stage_scene(packing_fraction);
     scene.disks.elasticity = elasticity;
     scene.disks.mass = mass;
@@ -90,7 +92,8 @@ TEST_P(TwoStage, OfADiluteGas) {
   scene.integration.time_step = 0.2;
   State state = shaken_start(scene);
   for (std::size_t i = 0; i < state.count(); ++i) {  // no common drift, and few collisions a step
-    state.velocity[i][0] -= 0.7 * (state.velocity[i][0] - scene.shear.strain_rate * state.position[i][1]);
+    state.velocity[i][0] -=
+        0.7 * (state.velocity[i][0] - scene.shear.strain_rate * state.position[i][1]);
     state.velocity[i][1] = 0.3 * (state.velocity[i][1] - 0.1);
   }
   auto const simulation = simulate(scene, state, backend());
@@ -99,7 +102,8 @@ TEST_P(TwoStage, OfADiluteGas) {
   constexpr int steps = 800;
   auto const sums = advance(*simulation, steps, 1);
   auto const expected = advance(*oracle, steps, 1);
-  EXPECT_LT(largest_difference(simulation->state(), oracle->state(), scene.shear.strain_rate), 1e-10);
+  EXPECT_LT(largest_difference(simulation->state(), oracle->state(), scene.shear.strain_rate),
+            1e-10);
   using C = SumColumns;
   EXPECT_GE(expected.sums[C::contacts], 2400.0);
   EXPECT_EQ(sums.sums[C::contacts], expected.sums[C::contacts]);
@@ -124,8 +128,8 @@ TEST_P(TwoStage, InManyPatches) {
   expect_the_reference_engines(*simulation, scene, state, 150);
 }
 
-/// Where damping alone acts on a lone pair, it relaxes as the equation of motion says, at any step: the
-/// tangential motion of two disks that touch without overlap force to speak of.
+/// Where damping alone acts on a lone pair, it relaxes as the equation of motion says, at any step:
+/// the tangential motion of two disks that touch without overlap force to speak of.
 TEST_P(TwoStage, ALonePairRelaxesExactly) {
   if (law() == "CD_n") GTEST_SKIP() << "has no tangential damping";
   Scene scene = two_stage_scene(0.8);
@@ -144,20 +148,21 @@ TEST_P(TwoStage, ALonePairRelaxesExactly) {
   auto const simulation = simulate(scene, state, backend());
   auto const sums = advance(*simulation, 1, 1).sums;
   State const after = simulation->state();
-  // d/dt v_t = -k_t (2/m) v_t, with spins -k_t (2/m + 2 (d/2)^2/I) v_t = -k_t (6/m) v_t at the contact.
+  // d/dt v_t = -k_t (2/m) v_t, with spins -k_t (2/m + 2 (d/2)^2/I) v_t = -k_t (6/m) v_t at the
+  // contact.
   double const k = law() == "general" ? scene.disks.damping_tangential : 1.0;
   double slip = after.velocity[0][1] - after.velocity[1][1];
   if (scene.rotates()) slip += 0.5 * (after.spin[0] + after.spin[1]);
   double const z = k * 0.4 * (scene.rotates() ? 6.0 : 2.0);
   EXPECT_NEAR(slip / slide, std::exp(-z), 10 * overlap) << "z " << z;  // arms are r/2, not 1/2
-  // What is dissipated is what the sliding loses: (m/4) v_t^2, or (m/12) v_t^2 of what can be lost with
-  // spins, beside the repulsion's work.
+  // What is dissipated is what the sliding loses: (m/4) v_t^2, or (m/12) v_t^2 of what can be lost
+  // with spins, beside the repulsion's work.
   double const lost = slide * slide * (1 - std::exp(-2 * z)) / (scene.rotates() ? 12 : 4);
   EXPECT_NEAR(0.4 * sums[SumColumns::dissipation], lost, 1e-4 * lost) << "z " << z;
 }
 
-/// Five disks in contact without overlap to speak of, a triangle and a chain from it: what the motion
-/// of all loses in a step is what is said to be dissipated, whoever else a disk touches.
+/// Five disks in contact without overlap to speak of, a triangle and a chain from it: what the
+/// motion of all loses in a step is what is said to be dissipated, whoever else a disk touches.
 TEST_P(TwoStage, ACrowdLosesWhatIsDissipated) {
   Scene scene = two_stage_scene(0.8);
   scene.shear.strain_rate = 0.0;

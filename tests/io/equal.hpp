@@ -48,8 +48,8 @@ inline bool same(SystemCheckpoint const& a, SystemCheckpoint const& b) {
          same(a.initial_offset, b.initial_offset) && same(a.initial_time, b.initial_time) &&
          same(a.window_sums, b.window_sums) && a.columns == b.columns &&
          same(a.window_weight, b.window_weight) && same(a.open_sums, b.open_sums) &&
-         same(a.open_weight, b.open_weight) && a.list_builds == b.list_builds && a.memory == b.memory &&
-         a.counters == b.counters;
+         same(a.open_weight, b.open_weight) && a.list_builds == b.list_builds &&
+         a.memory == b.memory && a.counters == b.counters;
 }
 
 inline bool same(Checkpoint const& a, Checkpoint const& b) {

@@ -71,9 +71,9 @@ TEST(StateFile, StatesThatDisagreeAreNeverWritten) {
   TestFolder folder;
   for (auto const& spoil : std::vector<std::function<void(State&)>>{
            [](State& s) { s.box_length += 1; }, [](State& s) { s.box_aspect += 1; },
-           [](State& s) { s.offset += 1; },
-           [](State& s) { s.time += 1; }, [](State& s) { s.strain_rate.reset(); },
-           [](State& s) { s.spin.clear(); }, [](State& s) { s = some_state(6, 9); }}) {
+           [](State& s) { s.offset += 1; }, [](State& s) { s.time += 1; },
+           [](State& s) { s.strain_rate.reset(); }, [](State& s) { s.spin.clear(); },
+           [](State& s) { s = some_state(6, 9); }}) {
     auto states = some_states(2, 4);
     spoil(states[1]);
     EXPECT_THROW(write_states(folder / "s.h5", states), std::logic_error);

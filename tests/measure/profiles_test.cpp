@@ -82,9 +82,7 @@ TEST(Profiles, OfAHandMadeBand) {
     EXPECT_NEAR(flow.value[b], h < 0 ? fast_rate : slow_rate, 1e-12) << flow.y[b];
     EXPECT_NEAR(phi.value[b], h < 0 ? dense / 2 : dense, 1e-12) << phi.y[b];
   }
-  auto const value = [&](char const* name) {
-    return *results.scalars.at(name).all.mean;
-  };
+  auto const value = [&](char const* name) { return *results.scalars.at(name).all.mean; };
   EXPECT_NEAR(value("band_fraction_phi"), share, 1.0 / 40);
   EXPECT_NEAR(value("band_fraction_gammadot"), share, 1.0 / 40);
 }
@@ -102,8 +100,7 @@ TEST(Profiles, FollowABandThatDrifts) {
     EXPECT_NEAR(aligned.value[b], h < 0 ? fast_rate : slow_rate, 1e-5);
   }
   EXPECT_NEAR(*results.scalars.at("band_fraction_phi").all.mean, share, 0.03);
-  EXPECT_NEAR(*results.scalars.at("band_fraction_gammadot").all.mean, share,
-              0.03);
+  EXPECT_NEAR(*results.scalars.at("band_fraction_gammadot").all.mean, share, 0.03);
   auto const& place = test::named(results.samples, "band_position").rows;
   for (int f = 0; f < 40; ++f)
     EXPECT_NEAR(test::around(place[static_cast<std::size_t>(2 * f + 1)], 1.5 * f, L), 0.0, 0.4);

@@ -22,8 +22,8 @@ inline double second_share(double z) {
   return std::max(sum, 1.0 / 7.0);
 }
 
-/// The law with its damping times alpha(z), z = N k dt (1/m_i + 1/m_j), along the normal and, threefold
-/// for disks that roll, along the tangent; N from the disk with more contacts.
+/// The law with its damping times alpha(z), z = N k dt (1/m_i + 1/m_j), along the normal and,
+/// threefold for disks that roll, along the tangent; N from the disk with more contacts.
 inline Parameters second_law(Parameters p, State const& s, Contact const& c, int most) {
   double const z = most * p.time_step / p.elasticity *
                    (1.0 / mass(p, s.diameter[c.i]) + 1.0 / mass(p, s.diameter[c.j]));
@@ -55,8 +55,9 @@ struct StepPower {
   double torque = 0.0;       ///< that the rotation gains
 };
 
-/// One step of the two-stage leapfrog: all forces with the velocities of half a step before, then the
-/// damping of the changes that they make, then positions. dissipative: out, sum f_a r_b of both.
+/// One step of the two-stage leapfrog: all forces with the velocities of half a step before, then
+/// the damping of the changes that they make, then positions. dissipative: out, sum f_a r_b of
+/// both.
 inline StepPower two_stage_step(System& system, double (&dissipative)[2][2]) {
   Parameters const& p = system.p;
   State& s = system.s;
@@ -116,8 +117,8 @@ inline StepPower two_stage_step(System& system, double (&dissipative)[2][2]) {
     if (!rotates(p)) continue;
     double const before = s.spin[i];
     s.spin[i] += all.spin[i];
-    power.torque += 0.5 * moment_of_inertia(p, s.diameter[i]) *
-                    (s.spin[i] * s.spin[i] - before * before) / dt;
+    power.torque +=
+        0.5 * moment_of_inertia(p, s.diameter[i]) * (s.spin[i] * s.spin[i] - before * before) / dt;
   }
   ++system.step;
   wrap(p, s, strain(system));

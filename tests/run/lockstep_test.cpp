@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "src/run/run_measured.hpp"
 #include "src/engine/ensemble/ensemble.hpp"
+#include "src/run/run_measured.hpp"
 
 namespace bagnold {
 namespace {

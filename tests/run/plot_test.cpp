@@ -8,7 +8,8 @@
 namespace bagnold {
 namespace {
 
-/// Whether the script is still being written when such a Python ends is chance, so it is drawn often.
+/// Whether the script is still being written when such a Python ends is chance, so it is drawn
+/// often.
 TEST(Plot, OutlivesAPythonThatReadsNothing) {
   setenv("BAGNOLD_PYTHON", "/bin/true", 1);
   for (int k = 0; k < 1000; ++k) ASSERT_EQ(draw_plot("no_result.h5", "no_picture.png"), "");

@@ -30,7 +30,8 @@ std::string refusal(Scene const& scene) {
 /// 1.3e2 pairs a disk, of 2^32 in all; whatever memory the machine has.
 TEST(ValidateScene, RefusesMorePairsThanListsCanName) {
   auto const said = refusal(scene_of(40'000'000, 10.0));
-  for (auto const* word : {"disks.count = 40000000 with integration.skin = 10", "pairs", "fewer disks"})
+  for (auto const* word :
+       {"disks.count = 40000000 with integration.skin = 10", "pairs", "fewer disks"})
     EXPECT_NE(said.find(word), std::string::npos) << said;
   Scene plain = scene_of(40'000'000, 10.0);
   plain.integration.engine = "reference";

@@ -26,8 +26,8 @@ inline std::vector<std::string> law_names() {
   }(static_cast<Laws const*>(nullptr));
 }
 
-/// A small system under fast shear, with the papers' scheme: many contacts, rebuilds and crossings in
-/// a few hundred steps.
+/// A small system under fast shear, with the papers' scheme: many contacts, rebuilds and crossings
+/// in a few hundred steps.
 inline Scene small_scene(std::string const& model, double packing_fraction = 0.82,
                          std::int64_t count = 64) {
   Scene scene;
@@ -159,7 +159,8 @@ inline void expect_the_reference_engines(Simulation& simulation, Scene scene, St
   auto const oracle = simulate(scene, start, backend_names().front());
   auto const sums = advance(simulation, steps, 50);
   auto const expected = advance(*oracle, steps, 50);
-  EXPECT_LT(largest_difference(simulation.state(), oracle->state(), scene.shear.strain_rate), 1e-12);
+  EXPECT_LT(largest_difference(simulation.state(), oracle->state(), scene.shear.strain_rate),
+            1e-12);
   for (int c = 0; c < simulation.columns(); ++c)
     EXPECT_NEAR(sums.sums[c], expected.sums[c], 1e-10 * (1 + std::abs(expected.sums[c]))) << c;
 }

@@ -78,9 +78,9 @@ TEST(SweepExpansion, EachPointIsTheSceneWithItsValues) {
   auto const sweep = expand(R"([sweep]
 grid = { "disks.model" = ["CD", "CD_rot"], "integration.time_step" = ["auto", 0.25] })");
   ASSERT_EQ(sweep.points.size(), 4u);
-  auto by_hand =
-      parse_scene(base, "by hand", "/", {"disks.model=CD_rot", "integration.time_step=0.25",
-                                         "integration.scheme=two-stage-leapfrog"});
+  auto by_hand = parse_scene(base, "by hand", "/",
+                             {"disks.model=CD_rot", "integration.time_step=0.25",
+                              "integration.scheme=two-stage-leapfrog"});
   EXPECT_EQ(write_scene(sweep.points[3].scene), write_scene(by_hand)) << "the scheme is resolved";
   EXPECT_TRUE(sweep.points[0].scene.integration.time_step.number) << "resolved";
   EXPECT_EQ(text_of(sweep.points[0].values[1]), "auto");
@@ -159,7 +159,8 @@ TEST(SweepExpansion, ACascadeIsAChainOfItsRates) {
 
 TEST(SweepExpansion, CascadesOfDifferentRates) {
   auto const sweep = expand(
-      "[sweep]\nzip = { \"shear.strain_rates\" = [[1e-2], [1e-2, 1e-3]], \"shear.strain\" = [3, [4, 5]] }",
+      "[sweep]\nzip = { \"shear.strain_rates\" = [[1e-2], [1e-2, 1e-3]], \"shear.strain\" = [3, "
+      "[4, 5]] }",
       cascade);
   EXPECT_EQ(sweep.chains, (std::vector<std::vector<std::size_t>>{{0}, {1, 2}}));
   EXPECT_EQ(sweep.points[2].scene.shear.strain, 5.0);

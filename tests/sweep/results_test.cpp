@@ -43,11 +43,12 @@ TEST_F(SweepResults, TableIsWrittenOutByHand) {
   EXPECT_EQ(results.status, (std::vector<std::string>{"done", "done", "failed"}));
   EXPECT_EQ(results.warnings, (std::vector<std::string>{"", "one two", ""}));
   write_csv(test_folder / "t.csv", sweep, results);
-  EXPECT_EQ(text_in(test_folder / "t.csv"),
-            "disks.model,title,p,p_error,Z,Z_error,mu,mu_error,spin_mean,spin_mean_error,rough_errors\n"
-            "CD,\"a, b\",0.1,0.001,2,,3,1,,,p mu\n"
-            "CD_rot,\"say \"\"x\"\"\",1e-300,0,,,,,-0.5,0.25,\n"
-            "CD_n,,,,,,,,,,\n");
+  EXPECT_EQ(
+      text_in(test_folder / "t.csv"),
+      "disks.model,title,p,p_error,Z,Z_error,mu,mu_error,spin_mean,spin_mean_error,rough_errors\n"
+      "CD,\"a, b\",0.1,0.001,2,,3,1,,,p mu\n"
+      "CD_rot,\"say \"\"x\"\"\",1e-300,0,,,,,-0.5,0.25,\n"
+      "CD_n,,,,,,,,,,\n");
 }
 
 TEST_F(SweepResults, Hdf5HoldsTheSame) {

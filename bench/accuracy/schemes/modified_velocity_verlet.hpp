@@ -31,8 +31,8 @@ struct ModifiedVelocityVerlet {
     kick(world, dt / 2, world.motion, after);
     trial_position.resize(world.size());
     for (std::size_t i = 0; i < world.size(); ++i)
-      trial_position[i] = Formulas::trial_position(world.position[i], world.motion[i].velocity,
-                                                   world.time_step());
+      trial_position[i] =
+          Formulas::trial_position(world.position[i], world.motion[i].velocity, world.time_step());
     world.find_touches(trial_position, world.step + 1, touches);
     kick(world, dt / 2, trial, after);
     for (std::size_t i = 0; i < world.size(); ++i)

@@ -4,23 +4,14 @@
 #include <Kokkos_Core.hpp>
 
 #include "kernels/cpu/blocks/large_pages.hpp"
-#include "kernels/physics/species.hpp"
-#include "kernels/physics/box/sheared_box.hpp"
 #include "kernels/cpu/simd/records.hpp"
+#include "kernels/physics/box/sheared_box.hpp"
+#include "kernels/physics/species.hpp"
 
 namespace bagnold {
 
-/// Pairs of equal contact distance lie together: small-small, small-big (in this order), big-big.
-inline constexpr int pair_classes = 3;
-
-KOKKOS_INLINE_FUNCTION int pair_class(Species a, Species b) { return a + b; }
-
-constexpr Real class_distance(int pair_class) {  ///< d_ij, [d_s]
-  return small_diameter + pair_class * (big_diameter - small_diameter) / 2;
-}
-
-/// Lists taken from the outer one, each from the one before: pairs whose gap can close before the next
-/// pruning, and of those the ones that touch now.
+/// Lists taken from the outer one, each from the one before: pairs whose gap can close before the
+/// next pruning, and of those the ones that touch now.
 enum NearList : int { inner_list, contact_list, near_lists };
 
 /// Pairs that the lists of all blocks may hold: places in them are 32-bit numbers.
@@ -31,34 +22,36 @@ inline constexpr std::uint64_t most_pairs = std::uint64_t{1} << 32;
 ///     own disks | inert ones, to a multiple of the pack width, at least two | halo
 ///
 /// The halo holds copies of disks of other blocks, and of images, already shifted: so pairs have no
-/// image and no foreign partner, and their indices are local. A pair across the edge of a block is in
-/// both blocks' lists; each keeps the force on its own disk. The inert disks touch nothing: pairs of
-/// them fill up lists.
+/// image and no foreign partner, and their indices are local. A pair across the edge of a block is
+/// in both blocks' lists; each keeps the force on its own disk. The inert disks touch nothing:
+/// pairs of them fill up lists.
 struct Block {
   std::uint32_t first = 0;   ///< slot of the first own disk
   std::uint32_t own = 0;     ///< disks owned
   std::uint32_t padded = 0;  ///< own and inert
   std::uint32_t halo = 0;
-  std::uint32_t halo_first = 0;            ///< in Blocks::halo
-  std::uint32_t pairs[pair_classes + 1]{};  ///< where the classes begin, in Blocks::outer and ::near
+  std::uint32_t halo_first = 0;  ///< in Blocks::halo
+  std::uint32_t
+      pairs[pair_classes + 1]{};  ///< where the classes begin, in Blocks::outer and ::near
   std::uint32_t near[near_lists][pair_classes]{};  ///< pairs of each class in the near lists
 
   std::uint32_t local() const { return padded + halo; }
 };
 
-/// The disks cut into blocks, and the pairs of each: an outer list within d_ij + skin, and near ones.
+/// The disks cut into blocks, and the pairs of each: an outer list within d_ij + skin, and near
+/// ones.
 struct Blocks {
   template <class T>
   using Array = Kokkos::View<T*, Kokkos::HostSpace>;
 
-  std::uint32_t count = 0;       ///< blocks
-  std::uint32_t slots = 0;       ///< of all blocks
-  std::uint32_t most_local = 0;  ///< largest Block::local()
-  Array<Block> block;            ///< [count]
-  Array<Neighbor> halo;          ///< the slot that each halo disk copies, and its image
-  Array<simd::LocalPair> outer;  ///< class segments, multiples of the pack width
+  std::uint32_t count = 0;                  ///< blocks
+  std::uint32_t slots = 0;                  ///< of all blocks
+  std::uint32_t most_local = 0;             ///< largest Block::local()
+  Array<Block> block;                       ///< [count]
+  Array<Neighbor> halo;                     ///< the slot that each halo disk copies, and its image
+  Array<simd::LocalPair> outer;             ///< class segments, multiples of the pack width
   Array<simd::LocalPair> near[near_lists];  ///< the same places, filled from the front; or empty
-  Array<std::uint32_t> slot_of;  ///< [N]: where a disk is, by its index at the start
+  Array<std::uint32_t> slot_of;             ///< [N]: where a disk is, by its index at the start
 
   /// Whether a step goes through more than stays in cache from one half to the next.
   bool beyond_cache() const { return slots > 100'000; }

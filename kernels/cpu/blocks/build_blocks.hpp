@@ -5,8 +5,8 @@
 
 #include "kernels/cpu/blocks/blocks.hpp"
 #include "kernels/cpu/blocks/spatial_order.hpp"
-#include "kernels/device/side_by_side.hpp"
 #include "kernels/device/neighbors/neighbor_search.hpp"
+#include "kernels/device/side_by_side.hpp"
 
 namespace bagnold {
 
@@ -22,8 +22,9 @@ std::vector<std::uint32_t> disks_along_curve(CellGrid<Space> const& grid) {
   return order;
 }
 
-/// Reorders pairs so that those of one disk lie a pack apart: each pack then adds to other disks than
-/// the one before, and need not wait for its stores. Within stretches that stay in the first cache.
+/// Reorders pairs so that those of one disk lie a pack apart: each pack then adds to other disks
+/// than the one before, and need not wait for its stores. Within stretches that stay in the first
+/// cache.
 inline void interleave(simd::LocalPair* pairs, std::uint32_t count) {
   constexpr std::uint32_t width = simd::width, stretch = 8 * width;
   simd::LocalPair moved[stretch];
@@ -57,8 +58,8 @@ Blocks build_blocks(Space const& space, Kokkos::View<Vec2<Real>*, Space> const& 
     place(rank) = position(order[rank]);
     kind(rank) = species(order[rank]);
   }
-  NeighborSearch<Space> const search{
-      place, kind, make_cell_grid(space, place, box, reach), table, box, skin};
+  NeighborSearch<Space> const search{place, kind, make_cell_grid(space, place, box, reach),
+                                     table, box,  skin};
 
   Blocks blocks;
   blocks.count = (count + size - 1) / size;
@@ -131,9 +132,9 @@ Blocks build_blocks(Space const& space, Kokkos::View<Vec2<Real>*, Space> const& 
         if (inside && n.index() < i) return;
         auto const partner =
             inside ? n.index() - begin
-                   : mine.padded + static_cast<std::uint32_t>(
-                                       std::lower_bound(halo.begin(), halo.end(), n.packed) -
-                                       halo.begin());
+                   : mine.padded +
+                         static_cast<std::uint32_t>(
+                             std::lower_bound(halo.begin(), halo.end(), n.packed) - halo.begin());
         auto& to = end[pair_class(kind(i), kind(n.index()))];
         bool const swap = kind(i) > kind(n.index());
         blocks.outer(to++) = swap ? simd::LocalPair::make(partner, i - begin)

@@ -6,8 +6,8 @@
 namespace bagnold {
 
 /// Fills a near list of a block with those pairs of the list before it that are closer than
-/// d_ij + margin, in their order: so forces are summed in the order of the outer list, whenever it was
-/// pruned.
+/// d_ij + margin, in their order: so forces are summed in the order of the outer list, whenever it
+/// was pruned.
 ///
 /// records: the block's, halo included.
 inline void prune_block(Blocks const& blocks, Block& block, NearList list,
@@ -22,8 +22,8 @@ inline void prune_block(Blocks const& blocks, Block& block, NearList list,
     std::uint32_t kept = 0;
     for (std::uint32_t k = 0; k < count; k += simd::width) {
       auto const d = simd::load_differences(records, from + k);
-      kept += simd::append(to + kept, fma(d.x, d.x, d.y * d.y) < simd::Pack(reach * reach),
-                           from + k);
+      kept +=
+          simd::append(to + kept, fma(d.x, d.x, d.y * d.y) < simd::Pack(reach * reach), from + k);
     }
     block.near[list][c] = kept;
     while (kept % simd::width != 0) to[kept++] = simd::LocalPair::make(block.own, block.own + 1);

@@ -11,10 +11,10 @@ namespace bagnold {
 
 /// An order in which blocks go through both halves of a step on one way through memory.
 ///
-/// The second half of a block needs the first half of every block that its halo copies, and of no other.
-/// So blocks are taken across the box from one side to the other, some at a time: these through the first
-/// half, then through the second half those that wait for no one any more, about a row of blocks behind
-/// and still in cache.
+/// The second half of a block needs the first half of every block that its halo copies, and of no
+/// other. So blocks are taken across the box from one side to the other, some at a time: these
+/// through the first half, then through the second half those that wait for no one any more, about
+/// a row of blocks behind and still in cache.
 class Wavefront {
  public:
   /// Ends in the orders of the two halves.
@@ -22,7 +22,8 @@ class Wavefront {
     std::uint32_t first_half, second_half;
   };
 
-  std::vector<std::uint32_t> first_half, second_half;  ///< [blocks.count]: blocks in the order of each half
+  std::vector<std::uint32_t> first_half,
+      second_half;  ///< [blocks.count]: blocks in the order of each half
   std::vector<Stage> stages;
 
   Wavefront() = default;
@@ -37,7 +38,8 @@ class Wavefront {
     Stage stage{0, 0};
     while (stage.first_half < blocks.count) {
       stage.first_half = std::min(stage.first_half + at_once, blocks.count);
-      while (stage.second_half < blocks.count && last[second_half[stage.second_half]] < stage.first_half)
+      while (stage.second_half < blocks.count &&
+             last[second_half[stage.second_half]] < stage.first_half)
         ++stage.second_half;
       stages.push_back(stage);
     }
@@ -50,11 +52,13 @@ class Wavefront {
     std::vector<Real> height(blocks.count);
     for (std::uint32_t b = 0; b < blocks.count; ++b) {
       Block const& block = blocks.block(b);
-      for (std::uint32_t i = 0; i < block.own; ++i) height[b] += place(block.first + i).y / block.own;
+      for (std::uint32_t i = 0; i < block.own; ++i)
+        height[b] += place(block.first + i).y / block.own;
     }
     std::vector<std::uint32_t> order(blocks.count);
     std::iota(order.begin(), order.end(), 0u);
-    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return height[a] < height[b]; });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](auto a, auto b) { return height[a] < height[b]; });
     return order;
   }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "kernels/cpu/steps/block_system.hpp"
 #include "kernels/cpu/islands/islands.hpp"
+#include "kernels/cpu/steps/block_system.hpp"
 
 namespace bagnold {
 
@@ -12,9 +12,9 @@ struct Batches {
   static constexpr std::uint32_t size = 128;  ///< disks from which on a batch is full
 
   BlockSystem system;
-  Blocks::Array<simd::Record> origin;    ///< at the start of the window
-  Blocks::Array<Real> deviation2;        ///< largest squared distance from the straight flight since
-  std::vector<std::uint32_t> slot_of;    ///< by place in Islands::disks
+  Blocks::Array<simd::Record> origin;  ///< at the start of the window
+  Blocks::Array<Real> deviation2;      ///< largest squared distance from the straight flight since
+  std::vector<std::uint32_t> slot_of;  ///< by place in Islands::disks
 
   /// Takes islands and their disks' motion from `all`; false if one is too large for a batch.
   bool fill(Islands const& islands, BlockSystem const& all, bool lists_contacts,
@@ -77,7 +77,8 @@ struct Batches {
     return true;
   }
 
-  void fill_block(std::uint32_t b, Islands const& islands, BlockSystem const& all, ShearedBox const& box) {
+  void fill_block(std::uint32_t b, Islands const& islands, BlockSystem const& all,
+                  ShearedBox const& box) {
     auto const [begin, end] = stretches_[b];
     Block block;
     auto const first_place = islands.first_disk[begin];
@@ -125,7 +126,9 @@ struct Batches {
       to[c] = block.pairs[c];
       block.pairs[c + 1] = block.pairs[c] + simd::round_up(block.near[inner_list][c]);
     }
-    each([&](int c, auto a, auto b) { system.blocks.near[inner_list](to[c]++) = simd::LocalPair::make(a, b); });
+    each([&](int c, auto a, auto b) {
+      system.blocks.near[inner_list](to[c]++) = simd::LocalPair::make(a, b);
+    });
     for (int c = 0; c < pair_classes; ++c)
       while (to[c] < block.pairs[c + 1])
         system.blocks.near[inner_list](to[c]++) = simd::LocalPair::make(block.own, block.own + 1);

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "kernels/physics/laws/pair_force.hpp"
-#include "kernels/physics/species.hpp"
-#include "kernels/physics/schemes/modified_velocity_verlet.hpp"
-#include "kernels/physics/schemes/two_stage_leapfrog.hpp"
 #include "kernels/cpu/contacts/lane_watch.hpp"
 #include "kernels/cpu/islands/binary_pair.hpp"
 #include "kernels/cpu/islands/flight_sums.hpp"
 #include "kernels/cpu/islands/sample_times.hpp"
 #include "kernels/cpu/simd/pack.hpp"
 #include "kernels/cpu/simd/records.hpp"
+#include "kernels/physics/laws/pair_force.hpp"
+#include "kernels/physics/schemes/modified_velocity_verlet.hpp"
+#include "kernels/physics/schemes/two_stage_leapfrog.hpp"
+#include "kernels/physics/species.hpp"
 
 namespace bagnold {
 
 /// Islands of two disks, eight at a time, one a lane, each at its own time: a pair flies to just
-/// before its contact in one go, is stepped while it touches, and flies on. So a collision costs the
-/// same whatever the time between collisions.
+/// before its contact in one go, is stepped while it touches, and flies on. So a collision costs
+/// the same whatever the time between collisions.
 template <ContactLaw Law, class Repulsion, Scheme Stepped>
 struct BinaryCollisions {
   static constexpr bool rotates = Law::rotates;
@@ -34,11 +34,11 @@ struct BinaryCollisions {
   SecondStage const* second_stage = nullptr;  ///< of the two-stage leapfrog
 
   /// Brings pairs (a[k], b[k]), k < count <= 8, through `steps` steps. What they add to the sampled
-  /// sums, beyond what their straight flights would, is added to sums[k * times.bins() + bin]. watch
-  /// sees every step near a contact.
+  /// sums, beyond what their straight flights would, is added to sums[k * times.bins() + bin].
+  /// watch sees every step near a contact.
   template <class Watch>
   BinaryOutcome run(Disk* a, Disk* b, int count, std::int64_t steps, SampleTimes const& times,
-              BlockSums* sums, Watch&& watch) const {
+                    BlockSums* sums, Watch&& watch) const {
     Lanes p(*this, a, count), q(*this, b, count);
     PairConstants const pair(*this, a, b, count);
     BinaryOutcome outcome;
@@ -98,7 +98,7 @@ struct BinaryCollisions {
     q.store(b, count);
     outcome.bad = !(simd::largest(overlap) <= largest_relative_overlap) ||
                   !(simd::sum(simd::zero_unless(simd::Mask::of((1u << count) - 1u),
-                                          0.0 * (p.x + q.x + p.vx + q.vx))) == 0);
+                                                0.0 * (p.x + q.x + p.vx + q.vx))) == 0);
     return outcome;
   }
 
@@ -136,8 +136,8 @@ struct BinaryCollisions {
   /// One disk of each pair.
   struct Lanes {
     Pack x, y, vx, vy, spin;
-    Pack x0, y0, vx0, vy0, spin0;       ///< at the start of the window
-    Pack inverse_mass, turn_to_spin;    ///< 1/m, d/I
+    Pack x0, y0, vx0, vy0, spin0;     ///< at the start of the window
+    Pack inverse_mass, turn_to_spin;  ///< 1/m, d/I
     Pack stray2 = 0.0;
 
     Lanes(BinaryCollisions const& c, Disk const* disks, int count) {
@@ -172,8 +172,8 @@ struct BinaryCollisions {
 
     void correct(Lanes const& t, PairContact const& f, Pack dt, Real sign) {
       using Formulas = ModifiedVelocityVerlet;
-      auto const after = Formulas::velocity(velocity(), t.velocity(), f.total,
-                                            0.5 * sign * dt * inverse_mass);
+      auto const after =
+          Formulas::velocity(velocity(), t.velocity(), f.total, 0.5 * sign * dt * inverse_mass);
       set(Formulas::position(position(), velocity(), after, 0.5 * dt), after);
       if constexpr (rotates)
         spin = Formulas::velocity(spin, t.spin, f.turn, 0.5 * dt * turn_to_spin);
@@ -200,8 +200,8 @@ struct BinaryCollisions {
       }
     }
 
-    /// What lane k adds at the times of `powers` on a flight that is at (y, v) at `time`, less what it
-    /// would have on the straight flight from the start.
+    /// What lane k adds at the times of `powers` on a flight that is at (y, v) at `time`, less what
+    /// it would have on the straight flight from the start.
     void add_flight(BlockSums& sums, int k, Real time, SampleTimes::Powers const& powers,
                     Real strain_rate) const {
       Real const mass = 1 / inverse_mass.v[k];
@@ -248,9 +248,9 @@ struct BinaryCollisions {
     Pack spins = 0.0;
     if constexpr (rotates) spins = fma(pair.diameter_a, p.spin, pair.diameter_b * q.spin);
     f.touching = distance2 < pair.reach2;
-    f.force = pair_force<Law, Repulsion, Pack>(law, repulsion, separation, distance2,
-                                               p.velocity() - q.velocity(), pair.inverse_distance,
-                                               spins);
+    f.force =
+        pair_force<Law, Repulsion, Pack>(law, repulsion, separation, distance2,
+                                         p.velocity() - q.velocity(), pair.inverse_distance, spins);
     f.total = zero_unless(f.touching, f.force.elastic + f.force.dissipative);
     if constexpr (rotates)
       f.turn = simd::zero_unless(f.touching, f.force.turn(pair.inverse_distance));
@@ -277,9 +277,9 @@ struct BinaryCollisions {
   void add_second_stage(PairContact& f, Lanes const& p, Lanes const& q, Pack dt,
                         PairConstants const& pair) const {
     auto const& separation = f.force.separation;
-    Contact<Pack> contact = make_contact(
-        separation, fma(separation.x, separation.x, separation.y * separation.y),
-        pair.inverse_distance);
+    Contact<Pack> contact =
+        make_contact(separation, fma(separation.x, separation.x, separation.y * separation.y),
+                     pair.inverse_distance);
     Pack const per_force = dt * (p.inverse_mass + q.inverse_mass);
     Pack const per_turn =
         dt * fma(pair.diameter_a, p.turn_to_spin, pair.diameter_b * q.turn_to_spin);

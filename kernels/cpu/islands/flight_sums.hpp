@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kernels/cpu/islands/sample_times.hpp"
+#include "kernels/cpu/simd/pack.hpp"
 #include "kernels/physics/in_time.hpp"
 #include "kernels/physics/sums/sums.hpp"
 
@@ -17,8 +18,8 @@ BAGNOLD_INLINE Linear<T> flight_x(T const& velocity_x, T const& y, T const& velo
   return {{peculiar_x(velocity_x, y, strain_rate), T(-strain_rate) * velocity_y}};
 }
 
-/// Sums of disks in free flight, as polynomials in time: the columns that add_motion() and add_spin()
-/// add to.
+/// Sums of disks in free flight, as polynomials in time: the columns that add_motion() and
+/// add_spin() add to.
 struct FlightSums {
   Quadratic<Real> column[SumColumns::count_rotating];
 

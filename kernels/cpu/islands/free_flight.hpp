@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "kernels/cpu/steps/block_system.hpp"
 #include "kernels/cpu/islands/flight_sums.hpp"
+#include "kernels/cpu/steps/block_system.hpp"
 
 namespace bagnold {
 
-/// Largest |w|^2 that a block's disks reach if all fly straight for `duration`; w is linear in time,
-/// so it is largest at an end. strain: since the build, at the end of the flight.
+/// Largest |w|^2 that a block's disks reach if all fly straight for `duration`; w is linear in
+/// time, so it is largest at an end. strain: since the build, at the end of the flight.
 inline Real farthest2_after(Block const& block, simd::Record const* records,
                             Vec2<Real> const* at_build, Real duration, Real strain) {
   using simd::Pack;
@@ -32,8 +32,8 @@ inline void fly(Block const& block, simd::Record* records, Real duration) {
   }
 }
 
-/// The steps that a block's disks can fly straight before a pair of its inner list touches, less one
-/// for rounding; at most `most`.
+/// The steps that a block's disks can fly straight before a pair of its inner list touches, less
+/// one for rounding; at most `most`.
 inline std::int64_t free_steps(Blocks const& blocks, Block const& block,
                                simd::Record const* records, Real time_step, std::int64_t most) {
   using simd::Pack;
@@ -56,8 +56,8 @@ inline std::int64_t free_steps(Blocks const& blocks, Block const& block,
   return std::clamp(static_cast<std::int64_t>(steps), std::int64_t{0}, most);
 }
 
-/// Sums of those of a block's own disks for which free(slot) holds, a pack at a time. Inert disks add
-/// zero.
+/// Sums of those of a block's own disks for which free(slot) holds, a pack at a time. Inert disks
+/// add zero.
 template <class Free>
 FlightSums flight_sums(BlockSystem const& system, Block const& block, Real strain_rate,
                        Free const& free) {

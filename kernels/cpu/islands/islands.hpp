@@ -8,8 +8,8 @@ namespace bagnold {
 /// Disks that may meet each other for the length of a window and no one else: what happens in one
 /// island does not concern another.
 ///
-/// Each island is unfolded: its disks are taken at the images `image` at which they lie side by side,
-/// so that its pairs have no image.
+/// Each island is unfolded: its disks are taken at the images `image` at which they lie side by
+/// side, so that its pairs have no image.
 struct Islands {
   struct Disk {
     std::uint32_t slot;
@@ -19,11 +19,11 @@ struct Islands {
     std::uint32_t a, b;  ///< places in `disks`
   };
 
-  std::vector<Disk> disks;                 ///< island by island
-  std::vector<Pair> pairs;                 ///< island by island
-  std::vector<std::uint32_t> first_disk;   ///< [islands + 1]
-  std::vector<std::uint32_t> first_pair;   ///< [islands + 1]
-  bool unfolds = true;                     ///< false: an island closes on itself round the box
+  std::vector<Disk> disks;                ///< island by island
+  std::vector<Pair> pairs;                ///< island by island
+  std::vector<std::uint32_t> first_disk;  ///< [islands + 1]
+  std::vector<std::uint32_t> first_pair;  ///< [islands + 1]
+  bool unfolds = true;                    ///< false: an island closes on itself round the box
 
   std::size_t count() const { return first_disk.size() - 1; }
 };
@@ -72,7 +72,8 @@ class IslandFinder {
 
   void list_neighbours(std::vector<SlotPair> const& meeting) {
     first_edge_.assign(slots_.size() + 1, 0);
-    for (std::size_t n = 0; n < slots_.size(); ++n) first_edge_[n + 1] = first_edge_[n] + degree_[n];
+    for (std::size_t n = 0; n < slots_.size(); ++n)
+      first_edge_[n + 1] = first_edge_[n] + degree_[n];
     edges_.resize(first_edge_.back());
     auto& next = degree_;
     for (std::size_t n = 0; n < slots_.size(); ++n) next[n] = first_edge_[n];

@@ -26,8 +26,9 @@ inline bool is_first_listing(SlotPair const& pair) { return pair.a < pair.b.inde
 
 /// Which of eight pairs come closer than `reach` on straight flights of `duration`.
 ///
-/// With r the separation, v the relative velocity, b = r.v and c = r^2 - reach^2: close at the start if
-/// c < 0, at the end if c + 2 b T + v^2 T^2 < 0, in between if b < 0, -b < v^2 T and v^2 c < b^2.
+/// With r the separation, v the relative velocity, b = r.v and c = r^2 - reach^2: close at the
+/// start if c < 0, at the end if c + 2 b T + v^2 T^2 < 0, in between if b < 0, -b < v^2 T and v^2 c
+/// < b^2.
 BAGNOLD_INLINE simd::Mask may_meet(simd::Records const& d, simd::Pack reach, simd::Pack duration) {
   using simd::Pack;
   Pack const b = fma(d.x, d.vx, d.y * d.vy);
@@ -43,10 +44,10 @@ struct Forecast {
   std::vector<SlotPair> meeting;  ///< on straight flights
   struct Near {
     SlotPair pair;
-    int straying;  ///< how many of the two must stray by the usual for it: 1, 2, or 3 if that is not
-                   ///< enough
+    int straying;  ///< how many of the two must stray by the usual for it: 1, 2, or 3 if that is
+                   ///< not enough
   };
-  std::vector<Near> near;         ///< only if disks stray from these by up to the allowance
+  std::vector<Near> near;  ///< only if disks stray from these by up to the allowance
 
   void clear() {
     meeting.clear();
@@ -54,8 +55,9 @@ struct Forecast {
   }
 };
 
-/// Appends the pairs of a block that touch on straight flights of `duration`, [tau_e], or would if each
-/// disk strayed by up to `allowance`, or by the `usual`, [d_s]. records: the block's, halo included.
+/// Appends the pairs of a block that touch on straight flights of `duration`, [tau_e], or would if
+/// each disk strayed by up to `allowance`, or by the `usual`, [d_s]. records: the block's, halo
+/// included.
 inline void predict_contacts(Blocks const& blocks, Block const& block, simd::Record const* records,
                              Real duration, Real allowance, Real usual, Forecast& forecast) {
   for (int c = 0; c < pair_classes; ++c) {

@@ -217,8 +217,9 @@ struct CountPairs {
 
   BAGNOLD_INLINE explicit CountPairs(Pack both) {
     auto const counts = _mm512_set1_epi64(base - 1);
-    auto const bits = _mm512_castpd_si512(  // whole numbers stand in the lowest bits of 2^52 + number
-        _mm512_add_pd((__m512d)both.v, _mm512_set1_pd(4503599627370496.0)));
+    auto const bits =
+        _mm512_castpd_si512(  // whole numbers stand in the lowest bits of 2^52 + number
+            _mm512_add_pd((__m512d)both.v, _mm512_set1_pd(4503599627370496.0)));
     larger = _mm512_max_epi64(_mm512_and_si512(bits, counts),
                               _mm512_and_si512(_mm512_srli_epi64(bits, 6), counts));
   }
@@ -254,8 +255,10 @@ BAGNOLD_INLINE void transpose(Pack (&m)[width]) {
   }
   for (int odd = 0; odd < 2; ++odd) {
     __m512d const* const p = pairs + odd;
-    __m512d const a = _mm512_shuffle_f64x2(p[0], p[2], 0x88), b = _mm512_shuffle_f64x2(p[4], p[6], 0x88);
-    __m512d const c = _mm512_shuffle_f64x2(p[0], p[2], 0xdd), d = _mm512_shuffle_f64x2(p[4], p[6], 0xdd);
+    __m512d const a = _mm512_shuffle_f64x2(p[0], p[2], 0x88),
+                  b = _mm512_shuffle_f64x2(p[4], p[6], 0x88);
+    __m512d const c = _mm512_shuffle_f64x2(p[0], p[2], 0xdd),
+                  d = _mm512_shuffle_f64x2(p[4], p[6], 0xdd);
     m[odd] = (Lanes)_mm512_shuffle_f64x2(a, b, 0x88);
     m[odd + 4] = (Lanes)_mm512_shuffle_f64x2(a, b, 0xdd);
     m[odd + 2] = (Lanes)_mm512_shuffle_f64x2(c, d, 0x88);

@@ -46,7 +46,8 @@ template <class T>
 T& at(T* array, std::uint16_t index4) {
   static_assert(sizeof(T) % 4 == 0);
   using Byte = std::conditional_t<std::is_const_v<T>, char const, char>;
-  return *reinterpret_cast<T*>(reinterpret_cast<Byte*>(array) + sizeof(T) / 4 * std::size_t(index4));
+  return *reinterpret_cast<T*>(reinterpret_cast<Byte*>(array) +
+                               sizeof(T) / 4 * std::size_t(index4));
 }
 
 /// The force on a disk whose law has no rotation.
@@ -79,8 +80,10 @@ BAGNOLD_INLINE __m512d join(__m256d low, __m256d high) {
 BAGNOLD_INLINE Records transpose(__m512d z02, __m512d z13, __m512d z46, __m512d z57) {
   __m512d const low0 = _mm512_unpacklo_pd(z02, z13), high0 = _mm512_unpackhi_pd(z02, z13);
   __m512d const low4 = _mm512_unpacklo_pd(z46, z57), high4 = _mm512_unpackhi_pd(z46, z57);
-  return {(Lanes)_mm512_shuffle_f64x2(low0, low4, 0x88), (Lanes)_mm512_shuffle_f64x2(high0, high4, 0x88),
-          (Lanes)_mm512_shuffle_f64x2(low0, low4, 0xdd), (Lanes)_mm512_shuffle_f64x2(high0, high4, 0xdd)};
+  return {(Lanes)_mm512_shuffle_f64x2(low0, low4, 0x88),
+          (Lanes)_mm512_shuffle_f64x2(high0, high4, 0x88),
+          (Lanes)_mm512_shuffle_f64x2(low0, low4, 0xdd),
+          (Lanes)_mm512_shuffle_f64x2(high0, high4, 0xdd)};
 }
 
 BAGNOLD_INLINE __m256d load(Record const& r) { return _mm256_load_pd(&r.x); }
@@ -100,7 +103,8 @@ BAGNOLD_INLINE Records load_rows(double const* r) {
 /// record a minus record b of eight pairs.
 BAGNOLD_INLINE Records load_differences(Record const* records, LocalPair const* pairs) {
   auto const difference = [&](int k) {
-    return _mm256_sub_pd(detail::load(at(records, pairs[k].a4)), detail::load(at(records, pairs[k].b4)));
+    return _mm256_sub_pd(detail::load(at(records, pairs[k].a4)),
+                         detail::load(at(records, pairs[k].b4)));
   };
   __m256d const d0 = difference(0), d1 = difference(1), d2 = difference(2), d3 = difference(3);
   __m256d const d4 = difference(4), d5 = difference(5), d6 = difference(6), d7 = difference(7);
@@ -124,8 +128,7 @@ BAGNOLD_INLINE Records load_records(Record const* r, std::uint16_t const* index4
 }
 
 BAGNOLD_INLINE ForceComponents load_forces(TurningForce const* f, std::uint16_t const* index4) {
-  auto const rows =
-      detail::load_rows([&](int k) { return _mm256_load_pd(&at(f, index4[k]).x); });
+  auto const rows = detail::load_rows([&](int k) { return _mm256_load_pd(&at(f, index4[k]).x); });
   return {rows.x, rows.vx, rows.vy, rows.y};
 }
 
@@ -157,7 +160,8 @@ BAGNOLD_INLINE ForceComponents load_forces(Force const* f) {
 /// Which of eight bytes are not zero.
 BAGNOLD_INLINE Mask nonzero(std::uint8_t const* bytes) {
   __m128i const b = _mm_loadl_epi64(reinterpret_cast<__m128i const*>(bytes));
-  return {static_cast<__mmask8>(_mm512_test_epi64_mask(_mm512_cvtepu8_epi64(b), _mm512_set1_epi64(-1)))};
+  return {static_cast<__mmask8>(
+      _mm512_test_epi64_mask(_mm512_cvtepu8_epi64(b), _mm512_set1_epi64(-1)))};
 }
 
 namespace detail {
@@ -165,14 +169,16 @@ namespace detail {
 /// store(k, row k) for eight records.
 template <class Store>
 BAGNOLD_INLINE void store_rows(Records const& s, Store const& store) {
-  __m512d const xy0 = _mm512_unpacklo_pd((__m512d)s.x.v, (__m512d)s.y.v);   // x0 y0 x2 y2 ..
-  __m512d const xy1 = _mm512_unpackhi_pd((__m512d)s.x.v, (__m512d)s.y.v);   // x1 y1 x3 y3 ..
+  __m512d const xy0 = _mm512_unpacklo_pd((__m512d)s.x.v, (__m512d)s.y.v);  // x0 y0 x2 y2 ..
+  __m512d const xy1 = _mm512_unpackhi_pd((__m512d)s.x.v, (__m512d)s.y.v);  // x1 y1 x3 y3 ..
   __m512d const v0 = _mm512_unpacklo_pd((__m512d)s.vx.v, (__m512d)s.vy.v);
   __m512d const v1 = _mm512_unpackhi_pd((__m512d)s.vx.v, (__m512d)s.vy.v);
   __m512i const low = _mm512_setr_epi64(0, 1, 8, 9, 2, 3, 10, 11);
   __m512i const high = _mm512_setr_epi64(4, 5, 12, 13, 6, 7, 14, 15);
-  __m512d const r02 = _mm512_permutex2var_pd(xy0, low, v0), r46 = _mm512_permutex2var_pd(xy0, high, v0);
-  __m512d const r13 = _mm512_permutex2var_pd(xy1, low, v1), r57 = _mm512_permutex2var_pd(xy1, high, v1);
+  __m512d const r02 = _mm512_permutex2var_pd(xy0, low, v0),
+                r46 = _mm512_permutex2var_pd(xy0, high, v0);
+  __m512d const r13 = _mm512_permutex2var_pd(xy1, low, v1),
+                r57 = _mm512_permutex2var_pd(xy1, high, v1);
   store(0, _mm512_castpd512_pd256(r02));
   store(1, _mm512_castpd512_pd256(r13));
   store(2, _mm512_extractf64x4_pd(r02, 1));
@@ -222,8 +228,10 @@ BAGNOLD_INLINE void scatter(TurningForce* force, LocalPair const* pairs, Pack x,
   __m512d const y1 = _mm512_unpackhi_pd((__m512d)y.v, (__m512d)turn.v);
   __m512i const low = _mm512_setr_epi64(0, 1, 8, 9, 2, 3, 10, 11);
   __m512i const high = _mm512_setr_epi64(4, 5, 12, 13, 6, 7, 14, 15);
-  __m512d const f02 = _mm512_permutex2var_pd(x0, low, y0), f46 = _mm512_permutex2var_pd(x0, high, y0);
-  __m512d const f13 = _mm512_permutex2var_pd(x1, low, y1), f57 = _mm512_permutex2var_pd(x1, high, y1);
+  __m512d const f02 = _mm512_permutex2var_pd(x0, low, y0),
+                f46 = _mm512_permutex2var_pd(x0, high, y0);
+  __m512d const f13 = _mm512_permutex2var_pd(x1, low, y1),
+                f57 = _mm512_permutex2var_pd(x1, high, y1);
   auto const add = [&](int k, __m256d f) {
     double* const a = &at(force, pairs[k].a4).x;
     double* const b = &at(force, pairs[k].b4).x;
@@ -406,7 +414,9 @@ BAGNOLD_INLINE void store(double* values, std::uint16_t const* index4, Pack p) {
 }
 
 /// Which of eight bytes are zero.
-BAGNOLD_INLINE Mask zero(std::uint8_t const* bytes) { return Mask::of(~nonzero(bytes).lanes() & 0xffu); }
+BAGNOLD_INLINE Mask zero(std::uint8_t const* bytes) {
+  return Mask::of(~nonzero(bytes).lanes() & 0xffu);
+}
 
 struct PackPair {
   Pack x, y;
@@ -421,7 +431,9 @@ BAGNOLD_INLINE PackPair load_pairs(double const* xy) {
 /// value a plus `weight` times value b of eight pairs.
 BAGNOLD_INLINE Pack load_sums(double const* values, LocalPair const* pairs, double weight) {
   asm("" : "+r"(pairs));  // read the indices again: cheaper than to keep sixteen of them
-  auto const sum = [&](int k) { return at(values, pairs[k].a4) + weight * at(values, pairs[k].b4); };
+  auto const sum = [&](int k) {
+    return at(values, pairs[k].a4) + weight * at(values, pairs[k].b4);
+  };
   return Lanes{sum(0), sum(1), sum(2), sum(3), sum(4), sum(5), sum(6), sum(7)};
 }
 

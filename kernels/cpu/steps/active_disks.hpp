@@ -26,10 +26,11 @@ struct ActiveDisks {
       count = loop.template zeros<std::uint32_t>("steps::active_count", blocks.count);
   }
 
-  /// Lists the pairs of block b that touch, adds their disks to the active ones and clears the forces on
-  /// these.
+  /// Lists the pairs of block b that touch, adds their disks to the active ones and clears the
+  /// forces on these.
   template <class Force>
-  void find(Blocks const& blocks, std::uint32_t b, simd::Record const* records, Force* force) const {
+  void find(Blocks const& blocks, std::uint32_t b, simd::Record const* records,
+            Force* force) const {
     Block& block = blocks.block(b);
     prune_block(blocks, block, contact_list, records, 0);
     auto* const active = list.data() + block.first;
@@ -59,7 +60,8 @@ struct ActiveDisks {
 
   /// body(at, big) for eight active disks at a time, the last ones inert.
   template <class Body>
-  void each_pack(Block const& block, std::uint32_t n, Species const* species, Body const& body) const {
+  void each_pack(Block const& block, std::uint32_t n, Species const* species,
+                 Body const& body) const {
     auto const* const active = list.data() + block.first;
     for (std::uint32_t k = 0; k < n; k += simd::width) {
       unsigned big = 0;

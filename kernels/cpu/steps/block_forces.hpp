@@ -48,8 +48,8 @@ struct BlockForces {
 
   /// force: [block.local()], zeroed here; pairs of the inner list.
   template <class Observer>
-  void evaluate(BlockSystem const& system, Block const& block, BlockState const& state, Force* force,
-                Observer&& observe) const {
+  void evaluate(BlockSystem const& system, Block const& block, BlockState const& state,
+                Force* force, Observer&& observe) const {
     clear(block, force);
     add(system, block, inner_list, state, force, observe);
   }
@@ -72,7 +72,8 @@ struct BlockForces {
     double const* spins = nullptr;
     if constexpr (rotates) spins = state.spin.data() + block.first;
     add_class(pair_class, system.blocks.near[list].data() + block.pairs[pair_class],
-              block.near[list][pair_class], state.record.data() + block.first, spins, force, observe);
+              block.near[list][pair_class], state.record.data() + block.first, spins, force,
+              observe);
   }
 
  private:
@@ -83,7 +84,7 @@ struct BlockForces {
   };
 
   BAGNOLD_INLINE static Loaded load(simd::LocalPair const* pairs, simd::Record const* records,
-                     double const* spins, double weight) {
+                                    double const* spins, double weight) {
     Loaded l;
     l.difference = simd::load_differences(records, pairs);
     if constexpr (rotates) l.spins = simd::load_sums(spins, pairs, weight);
@@ -102,7 +103,8 @@ struct BlockForces {
     Pack const reach2 = distance * distance, inverse_distance = 1 / distance;
     Law const law = this->law;  // on the stack, where stores of forces cannot reach
     Repulsion const repulsion = this->repulsion;
-    // thetadot_a d_a + thetadot_b d_b as d_a (thetadot_a + d_b/d_a thetadot_b); a is the smaller one.
+    // thetadot_a d_a + thetadot_b d_b as d_a (thetadot_a + d_b/d_a thetadot_b); a is the smaller
+    // one.
     Real const diameter_a = pair_class == 2 ? big_diameter : small_diameter;
     Real const weight = pair_class == 1 ? big_diameter / small_diameter : 1;
     Loaded next = load(pairs, records, spins, weight);
@@ -111,8 +113,9 @@ struct BlockForces {
       next = load(pairs + (k + simd::width < count ? k + simd::width : 0), records, spins, weight);
       simd::Mask const touching = now.distance2 < reach2;
       auto const& d = now.difference;
-      auto const f = pair_force<Law, Repulsion, Pack>(law, repulsion, {d.x, d.y}, now.distance2,
-                                                      {d.vx, d.vy}, inverse_distance, diameter_a * now.spins);
+      auto const f =
+          pair_force<Law, Repulsion, Pack>(law, repulsion, {d.x, d.y}, now.distance2, {d.vx, d.vy},
+                                           inverse_distance, diameter_a * now.spins);
       Pack const x = zero_unless(touching, f.elastic.x + f.dissipative.x);
       Pack const y = zero_unless(touching, f.elastic.y + f.dissipative.y);
       Pack turn = 0.0;

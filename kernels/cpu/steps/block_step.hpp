@@ -101,8 +101,7 @@ struct BlockStep {
     active.find(s.blocks, b, now, force);
     forces.add(s, block, contact_list, s.now, force, NoPackObserver{});
     simd::fly(trial, now, block.padded, time_step);
-    if constexpr (rotates)
-      std::copy_n(spins(s.now, block), block.padded, spins(s.trial, block));
+    if constexpr (rotates) std::copy_n(spins(s.now, block), block.padded, spins(s.trial, block));
     Kick const kick(s.table, time_step);
     active.each_pack(block, active.count(b), s.species.data(),
                      [&](std::uint16_t const* at, simd::Mask big) {
@@ -183,8 +182,7 @@ struct BlockStep {
   BAGNOLD_INLINE void correct(simd::Records& r, simd::Records const& trial,
                               simd::ForceComponents const& f, Pack k) const {
     auto const after = Formulas::velocity(r.velocity(), trial.velocity(), f.force(), k);
-    auto const place =
-        Formulas::position(r.position(), r.velocity(), after, Pack(time_step / 2));
+    auto const place = Formulas::position(r.position(), r.velocity(), after, Pack(time_step / 2));
     r = simd::make_records(place, after);
   }
 

@@ -12,8 +12,8 @@
 
 namespace bagnold {
 
-/// What steps of a scheme cost, by which engines choose, [cycles a disk-step]; from times of CD_n and
-/// CD_rot (0.76 to 0.78, Q = 1 and 50, rates 1e-4 and 1e-5).
+/// What steps of a scheme cost, by which engines choose, [cycles a disk-step]; from times of CD_n
+/// and CD_rot (0.76 to 0.78, Q = 1 and 50, rates 1e-4 and 1e-5).
 struct StepCosts {
   Real by_itself;  ///< of a disk without contacts where all disks are stepped
   Real contact;    ///< and for each contact it has
@@ -22,21 +22,21 @@ struct StepCosts {
 
 /// What an engine must know of a law and a scheme to make room for its steps.
 struct StepNeeds {
-  bool rotates;         ///< the law: spins are there
-  bool lists_contacts;  ///< steps with many contacts list them too
-  bool trial_spins;     ///< `trial` holds spins, not in its records
-  bool trial_is_change;  ///< `trial` is zero where nothing acts, not another state
-  int evaluations;      ///< of all near pairs in a step
-  int observed_forces;  ///< arrays of forces that measure() fills
+  bool rotates;             ///< the law: spins are there
+  bool lists_contacts;      ///< steps with many contacts list them too
+  bool trial_spins;         ///< `trial` holds spins, not in its records
+  bool trial_is_change;     ///< `trial` is zero where nothing acts, not another state
+  int evaluations;          ///< of all near pairs in a step
+  int observed_forces;      ///< arrays of forces that measure() fills
   std::size_t force_bytes;  ///< of a disk's force
   StepCosts costs;
 };
 
-/// The step of a scheme, under a law and a repulsion, on one block of disks at a time. Which they are
-/// is behind this face: one virtual call for a thousand disks, and engines are compiled once.
+/// The step of a scheme, under a law and a repulsion, on one block of disks at a time. Which they
+/// are is behind this face: one virtual call for a thousand disks, and engines are compiled once.
 ///
-/// A step has two halves with a barrier between them, as `trial` of a block is read by its neighbours.
-/// force: scratch of the calling thread, [system.blocks.most_local] of force_bytes.
+/// A step has two halves with a barrier between them, as `trial` of a block is read by its
+/// neighbours. force: scratch of the calling thread, [system.blocks.most_local] of force_bytes.
 class BlockStepper {
  public:
   explicit BlockStepper(StepNeeds const& what) : needs(what) {}
@@ -48,22 +48,22 @@ class BlockStepper {
   virtual BlockReport predict(BlockSystem const& system, std::uint32_t b, ShearedBox const& box,
                               void* force) const = 0;
 
-  /// Second half: the state at t + dt. observed: `force` is as measure() left it. seen: shown the new
-  /// motion of each pack of disks, if there is one.
+  /// Second half: the state at t + dt. observed: `force` is as measure() left it. seen: shown the
+  /// new motion of each pack of disks, if there is one.
   virtual BlockReport correct(BlockSystem const& system, std::uint32_t b, ShearedBox const& box,
                               void* force, bool observed, DeviationWatch* seen) const = 0;
 
   /// Both halves, bit for bit the same, where few of the near pairs touch: contacts are looked for
-  /// first, forces worked out for them alone, and all other disks are moved in one stream, x += v dt.
-  /// moved: scratch, [most_local]. The report's speed is that of the disks that touch.
+  /// first, forces worked out for them alone, and all other disks are moved in one stream, x += v
+  /// dt. moved: scratch, [most_local]. The report's speed is that of the disks that touch.
   virtual BlockReport predict_few(BlockSystem const& system, ActiveDisks const& active,
                                   std::uint32_t b, ShearedBox const& box, void* force) const = 0;
   virtual BlockReport correct_few(BlockSystem const& system, ActiveDisks const& active,
                                   std::uint32_t b, ShearedBox const& box, void* force,
                                   bool observed, simd::Record* moved) const = 0;
 
-  /// The sums of one block, when it and its neighbours have been through the first half of a step, and
-  /// it has not been through the second. force: [observed_forces][most_local].
+  /// The sums of one block, when it and its neighbours have been through the first half of a step,
+  /// and it has not been through the second. force: [observed_forces][most_local].
   virtual BlockSums measure(BlockSystem const& system, std::uint32_t b, Real strain_rate,
                             void* force) const = 0;
 

@@ -2,15 +2,16 @@
 #pragma once
 
 #include <algorithm>
+
 #include "kernels/cpu/steps/block_forces.hpp"
 #include "kernels/cpu/steps/block_stepper.hpp"
 #include "kernels/physics/sums/sums.hpp"
 
 namespace bagnold {
 
-/// Adds up pairs one after the other, in the order of the list, so that the sums do not depend on when
-/// it was pruned. A pair across the edge of a block is seen by both of its blocks and counts half in
-/// each.
+/// Adds up pairs one after the other, in the order of the list, so that the sums do not depend on
+/// when it was pruned. A pair across the edge of a block is seen by both of its blocks and counts
+/// half in each.
 struct PackSums {
   using C = SumColumns;
   static_assert(pair_columns == simd::width);
@@ -31,9 +32,9 @@ struct PackSums {
   }
 };
 
-/// The sums of one block: its pairs, and its own disks (inert ones add zero). When the block and its
-/// neighbours have been through the first half of a step, and it has not been through the second.
-/// force: scratch, [Step::observed_forces][most_local].
+/// The sums of one block: its pairs, and its own disks (inert ones add zero). When the block and
+/// its neighbours have been through the first half of a step, and it has not been through the
+/// second. force: scratch, [Step::observed_forces][most_local].
 template <class Step>
 BlockSums measure_block(Step const& step, BlockSystem const& s, std::uint32_t b, Real strain_rate,
                         typename Step::Force* force) {

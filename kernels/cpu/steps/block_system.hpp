@@ -22,8 +22,8 @@ inline simd::Record at_image(simd::Record record, Image const& image, ShearedBox
   return record;
 }
 
-/// Reads a block's disks in the order of memory, which the processor foresees and fetches ahead: the
-/// order of pairs, in which they are visited next, it does not.
+/// Reads a block's disks in the order of memory, which the processor foresees and fetches ahead:
+/// the order of pairs, in which they are visited next, it does not.
 inline void bring_near(Block const& block, BlockState const& state) {
   constexpr std::uint32_t line = 64 / sizeof(simd::Record);
   simd::Record const volatile* const record = state.record.data() + block.first;
@@ -56,10 +56,10 @@ inline Real fastest2_of(Block const& block, BlockState const& state, Real strain
 
 /// What a step tells of a block; each half of the step adds its part.
 struct BlockReport {
-  Real fastest2 = 0;          ///< largest (v - gammadot y x^)^2, [d_s^2 / tau_e^2]
-  Real largest_overlap = 0;   ///< relative
+  Real fastest2 = 0;           ///< largest (v - gammadot y x^)^2, [d_s^2 / tau_e^2]
+  Real largest_overlap = 0;    ///< relative
   std::uint32_t touching = 0;  ///< pairs, those across the edge included
-  Real poison = 0;            ///< 0, or no number where a motion is none
+  Real poison = 0;             ///< 0, or no number where a motion is none
 
   BlockReport& operator+=(BlockReport const& o) {
     fastest2 = std::max(fastest2, o.fastest2);
@@ -76,8 +76,8 @@ struct BlockSystem {
   Blocks::Array<Species> species;  ///< by slot
   SpeciesTable table;
   BlockState now;
-  BlockState trial;             ///< what the first half of a step leaves for the second
-  bool rotates = false;         ///< spins are there
+  BlockState trial;              ///< what the first half of a step leaves for the second
+  bool rotates = false;          ///< spins are there
   std::int64_t arrangement = 0;  ///< counts how often disks got other slots
   std::int64_t listing = 0;      ///< counts how often the inner lists were taken anew
 

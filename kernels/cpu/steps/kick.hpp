@@ -18,7 +18,7 @@ struct Kick {
     }
   }
   simd::Pack per_mass(simd::Mask big) const { return select(big, mass[1], mass[0]); }  ///< dt / m
-  simd::Pack per_inertia(simd::Mask big) const {  ///< dt d / I
+  simd::Pack per_inertia(simd::Mask big) const {                                       ///< dt d / I
     return select(big, inertia[1], inertia[0]);
   }
 };

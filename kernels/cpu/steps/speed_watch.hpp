@@ -19,12 +19,12 @@ struct SpeedWatch {
   }
 };
 
-/// Keeps how far disks come from the straight flight they were predicted by: at the new position, and
-/// at the next trial position.
+/// Keeps how far disks come from the straight flight they were predicted by: at the new position,
+/// and at the next trial position.
 struct DeviationWatch {
   simd::Record const* origin;
   Real* deviation2;
-  Real time;       ///< since the start of the flight, at the end of the step
+  Real time;  ///< since the start of the flight, at the end of the step
   Real time_step;
 
   /// A block after `steps` steps.

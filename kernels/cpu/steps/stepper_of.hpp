@@ -47,8 +47,8 @@ class StepperOf final : public BlockStepper {
                         Real strain_rate, SampleTimes const& times, BlockSums* sums,
                         LaneWatch* watch) const override {
     BinaryCollisions<Law, Repulsion, Step::scheme> const collisions{
-        step_.forces.law, step_.forces.repulsion, table_,
-        step_.time_step,  strain_rate,            step_.second_stage()};
+        step_.forces.law, step_.forces.repulsion, table_, step_.time_step,
+        strain_rate,      step_.second_stage()};
     if (watch != nullptr) return collisions.run(a, b, count, steps, times, sums, *watch);
     return collisions.run(a, b, count, steps, times, sums, NoLaneWatch{});
   }

@@ -8,9 +8,9 @@
 
 namespace bagnold {
 
-/// TwoStageLeapfrog (two_stage_leapfrog.hpp) on a block. `trial` holds what the first look changes: as
-/// a record {v_x, v_y, thetadot, contacts} a disk. The first look lists the pairs that touch for the
-/// second one.
+/// TwoStageLeapfrog (two_stage_leapfrog.hpp) on a block. `trial` holds what the first look changes:
+/// as a record {v_x, v_y, thetadot, contacts} a disk. The first look lists the pairs that touch for
+/// the second one.
 template <TwoStageLaw L, class R>
 struct TwoStageBlockStep {
   using Law = L;
@@ -52,7 +52,8 @@ struct TwoStageBlockStep {
       forces.add(c, s, block, inner_list, s.now, force, lister);
       block.near[contact_list][c] = lister.finish(block);
       report.touching += block.near[contact_list][c];
-      report.largest_overlap = std::max(report.largest_overlap, simd::largest(lister.largest_overlap));
+      report.largest_overlap =
+          std::max(report.largest_overlap, simd::largest(lister.largest_overlap));
     }
     Kick const kick(s.table, time_step);
     for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
@@ -63,8 +64,8 @@ struct TwoStageBlockStep {
     return report;
   }
 
-  /// Second half: the damping of the changes, and the state at t + dt. observed: force is as observe()
-  /// left it. seen(slot, records): called with the new motion of each pack of disks.
+  /// Second half: the damping of the changes, and the state at t + dt. observed: force is as
+  /// observe() left it. seen(slot, records): called with the new motion of each pack of disks.
   template <class Seen>
   BlockReport correct(BlockSystem const& s, std::uint32_t b, ShearedBox const& box, Force* force,
                       bool observed, Seen const& seen) const {
@@ -109,11 +110,10 @@ struct TwoStageBlockStep {
     OverlapWatch overlaps;
     forces.add(s, block, contact_list, s.now, force, overlaps);
     Kick const kick(s.table, time_step);
-    active.each_pack(block, active.count(b), s.species.data(),
-                     [&](std::uint16_t const* at, simd::Mask big) {
-                       simd::store_records(change, at,
-                                           change_of(kick, simd::load_forces(force, at), big));
-                     });
+    active.each_pack(
+        block, active.count(b), s.species.data(), [&](std::uint16_t const* at, simd::Mask big) {
+          simd::store_records(change, at, change_of(kick, simd::load_forces(force, at), big));
+        });
     return {0, simd::largest(overlaps.largest), overlaps.touching, 0};
   }
 
@@ -134,21 +134,19 @@ struct TwoStageBlockStep {
     auto const* const list = active.list.data() + block.first;
     for (auto k = active.count(b); k < simd::round_up(active.count(b)); ++k)
       simd::at(force, list[k]) = Force{};
-    active.each_pack(block, active.count(b), s.species.data(),
-                     [&](std::uint16_t const* at, simd::Mask big) {
-                       auto r = simd::load_records(now, at);
-                       auto const of_first = simd::load_records(change, at);
-                       auto const f = simd::load_forces(force, at);
-                       r = simd::make_records(r.position(),
-                                              accelerated(r, of_first, f, kick.per_mass(big)));
-                       simd::store_records(now, at, r);
-                       if constexpr (rotates) {
-                         auto* const spin = s.now.spin.data() + block.first;
-                         simd::store(spin, at, spun(simd::load(spin, at), of_first, f,
-                                                    kick.per_inertia(big)));
-                       }
-                       speeds(r, fma(time_step, r.vy, r.y));
-                     });
+    active.each_pack(
+        block, active.count(b), s.species.data(), [&](std::uint16_t const* at, simd::Mask big) {
+          auto r = simd::load_records(now, at);
+          auto const of_first = simd::load_records(change, at);
+          auto const f = simd::load_forces(force, at);
+          r = simd::make_records(r.position(), accelerated(r, of_first, f, kick.per_mass(big)));
+          simd::store_records(now, at, r);
+          if constexpr (rotates) {
+            auto* const spin = s.now.spin.data() + block.first;
+            simd::store(spin, at, spun(simd::load(spin, at), of_first, f, kick.per_inertia(big)));
+          }
+          speeds(r, fma(time_step, r.vy, r.y));
+        });
     simd::fly(now, now, block.padded, time_step);
     for (std::uint32_t k = 0; k < active.count(b); ++k)
       active.is_active(block.first + list[k] / 4u) = 0;
@@ -166,8 +164,8 @@ struct TwoStageBlockStep {
   }
 
   /// Of eight disks from i on, after observe(), as ChangeForces has it. spin: theirs.
-  PackPower observed_power(BlockSystem const& s, Force const* force, std::uint32_t i, simd::Mask big,
-                           simd::Pack spin) const {
+  PackPower observed_power(BlockSystem const& s, Force const* force, std::uint32_t i,
+                           simd::Mask big, simd::Pack spin) const {
     auto const both = simd::load_forces(force + i);
     auto const second = simd::load_forces(force + s.blocks.most_local + i);
     Kick const half(s.table, time_step / 2);
@@ -260,8 +258,9 @@ struct TwoStageBlockStep {
     return {simd::load_differences(records, pairs), simd::load_combined(changes, pairs, weight)};
   }
 
-  BAGNOLD_INLINE static void scatter(Force* force, simd::LocalPair const* pairs, simd::Mask touching,
-                                     PairForce<Pack> const& f, Pack const& inverse_distance) {
+  BAGNOLD_INLINE static void scatter(Force* force, simd::LocalPair const* pairs,
+                                     simd::Mask touching, PairForce<Pack> const& f,
+                                     Pack const& inverse_distance) {
     Pack turn = 0.0;
     if constexpr (rotates) turn = zero_unless(touching, f.turn(inverse_distance));
     simd::scatter(force, pairs, zero_unless(touching, f.dissipative.x),
@@ -271,8 +270,8 @@ struct TwoStageBlockStep {
   /// Adds the forces of the second look, or shows those of both looks together and adds both.
   template <bool Whole, class Observer>
   void look_at_class(int pair_class, BlockSystem const& s, Block const& block,
-                     simd::LocalPair const* pairs,
-                     std::uint32_t count, Force* force, Observer& observe) const {
+                     simd::LocalPair const* pairs, std::uint32_t count, Force* force,
+                     Observer& observe) const {
     Pack const share_normal = Pack::load(shares.normal[pair_class]);
     Pack const share_tangential = Pack::load(shares.tangential[pair_class]);
     Pack const inverse_distance = 1 / class_distance(pair_class);
@@ -287,11 +286,11 @@ struct TwoStageBlockStep {
     Loaded next = load(pairs, records, changes, weight);
     for (std::uint32_t k = 0; k < count; k += simd::width) {
       auto const [d, a] = next;
-      next = load(pairs + (k + simd::width < count ? k + simd::width : 0), records, changes, weight);
+      next =
+          load(pairs + (k + simd::width < count ? k + simd::width : 0), records, changes, weight);
       auto const touching = simd::first_lanes(count - k);
       Vec2<Pack> const separation{d.x, d.y};
-      Contact<Pack> contact =
-          make_contact(separation, fma(d.x, d.x, d.y * d.y), inverse_distance);
+      Contact<Pack> contact = make_contact(separation, fma(d.x, d.x, d.y * d.y), inverse_distance);
       auto const change =
           velocity_at_contact<Law>({a.x, a.y}, separation, inverse_distance, diameter_a * a.vx);
       simd::CountPairs const contacts(a.vy);

@@ -3,11 +3,11 @@
 
 #include <Kokkos_Core.hpp>
 
+#include "kernels/device/neighbors/neighbor_rows.hpp"
+#include "kernels/physics/box/sheared_box.hpp"
 #include "kernels/physics/laws/pair_force.hpp"
 #include "kernels/physics/motion.hpp"
 #include "kernels/physics/species.hpp"
-#include "kernels/physics/box/sheared_box.hpp"
-#include "kernels/device/neighbors/neighbor_rows.hpp"
 
 namespace bagnold {
 
@@ -16,7 +16,8 @@ struct NoObserver {
   KOKKOS_FUNCTION void operator()(PairForce<Real> const&) const {}
 };
 
-/// Powers of what acts on one disk in a step, beyond those that its pairs show, [m d_s^2 / tau_e^3].
+/// Powers of what acts on one disk in a step, beyond those that its pairs show, [m d_s^2 /
+/// tau_e^3].
 struct DiskPower {
   Real dissipation = 0;  ///< leaves the motion
   Real torque = 0;       ///< goes into the rotation
@@ -32,9 +33,9 @@ template <PairLaw Law, class Repulsion, class Space>
 struct ContactForces {
   static constexpr bool rotates = Law::rotates;
 
-  Kokkos::View<Vec2<Real> const*, Space> position;      ///< [N], [d_s]
-  Kokkos::View<Motion<rotates> const*, Space> motion;   ///< [N]
-  Kokkos::View<Species const*, Space> species;          ///< [N]
+  Kokkos::View<Vec2<Real> const*, Space> position;     ///< [N], [d_s]
+  Kokkos::View<Motion<rotates> const*, Space> motion;  ///< [N]
+  Kokkos::View<Species const*, Space> species;         ///< [N]
   NeighborRows<Space> neighbors;
   SpeciesTable table;
   ShearedBox box;  ///< at the time of position and motion
@@ -68,7 +69,8 @@ struct ContactForces {
   /// The configuration.
   KOKKOS_FUNCTION ContactForces const& now() const { return *this; }
 
-  /// visit(j, r_ij, r_ij^2, 1/d_ij, v_ij, thetadot_i d_i + thetadot_j d_j) for all disks j that i touches.
+  /// visit(j, r_ij, r_ij^2, 1/d_ij, v_ij, thetadot_i d_i + thetadot_j d_j) for all disks j that i
+  /// touches.
   template <class Visit>
   KOKKOS_FUNCTION void each_contact(std::uint32_t i, Visit const& visit) const {
     Vec2<Real> const position_i = position(i);

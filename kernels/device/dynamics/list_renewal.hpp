@@ -3,9 +3,9 @@
 
 #include <Kokkos_Core.hpp>
 
-#include "kernels/physics/motion.hpp"
 #include "kernels/physics/box/list_criterion.hpp"
 #include "kernels/physics/box/sheared_box.hpp"
+#include "kernels/physics/motion.hpp"
 #include "kernels/physics/schemes/flight_and_kick.hpp"
 
 namespace bagnold {

@@ -46,7 +46,8 @@ struct OverlapLimit {
   }
 };
 
-/// Keeps the largest |w|^2 of a disk now and a step later; infinity where it is no number, or not sound.
+/// Keeps the largest |w|^2 of a disk now and a step later; infinity where it is no number, or not
+/// sound.
 KOKKOS_INLINE_FUNCTION void keep_largest(Real& largest, Real now2, Real next2, bool sound) {
   Real value = now2 > next2 ? now2 : next2;
   if (!(sound && value < Kokkos::reduction_identity<Real>::min() && now2 == now2))
@@ -54,9 +55,9 @@ KOKKOS_INLINE_FUNCTION void keep_largest(Real& largest, Real now2, Real next2, b
   if (value > largest) largest = value;
 }
 
-/// Second half of ModifiedVelocityVerlet. Reduces (Max) the largest |w|^2 of r_1 and of the next trial
-/// position r_1 + v_1 dt, so that the list can be renewed before it is outrun; infinity where a number
-/// is no number or an overlap is beyond its limit.
+/// Second half of ModifiedVelocityVerlet. Reduces (Max) the largest |w|^2 of r_1 and of the next
+/// trial position r_1 + v_1 dt, so that the list can be renewed before it is outrun; infinity where
+/// a number is no number or an overlap is beyond its limit.
 template <ContactLaw Law, class Repulsion, class Space>
 struct Correct {
   ContactForces<Law, Repulsion, Space> forces;  ///< at the trial positions, at t + dt
@@ -82,10 +83,10 @@ struct Correct {
     motion(i) = after;
     position(i) = moved;
 
-    keep_largest(largest, excursion2(moved, at_build(i), strain_since_build),
-                 excursion2(flown(moved, after.velocity, time_step), at_build(i),
-                            next_strain_since_build),
-                 !limit.exceeded);
+    keep_largest(
+        largest, excursion2(moved, at_build(i), strain_since_build),
+        excursion2(flown(moved, after.velocity, time_step), at_build(i), next_strain_since_build),
+        !limit.exceeded);
   }
 };
 
@@ -111,12 +112,12 @@ struct DeviceStep<Scheme::modified_velocity_verlet> {
     loops.for_all("dynamics::Predict", disks.count(),
                   Predict<Law, Repulsion, Space>{system.forces(box), system.time_step,
                                                  disks.trial_position, disks.trial_motion});
-    loops.reduce("dynamics::Correct", disks.count(),
-                 Correct<Law, Repulsion, Space>{
-                     system.forces(next_box, disks.trial_position, disks.trial_motion),
-                     system.time_step, disks.position, disks.motion, disks.at_build, strain,
-                     next_strain},
-                 Kokkos::Max<Real>(largest2));
+    loops.reduce(
+        "dynamics::Correct", disks.count(),
+        Correct<Law, Repulsion, Space>{
+            system.forces(next_box, disks.trial_position, disks.trial_motion), system.time_step,
+            disks.position, disks.motion, disks.at_build, strain, next_strain},
+        Kokkos::Max<Real>(largest2));
     return largest2;
   }
 };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "kernels/physics/repulsion/repulsion.hpp"
 #include "kernels/device/dynamics/contact_forces.hpp"
 #include "kernels/device/neighbors/verlet_list.hpp"
+#include "kernels/physics/repulsion/repulsion.hpp"
 
 namespace bagnold {
 

@@ -9,8 +9,8 @@
 
 namespace bagnold {
 
-/// One system and its step, by launches or in a team: Loops. What counts steps, keeps the box and builds
-/// lists stands around it.
+/// One system and its step, by launches or in a team: Loops. What counts steps, keeps the box and
+/// builds lists stands around it.
 template <ContactLaw Law, class Repulsion, class Space, Scheme Stepped>
 struct SteppedSystem {
   static constexpr bool rotates = Law::rotates;
@@ -44,9 +44,9 @@ struct SteppedSystem {
     return Step::begin(*this, loops, box);
   }
 
-  /// The rest of the step. next_box: a step later; strain, next_strain: since the build, a step and two
-  /// steps later. Returns the largest |w|^2 of the disks then and a step after, [d_s^2]; infinity where a
-  /// number is not finite or an overlap beyond its limit.
+  /// The rest of the step. next_box: a step later; strain, next_strain: since the build, a step and
+  /// two steps later. Returns the largest |w|^2 of the disks then and a step after, [d_s^2];
+  /// infinity where a number is not finite or an overlap beyond its limit.
   template <class Loops>
   KOKKOS_FUNCTION Real end_step(Loops const& loops, ShearedBox const& box,
                                 ShearedBox const& next_box, Real strain, Real next_strain) {
@@ -59,7 +59,8 @@ struct SteppedSystem {
                   WrapDisks<rotates, Space>{box, disks.position, disks.motion, disks.at_build});
   }
 
-  /// The largest |w|^2 of the next trial positions just after a build, and whose. strain: of a step.
+  /// The largest |w|^2 of the next trial positions just after a build, and whose. strain: of a
+  /// step.
   template <class Loops>
   KOKKOS_FUNCTION auto farthest_of_next_step(Loops const& loops, Real strain) const {
     using Farthest = Kokkos::MaxLoc<Real, std::int64_t>;

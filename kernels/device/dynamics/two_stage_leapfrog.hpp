@@ -4,10 +4,10 @@
 #include "kernels/device/dynamics/contact_forces.hpp"
 #include "kernels/device/dynamics/device_step.hpp"
 #include "kernels/device/dynamics/disk_views.hpp"
-#include "kernels/device/system_table.hpp"
 #include "kernels/device/dynamics/modified_velocity_verlet.hpp"
-#include "kernels/physics/schemes/two_stage_leapfrog.hpp"
+#include "kernels/device/system_table.hpp"
 #include "kernels/physics/box/list_criterion.hpp"
+#include "kernels/physics/schemes/two_stage_leapfrog.hpp"
 
 namespace bagnold {
 
@@ -43,8 +43,9 @@ struct FirstStage {
   }
 };
 
-/// The damping of the changes. Observers see the forces of both stages together, and the velocity halfway
-/// through the step, but for what second stages change of it, which power() adds up disk by disk:
+/// The damping of the changes. Observers see the forces of both stages together, and the velocity
+/// halfway through the step, but for what second stages change of it, which power() adds up disk by
+/// disk:
 ///
 ///     sum_pairs f_ij . (b_i - b_j) = sum_i f_i . b_i,   f: the damping of both stages
 ///
@@ -56,7 +57,7 @@ struct ChangeForces {
   Kokkos::View<Motion<rotates> const*, Space> change;
   Kokkos::View<int const*, Space> contacts;
   Kokkos::View<SecondStage const*, Space> shares;  ///< [1]: looked up by index, so in memory
-  Real time_step;                                 ///< dt, [tau_e]
+  Real time_step;                                  ///< dt, [tau_e]
 
   KOKKOS_FUNCTION ContactForces<Law, Repulsion, Space> const& now() const { return forces; }
 
@@ -125,8 +126,8 @@ struct ChangeForces {
   }
 };
 
-/// Second stage of TwoStageLeapfrog, and the step. Reduces (Max) as Correct does; new positions go to another array, as
-/// neighbours still read the old ones.
+/// Second stage of TwoStageLeapfrog, and the step. Reduces (Max) as Correct does; new positions go
+/// to another array, as neighbours still read the old ones.
 template <ContactLaw Law, class Repulsion, class Space>
 struct LeapOn {
   ChangeForces<Law, Repulsion, Space> forces;
@@ -150,10 +151,10 @@ struct LeapOn {
     auto const moved = Scheme::position(now.position(i), after.velocity, time_step);
     motion(i) = after;
     next_position(i) = moved;
-    keep_largest(largest, excursion2(moved, at_build(i), strain_since_build),
-                 excursion2(flown(moved, after.velocity, time_step), at_build(i),
-                            next_strain_since_build),
-                 true);
+    keep_largest(
+        largest, excursion2(moved, at_build(i), strain_since_build),
+        excursion2(flown(moved, after.velocity, time_step), at_build(i), next_strain_since_build),
+        true);
   }
 };
 
@@ -195,8 +196,8 @@ struct StepTables<Scheme::two_stage_leapfrog, Space> {
   }
 };
 
-/// The scheme as a SteppedSystem takes it. Trial Views hold the next positions and what the first stage
-/// changes.
+/// The scheme as a SteppedSystem takes it. Trial Views hold the next positions and what the first
+/// stage changes.
 template <>
 struct DeviceStep<Scheme::two_stage_leapfrog> {
   template <class Law, class Repulsion, class Space, Scheme scheme>

@@ -20,12 +20,12 @@ struct RunningSum {
   }
 };
 
-/// Disks sorted into cells at least `reach` wide and high; inside a cell in the order of their index,
-/// so that the grid does not depend on threads.
+/// Disks sorted into cells at least `reach` wide and high; inside a cell in the order of their
+/// index, so that the grid does not depend on threads.
 template <class Space>
 struct CellGrid {
-  int columns = 0, rows = 0;     ///< cells along the box, and across it
-  Real width = 0, height = 0;    ///< of a cell, [d_s]
+  int columns = 0, rows = 0;                    ///< cells along the box, and across it
+  Real width = 0, height = 0;                   ///< of a cell, [d_s]
   Kokkos::View<std::uint32_t*, Space> first;    ///< [cells + 1]: cell c holds members first(c) ..
   Kokkos::View<std::uint32_t*, Space> members;  ///< [N] disk indices, cell by cell
 
@@ -88,8 +88,8 @@ struct Sort {
 
 }  // namespace cell_grid
 
-/// Cells along an edge of a box, at least `reach` long; a cell a disk is enough. across: the length of
-/// the other edge, [d_s].
+/// Cells along an edge of a box, at least `reach` long; a cell a disk is enough. across: the length
+/// of the other edge, [d_s].
 inline int cells_along(Real length, Real across, Real reach, std::int64_t disks) {
   Real const most = std::ceil(std::sqrt(static_cast<Real>(disks) * (length / across)));
   return static_cast<int>(std::clamp(length / reach, Real(1), std::max(Real(1), most)));
@@ -108,8 +108,7 @@ CellGrid<Space> empty_cell_grid(ShearedBox const& box, Real reach, std::int64_t 
 
 /// Sort disks into cells. position: [N], in the box, [d_s]; reach: [d_s].
 template <class Space>
-CellGrid<Space> make_cell_grid(Space const& space,
-                               Kokkos::View<Vec2<Real>*, Space> const& position,
+CellGrid<Space> make_cell_grid(Space const& space, Kokkos::View<Vec2<Real>*, Space> const& position,
                                ShearedBox const& box, Real reach) {
   using Counts = Kokkos::View<std::uint32_t*, Space>;
   using Range = Kokkos::RangePolicy<Space>;

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "kernels/device/side_by_side.hpp"
-#include "kernels/physics/species.hpp"
 #include "kernels/device/neighbors/cell_grid.hpp"
 #include "kernels/device/neighbors/neighbor_rows.hpp"
+#include "kernels/device/side_by_side.hpp"
+#include "kernels/physics/species.hpp"
 
 namespace bagnold {
 
 /// Calls visit(Neighbor) for every disk image within d_ij + skin of disk i.
 ///
-/// The box must be at least 2 (d_max + skin) wide and high, so that a pair meets through one image only.
-/// In rows above and below the box the query point is moved instead of the cells: three columns
-/// hold all that is within reach, at any offset.
+/// The box must be at least 2 (d_max + skin) wide and high, so that a pair meets through one image
+/// only. In rows above and below the box the query point is moved instead of the cells: three
+/// columns hold all that is within reach, at any offset.
 template <class Space>
 struct NeighborSearch {
   Kokkos::View<Vec2<Real>*, Space> position;  ///< [N], in the box, [d_s]
@@ -38,7 +38,8 @@ struct NeighborSearch {
         int column = column_i + side_step;
         int const wrapped = column < 0 ? -1 : (column >= grid.columns ? 1 : 0);
         column -= wrapped * grid.columns;
-        visit_cell(i, static_cast<std::int64_t>(row) * grid.columns + column, Image{m + wrapped, n}, visit);
+        visit_cell(i, static_cast<std::int64_t>(row) * grid.columns + column, Image{m + wrapped, n},
+                   visit);
       }
     }
   }
@@ -124,8 +125,7 @@ NeighborRows<Space> make_neighbor_rows(Space const& space, NeighborSearch<Space>
   if (rows.entries.extent(0) < total) {
     rows.entries = {};  // free before asking for more
     rows.entries = Kokkos::View<Neighbor*, Space>(
-        Kokkos::view_alloc(Kokkos::WithoutInitializing, "neighbors::entries"),
-        total + total / 8);
+        Kokkos::view_alloc(Kokkos::WithoutInitializing, "neighbors::entries"), total + total / 8);
   }
   side_by_side::parallel_for("neighbors::NeighborRows::fill", Range(space, 0, count),
                              neighbor_rows::Fill<Space>{search, rows});

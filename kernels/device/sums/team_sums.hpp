@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "kernels/device/team.hpp"
 #include "kernels/device/sums/measure.hpp"
+#include "kernels/device/team.hpp"
 
 namespace bagnold {
 

@@ -35,7 +35,8 @@ struct ShearedBox {
   }
 };
 
-/// Take a disk back into [0, L_x) x [0, L_y). A wrap in y changes x by the offset, v_x by gammadot L_y.
+/// Take a disk back into [0, L_x) x [0, L_y). A wrap in y changes x by the offset, v_x by gammadot
+/// L_y.
 ///
 /// Positions that are in the box already keep their bits.
 KOKKOS_INLINE_FUNCTION void wrap(ShearedBox const& box, Vec2<Real>& position, Real& velocity_x) {

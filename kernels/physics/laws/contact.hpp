@@ -85,15 +85,15 @@ concept PairLaw = law::SaysWhetherItRotates<Law> && law::Forceful<Law>;
 
 /// A contact law: all that the program asks of one. A law that is not linear has no constants.
 template <class Law>
-concept ContactLaw =
-    law::Named<Law> && PairLaw<Law> && law::MadeFromInput<Law> && law::FollowsAPaper<Law> &&
-    law::SaysWhetherItIsLinear<Law> && (!Law::linear || law::HasConstants<Law>);
+concept ContactLaw = law::Named<Law> && PairLaw<Law> && law::MadeFromInput<Law> &&
+    law::FollowsAPaper<Law> && law::SaysWhetherItIsLinear<Law> &&
+    (!Law::linear || law::HasConstants<Law>);
 
 /// A law for two-stage damping, whose second stage acts on weighed changes of the velocity
-/// (kernels/physics/schemes/second_stage.hpp): linear in them and, without spins, with one weight for
-/// both directions.
+/// (kernels/physics/schemes/second_stage.hpp): linear in them and, without spins, with one weight
+/// for both directions.
 template <class Law>
-concept TwoStageLaw = ContactLaw<Law> && Law::linear && (Law::rotates || Law::one_constant);
+concept TwoStageLaw = ContactLaw<Law> && Law::linear &&(Law::rotates || Law::one_constant);
 
 /// True, or one sentence from the compiler for each fact that a law lacks.
 template <class Law>
@@ -114,9 +114,10 @@ constexpr bool is_contact_law() {
                 "a contact law has `static Real paper_time_step(Real elasticity)`, see "
                 "laws/paper_time_step.hpp");
   if constexpr (law::SaysWhetherItIsLinear<Law>)
-    static_assert(!Law::linear || law::HasConstants<Law>,
-                  "a law linear in the velocity has normal_damping(), tangential_damping() and "
-                  "dense_flow_rate(), all Real and const, and `static constexpr bool one_constant`");
+    static_assert(
+        !Law::linear || law::HasConstants<Law>,
+        "a law linear in the velocity has normal_damping(), tangential_damping() and "
+        "dense_flow_rate(), all Real and const, and `static constexpr bool one_constant`");
   return true;
 }
 

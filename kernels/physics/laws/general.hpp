@@ -9,7 +9,8 @@ namespace bagnold {
 
 /// Separate damping along the normal and the tangent, at the point of contact.
 ///
-///     f_dis = -k_n (v^C . n) n - k_t [v^C - (v^C . n) n]     PRE 95, 052903 (2017), end of Sec. II B
+///     f_dis = -k_n (v^C . n) n - k_t [v^C - (v^C . n) n]     PRE 95, 052903 (2017), end of Sec. II
+///     B
 ///
 /// Force on i from j, [m d_s / tau_e^2]. k_t = 0 is CD_n, k_t = k_n is CD_rot.
 struct General {
@@ -24,7 +25,8 @@ struct General {
   Real normal_damping() const { return damping_normal; }
   Real tangential_damping() const { return damping_tangential; }
 
-  /// The rate is convex in both constants, so at most that of CD_rot with k_t and CD_n with the rest.
+  /// The rate is convex in both constants, so at most that of CD_rot with k_t and CD_n with the
+  /// rest.
   Real dense_flow_rate() const {
     Real const more = damping_normal - damping_tangential;
     return dense_flow::rolling * damping_tangential + dense_flow::normal * (more > 0 ? more : 0);

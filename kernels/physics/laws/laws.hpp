@@ -11,9 +11,9 @@
 namespace bagnold {
 
 /// Every contact law there is: the program, its messages and its typed tests read this list.
-using Laws = std::tuple<CD,      //
-                        CDn,     //
-                        CDrot,   //
+using Laws = std::tuple<CD,     //
+                        CDn,    //
+                        CDrot,  //
                         General>;
 
 }  // namespace bagnold

@@ -58,9 +58,9 @@ KOKKOS_FORCEINLINE_FUNCTION Vec2<T> velocity_at_contact(Vec2<T> const& velocity,
 /// make_contact and velocity_at_contact.
 template <PairLaw Law, class Repulsion, class T>
 KOKKOS_FORCEINLINE_FUNCTION PairForce<T> pair_force(Law const& law, Repulsion const& repulsion,
-                                        Vec2<T> const& separation, T const& distance2,
-                                        Vec2<T> const& velocity, T const& inverse_distance,
-                                        T const& spins) {
+                                                    Vec2<T> const& separation, T const& distance2,
+                                                    Vec2<T> const& velocity,
+                                                    T const& inverse_distance, T const& spins) {
   Contact<T> contact = make_contact(separation, distance2, inverse_distance);
   contact.velocity = velocity_at_contact<Law>(velocity, separation, inverse_distance, spins);
   return {separation, repulsion.magnitude(contact) * contact.normal, law.dissipative_force(contact),

@@ -8,15 +8,15 @@
 
 namespace bagnold {
 
-/// Elastic repulsion along the normal, on i away from j, [m d_s / tau_e^2]; the input names it by its
-/// exponent alpha.
+/// Elastic repulsion along the normal, on i away from j, [m d_s / tau_e^2]; the input names it by
+/// its exponent alpha.
 ///
 ///     f_el = (k_e / d_ij) (1 - r_ij / d_ij)^(alpha - 1)     P1 Eq. (2), P2 Eq. (2), with k_e = 1
 template <class R>
 concept RepulsionLaw = requires(R const repulsion, Contact<Real> const contact, Real overlap) {
-  { R::force_exponent } -> std::convertible_to<double>;          // alpha
-  { R::name } -> std::convertible_to<std::string_view>;          // beside alpha, in messages
-  { R::stiffness(overlap) } -> std::convertible_to<Real>;        // -d f_el / d r_ij, [k_e / d_ij^2]
+  { R::force_exponent } -> std::convertible_to<double>;    // alpha
+  { R::name } -> std::convertible_to<std::string_view>;    // beside alpha, in messages
+  { R::stiffness(overlap) } -> std::convertible_to<Real>;  // -d f_el / d r_ij, [k_e / d_ij^2]
   { repulsion.magnitude(contact) } -> std::same_as<Real>;
 };
 

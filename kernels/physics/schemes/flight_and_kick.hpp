@@ -12,7 +12,8 @@ KOKKOS_FORCEINLINE_FUNCTION V flown(V const& position, V const& velocity, T cons
   return multiply_add(time, velocity, position);
 }
 
-/// v + f dt/m. per_mass: dt/m, or for the spin dt/I with the torque, dt d/I with torque over diameter.
+/// v + f dt/m. per_mass: dt/m, or for the spin dt/I with the torque, dt d/I with torque over
+/// diameter.
 template <class T, class V>
 KOKKOS_FORCEINLINE_FUNCTION V kicked(V const& velocity, V const& force, T const& per_mass) {
   return multiply_add(per_mass, force, velocity);

@@ -13,8 +13,8 @@ namespace bagnold {
 ///     v~_1 = v_0 + f(r_0, v_0) dt/m,             r~_1 = r_0 + v_0 dt
 ///     v_1 = (v_0 + v~_1)/2 + f(r~_1, v~_1) dt/2m,   r_1 = r_0 + (v_0 + v_1) dt/2
 ///
-/// where (v_0 + v~_1)/2 is v_0 + f(r_0, v_0) dt/2m. A disk that touches nothing flies exactly r + v dt.
-/// T: a number or pack; V: Vec2<T>, or T for the spin.
+/// where (v_0 + v~_1)/2 is v_0 + f(r_0, v_0) dt/2m. A disk that touches nothing flies exactly r + v
+/// dt. T: a number or pack; V: Vec2<T>, or T for the spin.
 struct ModifiedVelocityVerlet {
   static constexpr std::string_view name = papers_scheme;
   static constexpr Scheme scheme = Scheme::modified_velocity_verlet;

@@ -16,10 +16,10 @@ namespace bagnold {
 /// N: the contacts of the one of the two disks that has more. For N = 1 the pair slows down by e^-z
 /// exactly; 1 - z + alpha z^2 stays within (-1, 1] up to z = 7 for any N.
 struct SecondStage {
-  static constexpr int most = 8;  ///< N beyond it counts as it
+  static constexpr int most = 8;     ///< N beyond it counts as it
   static constexpr int classes = 3;  ///< small-small, small-big, big-big
-  Real normal[classes][most];      ///< by N mod 8
-  Real tangential[classes][most];  ///< by N mod 8
+  Real normal[classes][most];        ///< by N mod 8
+  Real tangential[classes][most];    ///< by N mod 8
 
   SecondStage() = default;
 
@@ -31,24 +31,27 @@ struct SecondStage {
       for (int n = 1; n <= most; ++n) {
         Real const z = n * per_force;
         normal[c][n % most] = share(law.normal_damping() * z);
-        tangential[c][n % most] = share(law.tangential_damping() * z * tangential_mobility(Law::rotates));
+        tangential[c][n % most] =
+            share(law.tangential_damping() * z * tangential_mobility(Law::rotates));
       }
     }
   }
 
   /// alpha(z); where the difference cancels, its series.
   static Real share(Real z) {
-    Real const exact = z < Real(1e-3) ? Real(0.5) - z / 6 + z * z / 24
-                                      : (z + std::expm1(-z)) / (z * z);
+    Real const exact =
+        z < Real(1e-3) ? Real(0.5) - z / 6 + z * z / 24 : (z + std::expm1(-z)) / (z * z);
     return exact > Real(1) / 7 ? exact : Real(1) / 7;
   }
 };
 
-/// The velocity at a contact whose damping the second stage adds. change: of v_i - v_j, at the point of
-/// contact if the law rotates.
+/// The velocity at a contact whose damping the second stage adds. change: of v_i - v_j, at the
+/// point of contact if the law rotates.
 template <TwoStageLaw Law, class T>
-KOKKOS_FORCEINLINE_FUNCTION Vec2<T> second_stage_velocity(Vec2<T> const& change, Vec2<T> const& normal,
-                                              T const& share_normal, T const& share_tangential) {
+KOKKOS_FORCEINLINE_FUNCTION Vec2<T> second_stage_velocity(Vec2<T> const& change,
+                                                          Vec2<T> const& normal,
+                                                          T const& share_normal,
+                                                          T const& share_tangential) {
   if constexpr (Law::rotates)
     return share_tangential * change +
            ((share_normal - share_tangential) * dot(change, normal)) * normal;
@@ -62,12 +65,12 @@ KOKKOS_FORCEINLINE_FUNCTION Vec2<T> second_stage_velocity(Vec2<T> const& change,
 /// turn: torque over diameter; per_force: dt (1/m_i + 1/m_j); per_turn: dt (d_i^2/I_i + d_j^2/I_j).
 template <ContactLaw Law, class T>
 KOKKOS_FORCEINLINE_FUNCTION Vec2<T> change_of_pair(Vec2<T> const& force, T const& turn,
-                                       Vec2<T> const& separation, T const& inverse_distance,
-                                       T const& per_force, T const& per_turn) {
+                                                   Vec2<T> const& separation,
+                                                   T const& inverse_distance, T const& per_force,
+                                                   T const& per_turn) {
   Vec2<T> change = per_force * force;
   if constexpr (Law::rotates)
-    change =
-        change - (T(0.5) * inverse_distance * per_turn * turn) * perpendicular(separation);
+    change = change - (T(0.5) * inverse_distance * per_turn * turn) * perpendicular(separation);
   return change;
 }
 

@@ -13,13 +13,13 @@ namespace bagnold {
 /// Leapfrog with the damping in two stages. v belongs half a step before r:
 ///
 ///     a_i = f_i(r_n, v_-) dt/m_i                            first stage: all forces, once a step
-///     b_i = sum_j f_dis(r_n, alpha (a_i - a_j)) dt/m_i      second stage: the damping of the changes
-///     v_+ = v_- + a + b,   r_n+1 = r_n + v_+ dt
+///     b_i = sum_j f_dis(r_n, alpha (a_i - a_j)) dt/m_i      second stage: the damping of the
+///     changes v_+ = v_- + a + b,   r_n+1 = r_n + v_+ dt
 ///
-/// and the spins alike. To second order in the damping it is exp(-A dt) v_-, A v = -f_dis/m; alpha, see
-/// SecondStage, makes lone pairs relax exactly and holds it stable. Every contact reads the same
-/// starting data: nothing depends on an order of pairs. A disk that touches nothing flies exactly
-/// r_n + v dt. T: a number or pack; V: Vec2<T>, or T for the spin.
+/// and the spins alike. To second order in the damping it is exp(-A dt) v_-, A v = -f_dis/m; alpha,
+/// see SecondStage, makes lone pairs relax exactly and holds it stable. Every contact reads the
+/// same starting data: nothing depends on an order of pairs. A disk that touches nothing flies
+/// exactly r_n + v dt. T: a number or pack; V: Vec2<T>, or T for the spin.
 struct TwoStageLeapfrog {
   static constexpr std::string_view name = two_stage_scheme;
   static constexpr Scheme scheme = Scheme::two_stage_leapfrog;
@@ -35,8 +35,8 @@ struct TwoStageLeapfrog {
   static constexpr std::string_view cannot_step =
       "damping is not linear in the velocity, or neither normal nor isotropic and without spins";
 
-  /// The rule for dt, [tau_e]: min{0.2, 0.2 Q} where disks rotate, otherwise min{0.2, 0.5 Q}, with Q over
-  /// the larger damping constant in units of 1/Q. Biases are below 1% (docs/accuracy.md).
+  /// The rule for dt, [tau_e]: min{0.2, 0.2 Q} where disks rotate, otherwise min{0.2, 0.5 Q}, with
+  /// Q over the larger damping constant in units of 1/Q. Biases are below 1% (docs/accuracy.md).
   template <TwoStageLaw Law>
   static Real time_step(DampingInput const& input) {
     Law const at_one = Law::make({1, input.normal, input.tangential});
@@ -52,8 +52,8 @@ struct TwoStageLeapfrog {
 
   /// v_+ of v_-, a and the force of the second stage.
   template <class T, class V>
-  KOKKOS_FORCEINLINE_FUNCTION static V velocity(V const& before, V const& change,
-                                                V const& second, T const& per_mass) {
+  KOKKOS_FORCEINLINE_FUNCTION static V velocity(V const& before, V const& change, V const& second,
+                                                T const& per_mass) {
     return before + multiply_add(per_mass, second, change);
   }
 

@@ -12,25 +12,25 @@ namespace bagnold {
 /// dissipative one is not symmetric in model CD. dv = v - gammadot y x^.
 struct SumColumns {
   enum : int {
-    elastic_xx,      ///< sum f_x r_x, [m d_s^2 / tau_e^2]
+    elastic_xx,  ///< sum f_x r_x, [m d_s^2 / tau_e^2]
     elastic_xy,
     elastic_yy,
     dissipative_xx,
     dissipative_xy,  ///< sum f_x r_y: the one that closes the energy balance
     dissipative_yx,
     dissipative_yy,
-    dissipation,     ///< -sum f_dis . v over pairs: power that leaves the motion, [m d_s^2 / tau_e^3]
-    kinetic_xx,      ///< sum m dv_x dv_x, [m d_s^2 / tau_e^2]
+    dissipation,  ///< -sum f_dis . v over pairs: power that leaves the motion, [m d_s^2 / tau_e^3]
+    kinetic_xx,   ///< sum m dv_x dv_x, [m d_s^2 / tau_e^2]
     kinetic_xy,
     kinetic_yy,
-    contacts,        ///< disks touched by a disk, summed over disks: twice the pairs
-    velocity_x2,     ///< sum dv_x^2, not weighted by mass, P2 Eq. (35), [d_s^2 / tau_e^2]
-    velocity_y2,     ///< sum v_y^2, P2 Eq. (36)
-    count,           ///< columns of a law that does not rotate
-    spin = count,    ///< sum thetadot, [1 / tau_e]
-    spin2,           ///< sum thetadot^2, P2 Eq. (29)
-    torque_power,    ///< sum of torque times thetadot = -k_t sum v^C_T v^R over pairs, P2 Eqs. (32)-(33):
-                     ///< power that goes into the rotation, [m d_s^2 / tau_e^3]
+    contacts,      ///< disks touched by a disk, summed over disks: twice the pairs
+    velocity_x2,   ///< sum dv_x^2, not weighted by mass, P2 Eq. (35), [d_s^2 / tau_e^2]
+    velocity_y2,   ///< sum v_y^2, P2 Eq. (36)
+    count,         ///< columns of a law that does not rotate
+    spin = count,  ///< sum thetadot, [1 / tau_e]
+    spin2,         ///< sum thetadot^2, P2 Eq. (29)
+    torque_power,  ///< sum of torque times thetadot = -k_t sum v^C_T v^R over pairs, P2 Eqs.
+                   ///< (32)-(33): power that goes into the rotation, [m d_s^2 / tau_e^3]
     count_rotating
   };
 };
@@ -84,8 +84,8 @@ KOKKOS_FORCEINLINE_FUNCTION T peculiar_x(T const& velocity_x, T const& y, Real s
   return multiply_add(T(-strain_rate), y, velocity_x);
 }
 
-/// Adds the motion of a disk: u = v - gammadot y x^. to: indexed by column. Numbers: of one disk, packs,
-/// or in time (in_time.hpp).
+/// Adds the motion of a disk: u = v - gammadot y x^. to: indexed by column. Numbers: of one disk,
+/// packs, or in time (in_time.hpp).
 template <class Columns, class Mass, class X, class Y>
 KOKKOS_FORCEINLINE_FUNCTION void add_motion(Columns& to, Mass const& mass, X const& ux,
                                             Y const& uy) {

@@ -19,7 +19,8 @@ bool BatchIslands::run(BlockDisks const& disks, LookaheadWindow& window, WindowS
   add_units(scratch);
   outcome_.assign(count, {});
   if (scratch.contacts)
-    scratch.contacts.list_batches(system.blocks, [&](auto b, auto local) { return slot(b, local); });
+    scratch.contacts.list_batches(system.blocks,
+                                  [&](auto b, auto local) { return slot(b, local); });
   auto const room = system.blocks.most_local * static_cast<std::size_t>(needs.observed_forces) *
                     needs.force_bytes;
   disks.loop->with_scratch<std::byte>(count, room, [&](std::uint32_t b, std::byte* force) {
@@ -55,8 +56,8 @@ void BatchIslands::add_units(WindowScratch& scratch) {
 }
 
 /// Brings one batch through the window, step by step or by leaps.
-void BatchIslands::run_batch(std::uint32_t b, BlockDisks const& disks, LookaheadWindow const& window,
-                             WindowScratch& scratch, void* force) {
+void BatchIslands::run_batch(std::uint32_t b, BlockDisks const& disks,
+                             LookaheadWindow const& window, WindowScratch& scratch, void* force) {
   auto const& system = batches_.system;
   auto const& stepper = *disks.stepper;
   auto const& clock = disks.clock;
@@ -91,13 +92,13 @@ void BatchIslands::run_batch(std::uint32_t b, BlockDisks const& disks, Lookahead
     report += stepper.correct(system, b, box, force, sampled, &watch);
     idle = report.touching == 0;
     outcome_[b].touching += report.touching;
-    outcome_[b].bad = outcome_[b].bad || report.poison != 0 ||
-                      report.largest_overlap > largest_relative_overlap;
+    outcome_[b].bad =
+        outcome_[b].bad || report.poison != 0 || report.largest_overlap > largest_relative_overlap;
   }
 }
 
-/// Flies batch b straight for as many steps as none of its pairs touches, which it returns; adds the
-/// configurations sampled on the way.
+/// Flies batch b straight for as many steps as none of its pairs touches, which it returns; adds
+/// the configurations sampled on the way.
 std::int64_t BatchIslands::leap(std::uint32_t b, Clock const& clock, std::int64_t from,
                                 std::int64_t most, std::size_t& sample, WindowScratch& scratch) {
   auto const& system = batches_.system;

@@ -7,13 +7,14 @@
 
 namespace bagnold {
 
-/// Islands of more than two disks, or of two that touch through two images: packed into batches, which
-/// are stepped through a window in cache, with leaps while nothing touches.
+/// Islands of more than two disks, or of two that touch through two images: packed into batches,
+/// which are stepped through a window in cache, with leaps while nothing touches.
 class BatchIslands {
  public:
   Islands islands;
 
-  /// Brings all through the window. False where one is too large, an overlap too deep or a motion NaN.
+  /// Brings all through the window. False where one is too large, an overlap too deep or a motion
+  /// NaN.
   bool run(BlockDisks const& disks, LookaheadWindow& window, WindowScratch& scratch);
 
  private:

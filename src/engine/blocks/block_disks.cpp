@@ -20,7 +20,8 @@ DiskList take_disks(State& state) {
 Real BlockDisks::fastest() const {
   Real fastest2 = 0;
   for (std::uint32_t b = 0; b < system.blocks.count; ++b)
-    fastest2 = std::max(fastest2, fastest2_of(system.blocks.block(b), system.now, clock.strain_rate));
+    fastest2 =
+        std::max(fastest2, fastest2_of(system.blocks.block(b), system.now, clock.strain_rate));
   return std::sqrt(fastest2);
 }
 
@@ -96,8 +97,7 @@ std::pair<Real, std::size_t> BlockDisks::deepest() const {
         auto const pair = blocks.near[inner_list](block.pairs[c] + k);
         auto const p = place(block.first + pair.a()), q = place(block.first + pair.b());
         Real const overlap = 1 - std::hypot(p.x - q.x, p.y - q.y) / class_distance(c);
-        if (overlap > found.first)
-          found = {overlap, block.first + std::min(pair.a(), pair.b())};
+        if (overlap > found.first) found = {overlap, block.first + std::min(pair.a(), pair.b())};
       }
   }
   std::size_t disk = 0;

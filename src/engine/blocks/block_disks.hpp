@@ -32,9 +32,7 @@ struct BlockDisks {
   ShearedBox box_at(std::int64_t at) const { return clock.box(at, list_step); }
 
   /// Those of SumColumns that there are.
-  int columns() const {
-    return system.rotates ? SumColumns::count_rotating : SumColumns::count;
-  }
+  int columns() const { return system.rotates ? SumColumns::count_rotating : SumColumns::count; }
   std::span<Real const> columns_of(BlockSums const& sums) const {
     return {sums.value, static_cast<std::size_t>(columns())};
   }

@@ -38,7 +38,7 @@ BlockEngine::BlockEngine(std::unique_ptr<BlockLoop> loop, std::unique_ptr<BlockS
   auto list = take_disks(snapshot.state);
   for_each_counter(RestoreCounter{snapshot.counters});
   if (snapshot.list_position.empty() || snapshot.memory.empty()) {  // another engine's: no blocks
-    single_.touching = disks_.count();  // not known yet: many
+    single_.touching = disks_.count();                              // not known yet: many
     lists_.build(std::move(list));
     single_.prune();
     in_windows_ = stepping == Stepping::lookahead;
@@ -148,7 +148,8 @@ void BlockEngine::advance_window(Sampling const& sampling, OpenWindows& windows)
 void BlockEngine::set_allowance(std::int64_t length) {
   Real const longer = static_cast<Real>(length) / static_cast<Real>(allowance_steps_);
   if (lookahead_.allowance == 0)
-    lookahead_.allowance = disks_.fastest() * disks_.clock.time_step * static_cast<Real>(length) / 4;
+    lookahead_.allowance =
+        disks_.fastest() * disks_.clock.time_step * static_cast<Real>(length) / 4;
   else if (length != allowance_steps_)
     lookahead_.allowance *= longer;
   if (lookahead_.usual == 0)
@@ -171,8 +172,8 @@ void BlockEngine::step_through(LookaheadWindow const& window, Sampling const& sa
   if (!tuning_.refused()) weigh(window, contacts, single_.cost(contacts));
 }
 
-/// Whether windows go on, after one that was done (then `stepped_through` is 0), or was tried in vain
-/// and stepped through for so many cycles a disk-step.
+/// Whether windows go on, after one that was done (then `stepped_through` is 0), or was tried in
+/// vain and stepped through for so many cycles a disk-step.
 void BlockEngine::weigh(LookaheadWindow const& window, Real contacts, Real stepped_through) {
   if (stepping_ != Stepping::automatic) return;
   auto const steps = static_cast<Real>(window.steps());

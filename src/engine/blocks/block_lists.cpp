@@ -23,8 +23,7 @@ std::uint32_t block_size(std::size_t disks) {
 void BlockLists::build(DiskList list) {
   disks_.list_step = disks_.step;
   auto const box = disks_.box_at(disks_.step);
-  for (std::size_t i = 0; i < disks_.count(); ++i)
-    wrap(box, list.position[i], list.velocity[i].x);
+  for (std::size_t i = 0; i < disks_.count(); ++i) wrap(box, list.position[i], list.velocity[i].x);
   arrange(std::move(list));
   ++builds;
   outer_drift = 0;
@@ -40,8 +39,8 @@ void BlockLists::arrange(DiskList list, std::vector<Vec2<Real>> const* listed) {
   system.species = {};
   at_build_ = {};
   auto const species = species_of(disks_.diameter);
-  system.blocks = loop.build(at_build, species, system.table, disks_.box_at(disks_.list_step), skin_,
-                             block_size(disks_.count()));
+  system.blocks = loop.build(at_build, species, system.table, disks_.box_at(disks_.list_step),
+                             skin_, block_size(disks_.count()));
   auto const& blocks = system.blocks;
   system.species = loop.zeros<Species>("state::species", blocks.slots);
   system.now.record = loop.zeros<simd::Record>("state::record", blocks.slots);
@@ -76,8 +75,7 @@ bool BlockLists::holds_next(std::int64_t since, Real drift, Real skin) const {
   if (strain > 0.5) return false;
   // drift adds up |v - gammadot y x^|; w is taken about the flow at the place of the build, which
   // differs by gammadot w_y.
-  Real const w =
-      (drift + disks_.clock.time_step * fastest * step_strain_factor()) / (1 - strain);
+  Real const w = (drift + disks_.clock.time_step * fastest * step_strain_factor()) / (1 - strain);
   return list_holds(strain, w * w, skin);
 }
 
@@ -150,8 +148,8 @@ void BlockLists::take_scratch() {
   fill_inner();
 }
 
-/// The trial state, and the slots in both states behind the own disks: at rest, far from everything and
-/// from each other.
+/// The trial state, and the slots in both states behind the own disks: at rest, far from everything
+/// and from each other.
 void BlockLists::make_trial() {
   auto& system = disks_.system;
   auto& blocks = system.blocks;

@@ -25,15 +25,15 @@ class BlockLists {
   /// Takes the disks into the box and cuts them into blocks; the inner list is still missing.
   void build(DiskList list);
 
-  /// Blocks and outer list of disks at `listed`, by default where they are now, filled with the disks
-  /// as they are now.
+  /// Blocks and outer list of disks at `listed`, by default where they are now, filled with the
+  /// disks as they are now.
   void arrange(DiskList list, std::vector<Vec2<Real>> const* listed = nullptr);
 
   /// Where the disks were at the build, in the order of the start, [d_s].
   std::vector<std::array<double, 2>> at_build() const;
 
-  /// Whether a list from `since` still holds for the next trial positions, if no disk has moved more
-  /// than `drift` beyond the mean flow.
+  /// Whether a list from `since` still holds for the next trial positions, if no disk has moved
+  /// more than `drift` beyond the mean flow.
   bool holds_next(std::int64_t since, Real drift, Real skin) const;
   bool outer_holds(Real drift) const { return holds_next(disks_.list_step, drift, skin_); }
   bool inner_holds() const { return holds_next(inner.step, inner.drift, inner.margin); }
@@ -42,14 +42,17 @@ class BlockLists {
   void prune(ListUse use);
   void fill_inner();
 
-  /// Largest |w| since the build now, and at a later step if all disks fly straight until then, [d_s].
+  /// Largest |w| since the build now, and at a later step if all disks fly straight until then,
+  /// [d_s].
   Real farthest() const;
   Real farthest_at(std::int64_t step);
 
-  /// How far a disk may still stray from straight flights to `step`, whose farthest |w| that is, [d_s].
+  /// How far a disk may still stray from straight flights to `step`, whose farthest |w| that is,
+  /// [d_s].
   Real room_at(std::int64_t step, Real farthest) const;
 
-  /// |v - gammadot y x^| as it may be about the mean flow at another place a step on, over what it is.
+  /// |v - gammadot y x^| as it may be about the mean flow at another place a step on, over what it
+  /// is.
   Real step_strain_factor() const {
     return 1 + std::abs(disks_.clock.strain_rate) * disks_.clock.time_step;
   }

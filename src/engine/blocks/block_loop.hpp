@@ -12,8 +12,8 @@
 
 namespace bagnold {
 
-/// Runs a body for each of some blocks on the threads of a host backend, with scratch of the thread.
-/// The backend is behind this face, so engines are compiled once for all of them.
+/// Runs a body for each of some blocks on the threads of a host backend, with scratch of the
+/// thread. The backend is behind this face, so engines are compiled once for all of them.
 class BlockLoop {
  public:
   virtual ~BlockLoop() = default;
@@ -34,8 +34,8 @@ class BlockLoop {
     });
   }
 
-  /// Zero bytes, first touched by these threads. Views would ask Kokkos to fill them, which threads of
-  /// replicas cannot.
+  /// Zero bytes, first touched by these threads. Views would ask Kokkos to fill them, which threads
+  /// of replicas cannot.
   template <class T>
   Blocks::Array<T> zeros(char const* label, std::size_t size) {
     auto const array = Blocks::room<T>(label, size);

@@ -118,8 +118,8 @@ void LookaheadSteps::sort_islands() {
   }
 }
 
-/// Fills todo_ with the pairs that could have touched, unforeseen, for the deviations that were found,
-/// and with all pairs of the units that these disks are in.
+/// Fills todo_ with the pairs that could have touched, unforeseen, for the deviations that were
+/// found, and with all pairs of the units that these disks are in.
 void LookaheadSteps::find_missed(Real duration) {
   auto const& results = scratch_.results;
   auto const& blocks = disks_.system.blocks;
@@ -185,8 +185,8 @@ void LookaheadSteps::take_unit_of(std::uint32_t slot) {
   for (auto p = unit.first_pair; p < unit.end_pair; ++p) todo_.push_back(results.pairs[p]);
 }
 
-/// Adds the sampled configurations: batches as they were seen; all other disks as if in free flight, by
-/// closed forms, and what collisions changed.
+/// Adds the sampled configurations: batches as they were seen; all other disks as if in free
+/// flight, by closed forms, and what collisions changed.
 void LookaheadSteps::measure(LookaheadWindow const& window, Sampling const& sampling,
                              OpenWindows& windows) {
   auto const& times = scratch_.times;
@@ -196,9 +196,8 @@ void LookaheadSteps::measure(LookaheadWindow const& window, Sampling const& samp
   for (auto const& disk : results.disks) in_batch_[disk.slot] = results.units[disk.unit].batch;
   free_.assign(all.blocks.count, {});
   (*disks_.loop)(all.blocks.count, [&](std::uint32_t b) {
-    free_[b] = flight_sums(
-        all, all.blocks.block(b), disks_.clock.strain_rate,
-        [&](std::uint32_t slot) { return simd::zero(in_batch_.data() + slot); });
+    free_[b] = flight_sums(all, all.blocks.block(b), disks_.clock.strain_rate,
+                           [&](std::uint32_t slot) { return simd::zero(in_batch_.data() + slot); });
   });
   FlightSums free;
   for (auto const& of_block : free_) free += of_block;
@@ -232,8 +231,8 @@ void LookaheadSteps::commit(ShearedBox const& end, Real duration) {
   }
 }
 
-/// The allowance so large that a disk deviates by more in one window out of twenty: more pairs near, or
-/// more blocks looked through again.
+/// The allowance so large that a disk deviates by more in one window out of twenty: more pairs
+/// near, or more blocks looked through again.
 void LookaheadSteps::adapt_allowance() {
   auto const& disks = scratch_.results.disks;
   std::size_t beyond = 0;

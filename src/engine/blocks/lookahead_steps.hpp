@@ -13,11 +13,11 @@ namespace bagnold {
 
 /// The step of a scheme where most disks fly straight: a window of many steps at a time.
 ///
-/// From straight flights it predicts which disks meet within the window, steps only these, island by
-/// island, and moves all others at once: for a disk that touches nothing the scheme is x += v dt. A
-/// disk that meets another deviates from its straight flight; how far is watched at every step. Pairs
-/// that could have touched for that, unforeseen, are added, and their islands are done again, until
-/// there are none.
+/// From straight flights it predicts which disks meet within the window, steps only these, island
+/// by island, and moves all others at once: for a disk that touches nothing the scheme is x += v
+/// dt. A disk that meets another deviates from its straight flight; how far is watched at every
+/// step. Pairs that could have touched for that, unforeseen, are added, and their islands are done
+/// again, until there are none.
 class LookaheadSteps {
  public:
   /// What windows cost and find; none of it is time, so it is the same on every machine.
@@ -37,9 +37,9 @@ class LookaheadSteps {
 
   LookaheadSteps(BlockDisks& disks, ContactWatch& watch) : disks_(disks), watch_(watch) {}
 
-  /// Does the window, adding its sampled configurations to `windows`. False, and nothing is changed, if
-  /// more than that share of the disks take part, one comes too far for the list, or a number is NaN or
-  /// an overlap too large: then step by step.
+  /// Does the window, adding its sampled configurations to `windows`. False, and nothing is
+  /// changed, if more than that share of the disks take part, one comes too far for the list, or a
+  /// number is NaN or an overlap too large: then step by step.
   bool run(LookaheadWindow& window, Sampling const& sampling, OpenWindows& windows,
            Real most_active);
 
@@ -65,10 +65,10 @@ class LookaheadSteps {
   PairIslands pair_islands_;
   BatchIslands batch_islands_;
   WindowScratch scratch_;
-  std::vector<Forecast> forecast_;      ///< by block
+  std::vector<Forecast> forecast_;  ///< by block
   std::vector<SlotPair> todo_;
   std::vector<std::uint8_t> in_batch_;  ///< by slot
-  std::vector<FlightSums> free_;    ///< by block
+  std::vector<FlightSums> free_;        ///< by block
 };
 
 }  // namespace bagnold

@@ -8,10 +8,10 @@
 
 namespace bagnold {
 
-/// How long windows are, and whether near pairs are stepped from the first (cautious) or only once they
-/// turn out to have been missed. Finds the cheapest by trying: most windows are done in the best way
-/// known, now and then a few in one of its neighbours, which takes over if it costs less. Costs are
-/// counted, not timed, so that the choice is the same on every machine.
+/// How long windows are, and whether near pairs are stepped from the first (cautious) or only once
+/// they turn out to have been missed. Finds the cheapest by trying: most windows are done in the
+/// best way known, now and then a few in one of its neighbours, which takes over if it costs less.
+/// Costs are counted, not timed, so that the choice is the same on every machine.
 class LookaheadTuning {
  public:
   static constexpr int shortest = 4, longest = 14;  ///< log2 of steps

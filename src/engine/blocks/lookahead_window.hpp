@@ -12,8 +12,9 @@ struct LookaheadWindow {
   std::int64_t begin, end;  ///< [steps]
   Real most_deviation;      ///< from straight flights that the outer list allows, [d_s]
   Real deviation = 0;       ///< out: the largest one, [d_s]
-  Real contacts = 0;  ///< out: pairs touching, mean over steps; of islands of two done again, both times
-  WindowWork work = {};     ///< out
+  Real contacts =
+      0;  ///< out: pairs touching, mean over steps; of islands of two done again, both times
+  WindowWork work = {};  ///< out
 
   std::int64_t steps() const { return end - begin; }
 };

@@ -32,8 +32,8 @@ struct MeetingResults {
   std::vector<std::uint32_t> disk_of;  ///< by slot: its place in `disks`, or none
   std::vector<Disk> disks;
   std::vector<Unit> units;
-  std::vector<SlotPair> pairs;   ///< of all units
-  std::vector<BlockSums> sums;   ///< a measurement window each, for every unit
+  std::vector<SlotPair> pairs;  ///< of all units
+  std::vector<BlockSums> sums;  ///< a measurement window each, for every unit
 
   void forget() {
     for (auto const& disk : disks) disk_of[disk.slot] = none;
@@ -76,7 +76,8 @@ struct MeetingResults {
   /// A pair of the last unit.
   void add_pair(Islands const& islands, Islands::Pair const& pair) {
     auto const &a = islands.disks[pair.a], &b = islands.disks[pair.b];
-    pairs.push_back({a.slot, Neighbor::make(b.slot, {b.image.m - a.image.m, b.image.n - a.image.n})});
+    pairs.push_back(
+        {a.slot, Neighbor::make(b.slot, {b.image.m - a.image.m, b.image.n - a.image.n})});
     units.back().end_pair = pairs.size();
   }
 };

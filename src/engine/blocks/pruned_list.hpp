@@ -9,7 +9,8 @@
 
 namespace bagnold {
 
-/// How long a list of near pairs holds: when it was taken from a wider one, and how far disks have come.
+/// How long a list of near pairs holds: when it was taken from a wider one, and how far disks have
+/// come.
 struct PrunedList {
   std::int64_t step = 0;  ///< of the pruning
   Real drift = 0;         ///< at least the largest |w| since then, [d_s]
@@ -18,18 +19,18 @@ struct PrunedList {
 
 /// What decides a list's margin.
 struct ListUse {
-  std::uint64_t wider = 0;  ///< pairs of the list that it is taken from
-  std::uint64_t kept = 0;   ///< pairs in it
-  std::uint64_t wanted = 0; ///< of those, pairs that touch
-  Real pruning_cost = 2;    ///< of a pair of the wider list, [cycles]
-  Real step_cost = 25;      ///< of a pair kept, each step, [cycles]
-  Real fewest_steps = 4;    ///< that it must hold
-  Real per_step = 0;        ///< by which the margin is used up at most, 2 dt u, [d_s]
+  std::uint64_t wider = 0;   ///< pairs of the list that it is taken from
+  std::uint64_t kept = 0;    ///< pairs in it
+  std::uint64_t wanted = 0;  ///< of those, pairs that touch
+  Real pruning_cost = 2;     ///< of a pair of the wider list, [cycles]
+  Real step_cost = 25;       ///< of a pair kept, each step, [cycles]
+  Real fewest_steps = 4;     ///< that it must hold
+  Real per_step = 0;         ///< by which the margin is used up at most, 2 dt u, [d_s]
 };
 
-/// Where a step costs least: a pruning costs c_o for each wider pair and lasts margin/(2 dt u) steps,
-/// u being the largest peculiar speed; a step costs c_i for each pair kept, of which a share proportional
-/// to the margin does not touch. So margin^2 = 2 dt u c_o n_wider margin/(c_i n_idle).
+/// Where a step costs least: a pruning costs c_o for each wider pair and lasts margin/(2 dt u)
+/// steps, u being the largest peculiar speed; a step costs c_i for each pair kept, of which a share
+/// proportional to the margin does not touch. So margin^2 = 2 dt u c_o n_wider margin/(c_i n_idle).
 inline Real best_margin(ListUse const& use, Real margin, Real skin) {
   constexpr Real first_margin = 0.015;
   if (use.kept == 0) return std::min(skin, margin == 0 ? first_margin : margin);

@@ -96,8 +96,8 @@ void SingleSteps::make_room() {
   listing_ = system.listing;
 }
 
-/// The first half of the step for some blocks, in the order of the wavefront: changes what is not seen
-/// from outside.
+/// The first half of the step for some blocks, in the order of the wavefront: changes what is not
+/// seen from outside.
 void SingleSteps::first_half(std::uint32_t begin, std::uint32_t end) {
   auto const& system = disks_.system;
   auto const& stepper = *disks_.stepper;
@@ -149,7 +149,8 @@ void SingleSteps::count_step() {
   if (few)  // of those in flight
     lists_.fastest = std::max(lists_.fastest, before * lists_.step_strain_factor());
   // |dw| of a step; the last factor: the mean flow at the new place, not the old one.
-  Real const moved = disks_.clock.time_step * (before + lists_.fastest) / 2 * lists_.step_strain_factor();
+  Real const moved =
+      disks_.clock.time_step * (before + lists_.fastest) / 2 * lists_.step_strain_factor();
   lists_.outer_drift += moved;
   lists_.inner.drift += moved;
   counters.pairs_evaluated +=

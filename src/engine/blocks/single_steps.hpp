@@ -12,8 +12,8 @@ enum class Stepping { automatic, few_contacts, many_contacts, lookahead };
 
 /// Steps of all disks, one after the other, with lists that are renewed before they are outrun.
 ///
-/// Blocks are cut by place and not by thread, and each adds up its own disks' forces, so the bits do
-/// not depend on threads.
+/// Blocks are cut by place and not by thread, and each adds up its own disks' forces, so the bits
+/// do not depend on threads.
 class SingleSteps {
  public:
   struct Counters {
@@ -46,7 +46,6 @@ class SingleSteps {
 
   /// Cuts the disks into blocks anew, where they are now.
   void rebuild();
-
 
  private:
   void keep_lists();

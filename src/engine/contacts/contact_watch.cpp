@@ -25,9 +25,9 @@ PairNow pair_now(BlockSystem const& all, ShearedBox const& box, OpenContact cons
   image.m = static_cast<int>(std::lround((p.x - q.x - image.n * box.offset) / box.length));
   auto const at = at_image(q, image, box);
   return {{p.x - at.x, p.y - at.y},
-               {p.vx - at.vx, p.vy - at.vy},
-               class_distance(pair_class(all.species(a), all.species(b))),
-               all.common_spin(a, b)};
+          {p.vx - at.vx, p.vy - at.vy},
+          class_distance(pair_class(all.species(a), all.species(b))),
+          all.common_spin(a, b)};
 }
 
 }  // namespace
@@ -60,13 +60,12 @@ void ContactWatch::look(BlockLoop& loop, BlockSystem const& all, ShearedBox cons
       motion_[b] = contact_motion(
           blocks, block, records, touched_.data(),
           [&](int c, simd::LocalPair const& pair) { return all.common_spin(block, c, pair); },
-          [&](simd::LocalPair const& pair, Vec2<Real> const& separation,
-              Vec2<Real> const& velocity, Real spin) {
+          [&](simd::LocalPair const& pair, Vec2<Real> const& separation, Vec2<Real> const& velocity,
+              Real spin) {
             auto const slots = slot_pair(blocks, block, pair);
             if (!is_first_listing(slots)) return;
-            picker(picks_[b], step, disk(slots.a), disk(slots.b.index()), [&] {
-              return contact_velocities(separation, velocity, spin, box.strain_rate);
-            });
+            picker(picks_[b], step, disk(slots.a), disk(slots.b.index()),
+                   [&] { return contact_velocities(separation, velocity, spin, box.strain_rate); });
           });
   });
   for (auto& found : found_) take(found);
@@ -78,9 +77,8 @@ void ContactWatch::look(BlockLoop& loop, BlockSystem const& all, ShearedBox cons
   if (record.choice)
     for (auto const& contact : record.due(step)) {
       auto const pair = pair_now(all, box, contact);
-      record.add(
-          {step, contact.a, contact.b,
-           contact_velocities(pair.separation, pair.velocity, pair.spin, box.strain_rate)});
+      record.add({step, contact.a, contact.b,
+                  contact_velocities(pair.separation, pair.velocity, pair.spin, box.strain_rate)});
     }
   record.looked(step, step + 1, sampling, windows);
 }

@@ -47,8 +47,8 @@ class WindowContacts {
   }
 
   /// A pair of slots, as a unit, is to be lane k.
-  void set_lane(BlockSystem const& all, LaneWatch& lanes, int k, std::size_t unit, std::uint32_t slot_a,
-                std::uint32_t slot_b) {
+  void set_lane(BlockSystem const& all, LaneWatch& lanes, int k, std::size_t unit,
+                std::uint32_t slot_a, std::uint32_t slot_b) {
     lanes.begin = begin_;
     lanes.choice = choice_;
     lanes.picker = picker_;

@@ -37,7 +37,8 @@ struct AdvanceSystems {
           static_cast<Vec2<Real>*>(team.team_scratch(0).get_shmem(2 * count * sizeof(Vec2<Real>)));
       work.disks.position = Kokkos::View<Vec2<Real>*, Space>(scratch, count);
       work.disks.trial_position = Kokkos::View<Vec2<Real>*, Space>(scratch + count, count);
-      team::for_all(team, count, [&](std::int32_t i) { work.disks.position(i) = home.disks.position(i); });
+      team::for_all(team, count,
+                    [&](std::int32_t i) { work.disks.position(i) = home.disks.position(i); });
     }
     Run run(team, rules, constants(s), work, progress(s));
     run.advance(end, sampling);

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "src/engine/ensemble/advance_systems.hpp"
 #include "src/engine/backends.hpp"
+#include "src/engine/ensemble/advance_systems.hpp"
 #include "src/engine/ensemble/ensemble.hpp"
 #include "src/engine/in_box.hpp"
 #include "src/engine/state_of_views.hpp"
@@ -104,7 +104,8 @@ class EnsembleEngine final : public Ensemble {
     Kokkos::deep_copy(part(views_.position, s), view_of(vectors(state.position)));
     Kokkos::deep_copy(part(views_.motion, s), view_of(motions<rotates>(state)));
     Kokkos::deep_copy(part(views_.species, s), view_of(species_of(state.diameter)));
-    Clock const clock{strain_rate, time_step, state.box_length, snapshot.initial_offset,
+    Clock const clock{strain_rate,           time_step,
+                      state.box_length,      snapshot.initial_offset,
                       snapshot.initial_time, state.box_aspect};
     auto const grid = empty_cell_grid<Space>(clock.box(0, 0), big_diameter + rules_.skin,
                                              static_cast<std::int64_t>(disks_));

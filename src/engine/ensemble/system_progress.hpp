@@ -19,7 +19,7 @@ struct SystemConstants {
 
 /// Where a system stands, and what it waits for.
 struct SystemProgress {
-  enum class List { lost, missing, stands };  ///< lost: to be built now
+  enum class List { lost, missing, stands };                              ///< lost: to be built now
   enum class Wait { none, for_samples, for_entries, too_fast, unsound };  ///< last two: for ever
 
   std::int64_t step = 0;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "kernels/device/team.hpp"
 #include "kernels/device/dynamics/stepped_system.hpp"
 #include "kernels/device/neighbors/team_list.hpp"
 #include "kernels/device/sums/team_sums.hpp"
+#include "kernels/device/team.hpp"
 #include "src/engine/ensemble/ensemble_views.hpp"
-#include "src/engine/sampling.hpp"
 #include "src/engine/ensemble/system_progress.hpp"
+#include "src/engine/sampling.hpp"
 
 namespace bagnold {
 
@@ -99,12 +99,9 @@ class SystemRun {
 
   KOKKOS_FUNCTION void build_list() {
     ShearedBox const box = box_at(progress_.list_step);
-    CellGrid<Space> const grid{constants_.columns,
-                               constants_.rows,
-                               box.length / constants_.columns,
-                               box.height / constants_.rows,
-                               views_.cell_first,
-                               views_.cell_members};
+    CellGrid<Space> const grid{
+        constants_.columns,           constants_.rows,   box.length / constants_.columns,
+        box.height / constants_.rows, views_.cell_first, views_.cell_members};
     NeighborSearch<Space> const search{
         system_.disks.at_build, system_.disks.species, grid, rules_.table, box, rules_.skin};
     progress_.entries = TeamList<Space>{search, views_.cell_filled, system_.disks.neighbors}(team_);
@@ -126,9 +123,8 @@ class SystemRun {
 
   KOKKOS_FUNCTION void measure() {
     auto const forces = system_.measured_forces(box_);
-    TeamSums<std::remove_cv_t<decltype(forces)>, Space>{forces, views_.disk_sums,
-                                                        views_.block_sums}(
-        team_, views_.samples(progress_.samples));
+    TeamSums<std::remove_cv_t<decltype(forces)>, Space>{
+        forces, views_.disk_sums, views_.block_sums}(team_, views_.samples(progress_.samples));
     ++progress_.samples;
   }
 

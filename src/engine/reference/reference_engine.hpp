@@ -14,8 +14,8 @@
 
 namespace bagnold {
 
-/// A scheme plainly: a full neighbour list, every disk sums its own contacts. What the faster engines
-/// are held against.
+/// A scheme plainly: a full neighbour list, every disk sums its own contacts. What the faster
+/// engines are held against.
 template <ContactLaw Law, class Repulsion, class Space, Scheme Stepped>
 class ReferenceEngine final : public Simulation {
  public:
@@ -25,8 +25,12 @@ class ReferenceEngine final : public Simulation {
   ReferenceEngine(Law law, SpeciesTable table, double strain_rate, double time_step, double skin,
                   Snapshot const& snapshot)
       : skin_(skin),
-        clock_{strain_rate, time_step, snapshot.state.box_length, snapshot.initial_offset,
-               snapshot.initial_time, snapshot.state.box_aspect},
+        clock_{strain_rate,
+               time_step,
+               snapshot.state.box_length,
+               snapshot.initial_offset,
+               snapshot.initial_time,
+               snapshot.state.box_aspect},
         step_(snapshot.step),
         builds_(snapshot.list_builds),
         diameter_(snapshot.state.diameter) {
@@ -89,9 +93,7 @@ class ReferenceEngine final : public Simulation {
     return (system_.disks.count() + measured_block - 1) / measured_block;
   }
 
-  ShearedBox box_at(std::int64_t step) const {
-    return clock_.box(step, list_step_);
-  }
+  ShearedBox box_at(std::int64_t step) const { return clock_.box(step, list_step_); }
 
   [[noreturn]] void stop_unsound() const {
     why_unsound(loops_.space, system_.forces(box_at(step_)), clock_, step_, raw_state());

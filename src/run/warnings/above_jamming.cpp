@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include "src/run/warnings/checks.hpp"
 #include "src/config/jamming.hpp"
+#include "src/run/warnings/checks.hpp"
 
 namespace bagnold {
 

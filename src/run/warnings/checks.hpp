@@ -9,7 +9,8 @@ namespace bagnold {
 
 using Check = std::optional<Warning>(FinishedRun const&);
 
-/// Standard errors beyond which a deviation is no accident: of Gaussian noise in less than 1 of 10^4 cases.
+/// Standard errors beyond which a deviation is no accident: of Gaussian noise in less than 1 of
+/// 10^4 cases.
 inline constexpr double standard_errors = 4;
 
 /// phi > phi_J: a yield stress is left as the rate vanishes, so that neither B nor eta has a limit.
@@ -53,8 +54,8 @@ Check contact_durations;
 
 /// All of them, in the order of the summary.
 inline constexpr Check* all_checks[] = {
-    above_jamming,    hard_core_limit, large_overlap,   energy_balance, dissipative_pressure,
-    rotation_balance, collision_loss,  contact_network, steady_state,   error_bar,
+    above_jamming,    hard_core_limit, large_overlap,    energy_balance, dissipative_pressure,
+    rotation_balance, collision_loss,  contact_network,  steady_state,   error_bar,
     few_collisions,   box_size,        contact_durations};
 
 /// Mean relative overlap of contacts, 1 - r_ij/d_ij, from elastic pressure and contacts:

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "src/run/warnings/checks.hpp"
 #include "src/config/time_step.hpp"
+#include "src/run/warnings/checks.hpp"
 
 namespace bagnold {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include "src/run/warnings/checks.hpp"
 #include "src/config/stability.hpp"
 #include "src/config/time_step.hpp"
+#include "src/run/warnings/checks.hpp"
 
 namespace bagnold {
 

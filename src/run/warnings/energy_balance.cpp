@@ -20,8 +20,8 @@ std::optional<Warning> energy_balance(FinishedRun const& finished) {
     return {};
   double const gap = *found->estimate.all.mean, error = *found->estimate.all.error;
   double const overlap = mean_overlap(finished);
-  // Kinetic and elastic energy over L_x L_y: p_kin and, as V_ij ~ overlap f_ij r_ij / alpha, p_el times
-  // the overlap at most.
+  // Kinetic and elastic energy over L_x L_y: p_kin and, as V_ij ~ overlap f_ij r_ij / alpha, p_el
+  // times the overlap at most.
   double const changed = finished.change([&](std::size_t window) {
     return finished.in_window("p_kin", window) +
            (overlap > 0 ? overlap * finished.in_window("p_el", window) : 0.0);

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "src/run/warnings/checks.hpp"
 #include "src/config/jamming.hpp"
+#include "src/run/warnings/checks.hpp"
 
 namespace bagnold {
 

@@ -30,7 +30,8 @@ double FinishedRun::measured_strain() const {
 double FinishedRun::in_window(std::string_view name, std::size_t window) const {
   auto const& [observable, samples] = static_cast<SampledObservable const&>(*of(name));
   double sum = 0;
-  for (auto const* of_replica : samples) sum += observable.value(of_replica->mean(window, window + 1));
+  for (auto const* of_replica : samples)
+    sum += observable.value(of_replica->mean(window, window + 1));
   return sum / static_cast<double>(samples.size());
 }
 

@@ -5,16 +5,16 @@
 
 #include <nlohmann/json.hpp>
 
-#include "src/run/messages.hpp"
-#include "src/run/pictures.hpp"
-#include "src/run/provenance.hpp"
-#include "src/run/start_or_resume.hpp"
 #include "src/config/cascade.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/scene_file.hpp"
 #include "src/config/toml_text.hpp"
 #include "src/io/atomic_file.hpp"
 #include "src/io/trajectory_parts.hpp"
+#include "src/run/messages.hpp"
+#include "src/run/pictures.hpp"
+#include "src/run/provenance.hpp"
+#include "src/run/start_or_resume.hpp"
 
 namespace bagnold {
 

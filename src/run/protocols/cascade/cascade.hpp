@@ -3,10 +3,10 @@
 
 #include <optional>
 
+#include "src/config/scene.hpp"
 #include "src/run/machine.hpp"
 #include "src/run/monitor.hpp"
 #include "src/run/run_folder.hpp"
-#include "src/config/scene.hpp"
 
 namespace bagnold {
 

@@ -42,8 +42,8 @@ TEST(SpatialOrder, HasEveryCellOnce) {
   }
 }
 
-/// Every pair image near enough is in the lists of both its disks' blocks, once, at the right class and
-/// the right place; nothing else is.
+/// Every pair image near enough is in the lists of both its disks' blocks, once, at the right class
+/// and the right place; nothing else is.
 TEST(Blocks, HoldEveryPairWhereItBelongs) {
   std::mt19937_64 random(3);
   double const skin = 0.35, rate = 1e-3;
@@ -51,17 +51,20 @@ TEST(Blocks, HoldEveryPairWhereItBelongs) {
     int count;
     double length, height;
   };
-  for (auto const& [count, length, height] : {Case{20, 3.6, 3.6}, {60, 7.0, 7.0}, {700, 26.0, 26.0},
-                                              {700, 6.5, 104.0}, {700, 104.0, 6.5}})
+  for (auto const& [count, length, height] : {Case{20, 3.6, 3.6},
+                                              {60, 7.0, 7.0},
+                                              {700, 26.0, 26.0},
+                                              {700, 6.5, 104.0},
+                                              {700, 104.0, 6.5}})
     for (double const turn : {0.0, 0.3, 0.999999}) {
       double const offset = turn * length;
       ShearedBox const box{length, offset, rate, height};
       auto const disks = anywhere(static_cast<std::size_t>(count), box, random);
       auto const table = make_species_table(true);
       auto const species = species_of(disks.diameter);
-      auto const blocks = build_blocks(
-          Space{}, to_device<Space>("blocks::position", disks.position),
-          to_device<Space>("blocks::species", species), table, box, skin, 64);
+      auto const blocks =
+          build_blocks(Space{}, to_device<Space>("blocks::position", disks.position),
+                       to_device<Space>("blocks::species", species), table, box, skin, 64);
 
       BlockState state{Blocks::Array<simd::Record>("state::record", blocks.slots), {}};
       std::map<std::uint32_t, std::uint32_t> disk_at;
@@ -73,7 +76,8 @@ TEST(Blocks, HoldEveryPairWhereItBelongs) {
       Rows found(disks.count());
       for (std::uint32_t b = 0; b < blocks.count; ++b) {
         Block const& block = blocks.block(b);
-        EXPECT_EQ(block.own, std::min<std::uint32_t>(64, static_cast<std::uint32_t>(count) - 64 * b));
+        EXPECT_EQ(block.own,
+                  std::min<std::uint32_t>(64, static_cast<std::uint32_t>(count) - 64 * b));
         refresh_halo(blocks, block, state, box);
         auto const* record = state.record.data() + block.first;
         for (int c = 0; c < pair_classes; ++c)
@@ -84,8 +88,10 @@ TEST(Blocks, HoldEveryPairWhereItBelongs) {
             ASSERT_LT(low, block.own);
             auto const i = disk_at.at(block.first + low);
             Neighbor neighbor = Neighbor::make(block.first + high, {});
-            if (high >= block.padded) neighbor = blocks.halo(block.halo_first + high - block.padded);
-            else ASSERT_LT(high, block.own);
+            if (high >= block.padded)
+              neighbor = blocks.halo(block.halo_first + high - block.padded);
+            else
+              ASSERT_LT(high, block.own);
             auto const j = disk_at.at(neighbor.index());
             Image const image = neighbor.image();
             EXPECT_EQ(pair_class(species[i], species[j]), c);
@@ -110,10 +116,9 @@ TEST(Blocks, PruningLeavesTheNearPairsInTheirOrder) {
   double const length = 26.0, margin = 0.1;
   auto const disks = anywhere(700, length, random);
   ShearedBox const box{length, 5.0, 1e-3};
-  auto const blocks =
-      build_blocks(Space{}, to_device<Space>("blocks::position", disks.position),
-                   to_device<Space>("blocks::species", species_of(disks.diameter)),
-                   make_species_table(true), box, 0.35, 256);
+  auto const blocks = build_blocks(Space{}, to_device<Space>("blocks::position", disks.position),
+                                   to_device<Space>("blocks::species", species_of(disks.diameter)),
+                                   make_species_table(true), box, 0.35, 256);
   BlockState state{Blocks::Array<simd::Record>("state::record", blocks.slots), {}};
   for (std::uint32_t b = 0; b < blocks.count; ++b) {
     Block const& block = blocks.block(b);
@@ -133,7 +138,8 @@ TEST(Blocks, PruningLeavesTheNearPairsInTheirOrder) {
       for (auto k = block.pairs[c]; k < block.pairs[c + 1]; ++k) {
         auto const p = blocks.outer(k);
         auto const &u = record[p.a()], &v = record[p.b()];
-        if (std::hypot(u.x - v.x, u.y - v.y) < class_distance(c) + margin) expected.push_back(name(p));
+        if (std::hypot(u.x - v.x, u.y - v.y) < class_distance(c) + margin)
+          expected.push_back(name(p));
       }
       for (std::uint32_t k = 0; k < block.near[inner_list][c]; ++k)
         kept.push_back(name(blocks.near[inner_list](block.pairs[c] + k)));

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "kernels/cpu/blocks/wavefront.hpp"
+
 #include <gtest/gtest.h>
 
 #include <set>
 
 #include "kernels/cpu/blocks/build_blocks.hpp"
-#include "kernels/cpu/blocks/wavefront.hpp"
 #include "tests/kernels/device/neighbors/lists.hpp"
 
 namespace bagnold::test {
@@ -43,9 +44,9 @@ std::set<std::uint32_t> sources(Blocks const& blocks, std::uint32_t b) {
   return found;
 }
 
-/// Goes through the stages: each block goes once through each half, and through the second one only when
-/// all that it reads have been through the first. Returns for how many blocks that was in their own stage
-/// or one of the `near` next ones.
+/// Goes through the stages: each block goes once through each half, and through the second one only
+/// when all that it reads have been through the first. Returns for how many blocks that was in
+/// their own stage or one of the `near` next ones.
 int go(Blocks const& blocks, Wavefront const& wave, std::size_t near) {
   std::vector<std::size_t> stage_of(blocks.count, wave.stages.size());
   std::set<std::uint32_t> done;
@@ -71,7 +72,8 @@ int go(Blocks const& blocks, Wavefront const& wave, std::size_t near) {
 }
 
 TEST(Wavefront, SecondHalvesWaitForAllThatTheyRead) {
-  for (auto const& [count, length, size] : {std::tuple{40, 5.0, 64u}, {700, 26.0, 64u}, {3000, 55.0, 32u}})
+  for (auto const& [count, length, size] :
+       {std::tuple{40, 5.0, 64u}, {700, 26.0, 64u}, {3000, 55.0, 32u}})
     for (double const turn : {0.0, 0.37})
       for (std::uint32_t const at_once : {1u, 3u, 10u, 1000u}) {
         auto const [blocks, place] = patches(count, length, turn * length, size);
@@ -81,8 +83,8 @@ TEST(Wavefront, SecondHalvesWaitForAllThatTheyRead) {
       }
 }
 
-/// A block comes back while it is in cache: rows of blocks follow each other across the box, and but for
-/// the first row, which waits for the last, none waits for more than the one above it.
+/// A block comes back while it is in cache: rows of blocks follow each other across the box, and
+/// but for the first row, which waits for the last, none waits for more than the one above it.
 TEST(Wavefront, SecondHalvesFollowOneRowBehind) {
   auto const [blocks, place] = patches(6400, 80.0, 11.0, 25);  // 16 x 16 blocks
   ASSERT_EQ(blocks.count, 256u);

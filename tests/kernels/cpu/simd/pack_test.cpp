@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "kernels/cpu/simd/records.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <random>
 #include <vector>
+
+#include "kernels/cpu/simd/records.hpp"
 
 namespace bagnold::simd {
 namespace {

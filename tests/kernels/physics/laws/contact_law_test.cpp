@@ -101,14 +101,13 @@ TEST(Laws, AreMadeFromTheInput) {
   for_each_type<Laws>([]<class Law>(std::type_identity<Law>) {
     auto const law = Law::make({4, 0.5, 3});
     EXPECT_EQ(law.normal_damping(), Law::separate_constants ? 0.125 : 0.25) << Law::name;
-    double const expected = std::is_same_v<Law, CDn>     ? 0
-                            : Law::separate_constants ? 0.75
-                                                      : 0.25;
+    double const expected = std::is_same_v<Law, CDn> ? 0 : Law::separate_constants ? 0.75 : 0.25;
     EXPECT_EQ(law.tangential_damping(), expected) << Law::name;
   });
 }
 
-/// docs/stability.md: 18.8, 8.0 and 5.3 k_d/m; what general adds beyond its k_t is along the normal.
+/// docs/stability.md: 18.8, 8.0 and 5.3 k_d/m; what general adds beyond its k_t is along the
+/// normal.
 TEST(Laws, RelaxInDenseFlowsAtTheMeasuredRates) {
   EXPECT_DOUBLE_EQ(CD{0.5}.dense_flow_rate(), 4.0);
   EXPECT_DOUBLE_EQ(CDn{0.5}.dense_flow_rate(), 2.65);

@@ -112,8 +112,8 @@ TYPED_TEST(LawOn, TakesEnergyAndIsLinearInTheVelocity) {
   }
 }
 
-/// CD_n along the normal; CD and CD_rot along the velocity; at k_d = 1/Q times the part they damp. The
-/// law says so.
+/// CD_n along the normal; CD and CD_rot along the velocity; at k_d = 1/Q times the part they damp.
+/// The law says so.
 TYPED_TEST(LawOn, PointsAgainstWhatItDamps) {
   using Law = typename TypeParam::Law;
   auto const contacts = random_contacts();

@@ -27,18 +27,18 @@ void expect_numbers_by_hand() {
   };
   T const r = 1.0, v = 2.0, first = 3.0, second = -1.0, dt = 0.25, per_mass = 0.5;
   T const trial = Papers::trial_velocity(v, first, per_mass);
-  is(trial, 3.5);                                                      // 2 + 3/2
-  is(Papers::trial_position(r, v, dt), 1.5);                           // 1 + 2/4
+  is(trial, 3.5);                             // 2 + 3/2
+  is(Papers::trial_position(r, v, dt), 1.5);  // 1 + 2/4
   T const after = Papers::velocity(v, trial, second, T(0.5) * per_mass);
-  is(after, 2.5);                                                      // (2 + 3.5)/2 - 1/4
-  is(Papers::position(r, v, after, T(0.5) * dt), 1.5625);              // 1 + (2 + 2.5)/8
+  is(after, 2.5);                                          // (2 + 3.5)/2 - 1/4
+  is(Papers::position(r, v, after, T(0.5) * dt), 1.5625);  // 1 + (2 + 2.5)/8
 
   T const change = TwoStage::change(first, per_mass);
   is(change, 1.5);
   T const leapt = TwoStage::velocity(v, change, second, per_mass);
-  is(leapt, 3.0);                                                      // 2 + 1.5 - 1/2
+  is(leapt, 3.0);  // 2 + 1.5 - 1/2
   is(TwoStage::velocity_of_pair(v, first + second, per_mass), 3.0);
-  is(TwoStage::position(r, leapt, dt), 1.75);                          // 1 + 3/4
+  is(TwoStage::position(r, leapt, dt), 1.75);  // 1 + 3/4
 
   Vec2<T> const place = flown(Vec2<T>{r, v}, Vec2<T>{second, first}, dt);
   is(place.x, 0.75);

@@ -19,14 +19,14 @@ PairForce<T> pair_by_hand() {
 }
 
 void expect_pair(Real const* columns, Real times) {
-  EXPECT_EQ(columns[C::elastic_xx], 10 * times);       // f_x r_x
-  EXPECT_EQ(columns[C::elastic_xy], 15 * times);       // f_x r_y
-  EXPECT_EQ(columns[C::elastic_yy], 21 * times);       // f_y r_y
+  EXPECT_EQ(columns[C::elastic_xx], 10 * times);  // f_x r_x
+  EXPECT_EQ(columns[C::elastic_xy], 15 * times);  // f_x r_y
+  EXPECT_EQ(columns[C::elastic_yy], 21 * times);  // f_y r_y
   EXPECT_EQ(columns[C::dissipative_xx], 22 * times);
   EXPECT_EQ(columns[C::dissipative_xy], 33 * times);
   EXPECT_EQ(columns[C::dissipative_yx], 26 * times);
   EXPECT_EQ(columns[C::dissipative_yy], 39 * times);
-  EXPECT_EQ(columns[C::dissipation], -15 * times);     // 11 - 26
+  EXPECT_EQ(columns[C::dissipation], -15 * times);  // 11 - 26
 }
 
 TEST(PairColumns, ByHand) {
@@ -97,7 +97,7 @@ TEST(InTime, WorksInPacks) {
   Linear<Pack> const ux{{Pack(1.0), Pack(2.0)}};
   Quadratic<Pack> flight[C::count];
   add_motion(flight, Pack(2.0), ux, Pack(3.0));
-  EXPECT_EQ(flight[C::kinetic_xx].c[1].v[5], 8);   // 2 (1 + 2t)^2
+  EXPECT_EQ(flight[C::kinetic_xx].c[1].v[5], 8);  // 2 (1 + 2t)^2
   EXPECT_EQ(flight[C::kinetic_xx].c[2].v[5], 8);
   EXPECT_EQ(flight[C::kinetic_xy].c[1].v[5], 12);  // 2 * 3 (1 + 2t)
   EXPECT_EQ(flight[C::velocity_y2].c[0].v[5], 9);

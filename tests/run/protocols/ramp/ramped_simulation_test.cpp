@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "src/run/run_measured.hpp"
 #include "src/engine/make_simulation.hpp"
+#include "src/run/run_measured.hpp"
 #include "src/start/start.hpp"
 
 namespace bagnold {
