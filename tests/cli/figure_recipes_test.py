@@ -177,7 +177,8 @@ class RecipesTest(CliTest):
             self.assertNotIn("no data", one.get_xlabel(), name)
             self.assertNotIn("nothing found", one.get_xlabel(), name)
         states = [state for panel in recipe["panel"] for data in panel["data"] for state in self.made[data]]
-        sizes = {state["disks.count"] for state in states}
+        # N L_y/L_x goes as L_y^2, the length that bands feel
+        sizes = {state["disks.count"] * state.get("disks.box_aspect", 1) for state in states}
         self.assertEqual(len(sizes), 2 if name == "P2-36" else 1, f"{name} mixes sizes {sizes}")
         stated = folder / "stated.csv"
         if stated.exists():
@@ -216,6 +217,10 @@ class RecipesTest(CliTest):
             with self.subTest(figure=name):
                 axes, _ = self.draw(name)
                 self.assertEqual(len(axes), count)
+
+    def test_local_fields_fill_their_box(self):
+        for axes in self.draw("P2-27")[0]:  # made 100 wide
+            self.assertEqual((axes.get_xlim(), axes.get_ylim()), ((0, 100), (0, 800)))
 
     def test_what_the_papers_draw_over_the_points(self):
         def black(axes):

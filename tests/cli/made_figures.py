@@ -116,7 +116,7 @@ def law_of(data):
 
 
 def states_of(path):
-    """(phi, Q, seed, rate, kappa, N) of the points of a sweep file."""
+    """(phi, Q, seed, rate, kappa, N, L_y / L_x) of the points of a sweep file."""
     scene = tomllib.loads(path.read_text())
     sweep = scene["sweep"]
     grid, rows = sweep.get("grid", {}), sweep.get("zip", {})
@@ -127,7 +127,7 @@ def states_of(path):
         rates = get("shear.strain_rates") or [get("shear.strain_rate")]
         for rate in rates:
             yield (get("disks.packing_fraction"), get("disks.elasticity"), get("disks.seed") or 1, rate,
-                   get("shear.ramp_rate"), get("disks.count"))
+                   get("shear.ramp_rate"), get("disks.count"), get("disks.box_aspect") or 1.0)
 
 
 def angles(q):
@@ -171,9 +171,11 @@ def write_tables(figures, target):
         if path == figures or path.stem.endswith("_quick"):
             continue
         rows, stored = [], []
-        for phi, q, seed, rate, ramp, count in states_of(path):
+        for phi, q, seed, rate, ramp, count, aspect in states_of(path):
             keys = {"disks.packing_fraction": phi, "disks.elasticity": q, "disks.seed": seed,
-                    "shear.strain_rate": rate, "disks.count": count} | ({"shear.ramp_rate": ramp} if ramp else {})
+                    "shear.strain_rate": rate, "disks.count": count}
+            keys |= {"shear.ramp_rate": ramp} if ramp else {}
+            keys |= {"disks.box_aspect": aspect} if aspect != 1 else {}
             values = law_of(path.stem)(phi, q, rate)
             rows.append(keys | values)
             stored.append({"scene": keys} | rest_of(path.stem, phi, q, rate))
