@@ -59,6 +59,20 @@ TEST_P(SliceSums, AddUpToThoseOfTheBox) {
   }
 }
 
+/// A disk given by its image above is in the slice of the one in the box.
+TEST(SliceArea, ImagesAreAHeightApart) {
+  Slices const slices(30.0, 12.0);
+  State state;
+  state.box_length = 30.0;
+  state.box_aspect = 0.4;
+  state.strain_rate = 1e-3;
+  state.position = {{1.0, 12.0 + 6.75}};
+  state.velocity = {{0.0, 0.0}};
+  state.diameter = {1.0};
+  auto const sums = slice_sums(slices, state, {1.0}, std::vector<Sums<false>>(1), 0.0);
+  EXPECT_EQ(sums[4 * C::count + C::disks], 1.0);
+}
+
 TEST(SliceArea, CutsADiskAtTheEdges) {
   Slices const slices(30.0, 12.0);  // 8 slices, 1.5 thick
   ASSERT_EQ(slices.n, 8u);
