@@ -23,7 +23,7 @@ constexpr std::int64_t fewest_steps = 20;
 /// Engines that do every step would take hours for a strain at small rates.
 double most_disk_steps(std::string const& engine) {
   if (engine == "reference") return 4e7;
-  return engine == "dense" || engine == "contact-rich" ? 2.5e8 : 1e12;
+  return engine == "few-contacts" || engine == "many-contacts" ? 2.5e8 : 1e12;
 }
 
 /// With more threads than are used the others wait busily beside what is timed.

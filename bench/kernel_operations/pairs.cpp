@@ -4,8 +4,8 @@
 #include "kernels/cpu/steps/block_step.hpp"
 #include "kernels/physics/laws/cd.hpp"
 #include "kernels/physics/laws/cd_n.hpp"
+#include "kernels/physics/laws/cd_nt.hpp"
 #include "kernels/physics/laws/cd_rot.hpp"
-#include "kernels/physics/laws/general.hpp"
 #include "kernels/physics/repulsion/repulsion.hpp"
 
 namespace bagnold {
@@ -26,6 +26,6 @@ struct PairLoop {
 template struct PairLoop<CD>;
 template struct PairLoop<CDn>;
 template struct PairLoop<CDrot>;
-template struct PairLoop<General>;
+template struct PairLoop<CDnt>;
 
 }  // namespace bagnold

@@ -32,7 +32,7 @@ def arguments():
                              "results/bench-states-quick, filled as needed)")
     parser.add_argument("--rows", default="", metavar="PATTERN", help="rows that match a regular expression")
     parser.add_argument("--engines", default="auto,reference",
-                        help="of auto, reference, dense, contact-rich, windowed; the first is held against "
+                        help="of auto, reference, few-contacts, many-contacts, lookahead; the first is held against "
                              "the targets (default: %(default)s)")
     parser.add_argument("--lammps", default="lmp", metavar="PROGRAM", help="left out where there is none")
     parser.add_argument("--build", default=os.path.join(ROOT, "build/openmp"), metavar="DIR",
@@ -42,7 +42,7 @@ def arguments():
     options = parser.parse_args()
     if options.repeats < 1:
         parser.error(f"--repeats = {options.repeats} (must be at least 1)")
-    unknown = set(options.engines.split(",")) - {"auto", "reference", "dense", "contact-rich", "windowed"}
+    unknown = set(options.engines.split(",")) - {"auto", "reference", "few-contacts", "many-contacts", "lookahead"}
     if unknown:
         parser.error(f"--engines: no such engine: {', '.join(sorted(unknown))}")
     try:

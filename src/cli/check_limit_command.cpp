@@ -109,7 +109,7 @@ void print(analysis::RateLimit const& found, std::map<std::string, AtTwoRates> c
 /// half of it, as a sweep that goes on where it stopped, and writes check_limit.json. 0 whatever
 /// the answer.
 int check_limit_command(CheckLimitOptions const& options) {
-  Scene const scene = read_scene(options.run.scene_file, options.run.overrides);
+  Scene const scene = read_scene(options.run);
   auto const sweep = both_rates(scene, options.run);
   SweepOptions points;
   points.sweep_file = options.run.scene_file;

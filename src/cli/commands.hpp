@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "src/analysis/request.hpp"
+#include "src/config/scene.hpp"
 #include "src/run/machine.hpp"
 #include "src/run/messages.hpp"
 
@@ -30,6 +31,10 @@ struct SceneOptions {
   bool force = false;
   bool allow_unstable = false;
 };
+
+/// The scene of the file, its overrides put over it. Words in it that are called otherwise now are
+/// told on stderr.
+Scene read_scene(SceneOptions const& options);
 
 struct ResumeOptions {
   std::filesystem::path folder;

@@ -14,7 +14,7 @@ namespace {
 int exit_code(RunEnd end) { return end == RunEnd::done ? 0 : 128 + stop_signal(); }
 
 int run_command(SceneOptions const& options) {
-  Scene const scene = read_scene(options.scene_file, options.overrides);
+  Scene const scene = read_scene(options);
   auto const folder = options.folder.empty()
                           ? std::filesystem::path("results") / options.scene_file.stem()
                           : options.folder;

@@ -81,7 +81,7 @@ int validate_command(SceneOptions const& options) {
   auto const origin = options.scene_file.string();
   if (sweep::is_sweep(read_text(options.scene_file), origin))
     return validate_sweep_command(options);
-  Scene scene = read_scene(options.scene_file, options.overrides);
+  Scene scene = read_scene(options);
   Plan const plan = validated_plan(scene, options.allow_unstable);
   auto const runs = runs_of(scene);
   auto started = states_in_file(runs.front());

@@ -160,7 +160,7 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
             0,
             0,
             false,
-            {"auto", "reference", "dense", "contact-rich", "windowed"}},
+            {"auto", "reference", "few-contacts", "many-contacts", "lookahead"}},
         integration.engine);
   visit(Key{"integration.time_step",
             "tau_e",

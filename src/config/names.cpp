@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "kernels/physics/laws/laws.hpp"
 #include "kernels/physics/repulsion/repulsion.hpp"
@@ -50,6 +51,17 @@ Words scheme_words() {
   Words words = names_of<Schemes>();
   words.insert(words.begin(), automatic);
   return words;
+}
+
+std::string_view renamed(std::string_view word) {
+  constexpr std::pair<std::string_view, std::string_view> now[] = {
+      {"dense", "few-contacts"},
+      {"contact-rich", "many-contacts"},
+      {"windowed", "lookahead"},
+      {"general", "CD_nt"}};
+  for (auto const& [before, after] : now)
+    if (word == before) return after;
+  return "";
 }
 
 std::vector<double> force_exponents() {

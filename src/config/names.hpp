@@ -16,6 +16,9 @@ Words rotating_models();  ///< of laws with spins
 Words separate_models();  ///< of laws with a damping constant of their own in either direction
 Words scheme_words();     ///< "auto", and the names of all schemes
 
+/// What a word of before is called now; "" of any other.
+std::string_view renamed(std::string_view word);
+
 std::vector<double> force_exponents();  ///< of all repulsions, rising
 
 /// Meanings of keys that name a choice.

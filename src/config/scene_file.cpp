@@ -11,6 +11,7 @@
 #include "src/config/errors.hpp"
 #include "src/config/keys.hpp"
 #include "src/config/mistakes.hpp"
+#include "src/config/names.hpp"
 #include "src/config/nearest_word.hpp"
 #include "src/config/shown.hpp"
 #include "src/config/toml_table.hpp"
@@ -38,8 +39,13 @@ class Reader {
  public:
   /// `overrides`: which keys were put over the text, and where they were given.
   Reader(toml::table const& table, std::string origin,
-         std::map<std::string, std::string> const& overrides, Mistakes& mistakes)
-      : table_(table), origin_(std::move(origin)), overrides_(overrides), mistakes_(mistakes) {}
+         std::map<std::string, std::string> const& overrides, Mistakes& mistakes,
+         std::vector<std::string>* notes)
+      : table_(table),
+        origin_(std::move(origin)),
+        overrides_(overrides),
+        mistakes_(mistakes),
+        notes_(notes) {}
 
   Scene read() {
     Scene scene;
@@ -126,9 +132,17 @@ class Reader {
     auto const* text = node.as_string();
     if (!text) refuse(key, node, "must be a string");
     member = text->get();
-    if (key.words.empty()) return;
-    if (std::find(key.words.begin(), key.words.end(), member) == key.words.end())
+    auto const known = [&](std::string_view word) {
+      return std::ranges::count(key.words, word) > 0;
+    };
+    if (key.words.empty() || known(member)) return;
+    auto const now = renamed(member);
+    if (!known(now))
       refuse(key, node, fmt::format("must be one of \"{}\"", fmt::join(key.words, "\", \"")));
+    if (notes_ != nullptr)
+      notes_->push_back(fmt::format("{}{} = \"{}\" is called \"{}\" now", place(key.name, node),
+                                    key.name, member, now));
+    member = now;
   }
 
   void take(Key const& key, toml::node const& node, bool& member) const {
@@ -195,6 +209,7 @@ class Reader {
   std::string origin_;
   std::map<std::string, std::string> const& overrides_;
   Mistakes& mistakes_;
+  std::vector<std::string>* notes_;
   std::vector<std::string> known_;
 };
 
@@ -239,14 +254,14 @@ Override from_command_line(std::string const& text) {
 }
 
 Scene scene_of(toml::table table, std::string const& origin, std::filesystem::path const& folder,
-               std::vector<Override> const& overrides) {
+               std::vector<Override> const& overrides, std::vector<std::string>* notes = nullptr) {
   std::map<std::string, std::string> set;
   for (auto const& put : overrides) {
     put_override(table, put);
     set[put.key] = put.origin;
   }
   Mistakes mistakes;
-  Scene scene = Reader(table, origin, set, mistakes).read();
+  Scene scene = Reader(table, origin, set, mistakes, notes).read();
   find_contradictions(scene, origin, mistakes);
   mistakes.throw_any();
   if (!scene.start.file.empty())
@@ -258,7 +273,8 @@ Scene scene_of(toml::table table, std::string const& origin, std::filesystem::pa
 }  // namespace
 
 Scene parse_scene(std::string_view text, std::string const& origin,
-                  std::filesystem::path const& folder, std::vector<std::string> const& overrides) {
+                  std::filesystem::path const& folder, std::vector<std::string> const& overrides,
+                  std::vector<std::string>* notes) {
   toml::table table = parse_toml(text, origin);
   if (auto const* sweep = table.get("sweep"); sweep && sweep->is_table())
     throw InputError(
@@ -267,7 +283,7 @@ Scene parse_scene(std::string_view text, std::string const& origin,
                     origin, sweep->source().begin.line, sweep->source().begin.column, origin));
   std::vector<Override> put;
   for (auto const& one : overrides) put.push_back(from_command_line(one));
-  return scene_of(std::move(table), origin, folder, put);
+  return scene_of(std::move(table), origin, folder, put, notes);
 }
 
 Scene parse_point(std::string_view text, std::string const& origin,
@@ -277,69 +293,10 @@ Scene parse_point(std::string_view text, std::string const& origin,
   return scene_of(std::move(table), origin, folder, values);
 }
 
-Scene read_scene(std::filesystem::path const& file, std::vector<std::string> const& overrides) {
+Scene read_scene(std::filesystem::path const& file, std::vector<std::string> const& overrides,
+                 std::vector<std::string>* notes) {
   return parse_scene(read_text(file), file.string(), std::filesystem::absolute(file).parent_path(),
-                     overrides);
-}
-
-namespace {
-
-std::string toml_value(std::string const& text) {
-  std::string quoted = "\"";
-  for (char const c : text) {
-    if (c == '"' || c == '\\')
-      quoted += fmt::format("\\{}", c);
-    else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
-      quoted += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
-    else
-      quoted += c;
-  }
-  return quoted + "\"";
-}
-std::string toml_value(bool flag) { return flag ? "true" : "false"; }
-std::string toml_value(std::int64_t number) { return fmt::format("{}", number); }
-std::string toml_value(double number) {
-  std::string text = fmt::format("{}", number);  // shortest that reads back to the same bits
-  if (text.find_first_of(".e") == std::string::npos) text += ".0";
-  return text;
-}
-std::string toml_value(std::optional<double> const& number) {
-  return number ? toml_value(*number) : "\"auto\"";
-}
-std::string toml_value(NumberOrWord const& value) {
-  return value.number ? toml_value(*value.number) : toml_value(value.word);
-}
-std::string toml_value(std::vector<double> const& list) {
-  std::string text;
-  for (double const one : list) text += (text.empty() ? "" : ", ") + toml_value(one);
-  return "[" + text + "]";
-}
-std::string toml_value(Strain const& strain) {
-  return strain.is_list() ? toml_value(strain.each) : toml_value(strain.at(0));
-}
-std::string toml_value(std::map<std::string, double> const& table) {
-  std::string text;
-  for (auto const& [name, one] : table)
-    text += fmt::format("{} {} = {}", text.empty() ? "" : ",", toml_value(name), toml_value(one));
-  return "{" + text + " }";
-}
-
-}  // namespace
-
-std::string write_scene(Scene const& scene) {
-  std::string text, table;
-  for_each_key(scene, [&](Key const& key, auto const& member) {
-    auto const dot = key.name.find('.');
-    if (key.name == "start.file" && scene.start.file.empty()) return;
-    if (!belongs(key, scene.shear.protocol)) return;
-    if (dot != std::string_view::npos && key.name.substr(0, dot) != table) {
-      table = key.name.substr(0, dot);
-      text += fmt::format("\n[{}]\n", table);
-    }
-    auto const name = dot == std::string_view::npos ? key.name : key.name.substr(dot + 1);
-    text += fmt::format("{} = {}\n", name, toml_value(member));
-  });
-  return text;
+                     overrides, notes);
 }
 
 }  // namespace bagnold

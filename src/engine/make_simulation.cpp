@@ -26,10 +26,10 @@ LawEngines engines_for(Scene const& scene) {
 }
 
 Stepping stepping(std::string const& engine) {
-  return engine == "contact-rich" ? Stepping::many_contacts
-         : engine == "dense"      ? Stepping::few_contacts
-         : engine == "windowed"   ? Stepping::lookahead
-                                  : Stepping::automatic;
+  return engine == "many-contacts"  ? Stepping::many_contacts
+         : engine == "few-contacts" ? Stepping::few_contacts
+         : engine == "lookahead"    ? Stepping::lookahead
+                                    : Stepping::automatic;
 }
 
 /// The engine of a scene on a backend; nullptr if the build has no such backend.

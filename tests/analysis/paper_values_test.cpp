@@ -41,9 +41,9 @@ TEST(PaperValues, OfP1BelongToItsModelAndMasses) {
   EXPECT_EQ(stated(scene_of("CD_n", "area", 0.65, 2)), (Names{"delta_p/p"}));
   EXPECT_EQ(stated(scene_of("CD_n", "area", 0.78, 1)), Names{});
   EXPECT_EQ(stated(scene_of("CD_n", "area", 0.601, 50)), Names{});
-  for (auto const* model : {"CD_n", "CD", "general"})
+  for (auto const* model : {"CD_n", "CD", "CD_nt"})
     EXPECT_EQ(stated(scene_of(model, "equal", 0.60, 1)), Names{}) << model;
-  for (auto const* model : {"CD", "general"})
+  for (auto const* model : {"CD", "CD_nt"})
     EXPECT_EQ(stated(scene_of(model, "area", 0.60, 1)), Names{}) << model;
 }
 

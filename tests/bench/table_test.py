@@ -113,7 +113,7 @@ class Table(unittest.TestCase):
         done = subprocess.run([BUILD / "bagnold_bench", "--benchmark_list_tests"],
                               capture_output=True, text=True, check=True)
         names = {name.split("/iterations:")[0] for name in done.stdout.splitlines()}
-        for engine in ("auto", "reference", "dense", "contact-rich", "windowed"):
+        for engine in ("auto", "reference", "few-contacts", "many-contacts", "lookahead"):
             for row in targets.ROWS:
                 self.assertIn(targets.benchmark_of(row, engine), names)
 

@@ -31,7 +31,7 @@ NAMES = (
 ).split()
 SPIN_NAMES = ["spin_mean", "spin_var", "torque_power"]
 PAPERS, TWO_STAGE = "modified-velocity-verlet", "two-stage-leapfrog"
-LAWS = ("CD", "CD_n", "CD_rot", "general")
+LAWS = ("CD", "CD_n", "CD_rot", "CD_nt")
 
 # Rate, step, window and strain are powers of two, so that no quotient of them has to be rounded.
 STEP_STRAIN = 2.0**-11

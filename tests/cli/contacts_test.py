@@ -12,7 +12,7 @@ from bagnold import LAWS, CliTest, read_summary, seconds_to_strain
 SCALARS = ("tau_dur", "nu_coll", "v_N_rms", "v_T_rms", "v_C_T_rms", "v_R_rms",
            "contact_rotation_correlation", "cluster_binary_share")
 HISTOGRAMS = ("cluster_disks", "tau_dur", "theta", "theta_begin", "theta_end")
-ENGINES = ("reference", "dense", "contact-rich", "windowed")
+ENGINES = ("reference", "few-contacts", "many-contacts", "lookahead")
 ON = {"measure__contacts": True, "measure__correlations": True}
 
 
@@ -55,7 +55,7 @@ class ContactsTest(CliTest):
 
     def test_velocities_at_the_contact_do_not_go_with_the_rotation(self):
         """P2 Fig. 21 (d), an identity of contacts in time; each collision once they do."""
-        out = self.run_new("dense", disks__packing_fraction=0.84, shear__strain=4.0, **ON)
+        out = self.run_new("few-contacts", disks__packing_fraction=0.84, shear__strain=4.0, **ON)
         correlation = {}
         for name in ("contact_velocities", "collision_velocities"):
             covariance = velocities(out)[f"{name}_covariance"]
@@ -137,7 +137,7 @@ class ContactsTest(CliTest):
 
     def test_kill_and_resume_change_nothing(self):
         for engine in ENGINES:
-            for replicas in (1, 2) if engine == "dense" else (1,):
+            for replicas in (1, 2) if engine == "few-contacts" else (1,):
                 with self.subTest(engine=engine, replicas=replicas):
                     self.check_killed(engine, replicas)
 

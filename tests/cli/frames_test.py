@@ -95,7 +95,7 @@ class MeasuredTest(CliTest):
 class TrajectoryTest(CliTest):
     def trajectory(self, **changes):
         changes.setdefault("output__trajectory_strain", 2.0**-5)
-        changes.setdefault("integration__engine", "contact-rich")  # stops at every step
+        changes.setdefault("integration__engine", "many-contacts")  # stops at every step
         return self.run_new("trajectory", shear__strain=0.25, **changes)
 
     def test_h5md(self):
@@ -308,12 +308,12 @@ class ReplicasTest(CliTest):
 
 class KilledTest(CliTest):
     def test_kill_and_resume_change_nothing(self):
-        for engine in ("contact-rich", "windowed"):
+        for engine in ("many-contacts", "lookahead"):
             with self.subTest(engine=engine):
                 self.check_killed(engine, 1)
 
     def test_of_replicas(self):
-        self.check_killed("contact-rich", 2, disks__replicas=2)
+        self.check_killed("many-contacts", 2, disks__replicas=2)
 
     def checkpoint_stamp(self, out):
         try:

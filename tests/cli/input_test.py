@@ -67,7 +67,7 @@ class BadValues(CliTest):
 
     def test_unstable_time_step(self):
         for model, elasticity, step in (
-            ("CD", 1.0, 5.0), ("CD_n", 1.0, 5.0), ("CD_rot", 1.0, 5.0), ("general", 1.0, 5.0),
+            ("CD", 1.0, 5.0), ("CD_n", 1.0, 5.0), ("CD_rot", 1.0, 5.0), ("CD_nt", 1.0, 5.0),
             ("CD", 0.05, 0.2), ("CD_n", 0.05, 0.2), ("CD_rot", 0.05, 0.2),
         ):
             with self.subTest(model=model, step=step):
@@ -76,7 +76,7 @@ class BadValues(CliTest):
                 self.refused(path, "integration.time_step", "--allow-unstable")
 
     def test_automatic_time_step_is_stable(self):
-        for model in ("CD", "CD_n", "CD_rot", "general"):
+        for model in ("CD", "CD_n", "CD_rot", "CD_nt"):
             for elasticity in (0.05, 0.3, 1.0, 50.0):
                 for mass in ("equal", "area"):
                     with self.subTest(model=model, elasticity=elasticity, mass=mass):
@@ -88,6 +88,17 @@ class BadValues(CliTest):
     def test_state_start_without_file(self):
         self.refused(self.scene(start__kind="state"), "start.file")
         self.refused(self.scene(start__kind="state", start__file="nowhere.h5"), "nowhere.h5")
+
+
+class RenamedWords(CliTest):
+    def test_an_old_name_is_taken_and_told(self):
+        path = self.scene(integration__engine="windowed", disks__model="general")
+        result = self.bagnold("validate", path)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn('engine = "lookahead"', result.stdout)
+        self.assertIn('model = "CD_nt"', result.stdout)
+        for old, new in (("windowed", "lookahead"), ("general", "CD_nt")):
+            self.assertIn(f'"{old}" is called "{new}" now', result.stderr)
 
 
 class BadKeys(CliTest):

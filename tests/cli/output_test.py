@@ -17,7 +17,7 @@ from bagnold import (
 
 
 def names_of(model):
-    return NAMES + (SPIN_NAMES if model in ("CD_rot", "general") else [])
+    return NAMES + (SPIN_NAMES if model in ("CD_rot", "CD_nt") else [])
 
 
 class Files(CliTest):
@@ -275,7 +275,7 @@ class Relations(CliTest):
             self.assertTrue(np.allclose(series[name], total, rtol=1e-12, atol=1e-18))
 
     def test_disks_turn_with_half_the_rate(self):
-        for model, bound in (("CD_rot", 0.1), ("general", 0.1)):
+        for model, bound in (("CD_rot", 0.1), ("CD_nt", 0.1)):
             with self.subTest(model=model):
                 out = self.run_new(model, disks__model=model, shear__strain=4.0)
                 value = read_summary(out)["observables"]["spin_mean"]
@@ -391,7 +391,7 @@ class Inputs(CliTest):
 title = "CD_rot, Newtonian side"
 
 [disks]
-model = "CD_rot"            # "CD" | "CD_n" | "CD_rot" | "general"
+model = "CD_rot"            # "CD" | "CD_n" | "CD_rot" | "CD_nt"
 count = 1024                # even
 packing_fraction = 0.82
 elasticity = 1.0            # Q

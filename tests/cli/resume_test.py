@@ -12,7 +12,7 @@ import unittest
 from bagnold import LAWS, CliTest, files_of, read_summary, seconds_to_strain
 
 OFTEN = {"output__checkpoint_minutes": 0.0005}  # 30 ms
-KILLS = {"CD": 2, "CD_n": 2, "CD_rot": 4, "general": 2}  # ten
+KILLS = {"CD": 2, "CD_n": 2, "CD_rot": 4, "CD_nt": 2}  # ten
 
 
 class ResumeTest(CliTest):

@@ -50,13 +50,13 @@ TEST(CollisionLoss, NothingIsSaidWithoutAClosedForm) {
   scene.disks = disks("CD", 500);
   scene.disks.force_exponent = 2.5;
   EXPECT_EQ(collision_loss_error(scene, two_stage_scheme, 0.5), 0);
-  scene.disks = disks("general", 500);
+  scene.disks = disks("CD_nt", 500);
   scene.disks.damping_normal = 0;
   EXPECT_EQ(collision_loss_error(scene, two_stage_scheme, 0.5), 0);
 }
 
 TEST(CollisionLoss, RulesAreFineEnough) {
-  for (auto const* model : {"CD", "CD_n", "CD_rot", "general"})
+  for (auto const* model : {"CD", "CD_n", "CD_rot", "CD_nt"})
     for (auto const* mass : {"equal", "area"})
       for (double const q : {1.0, 2.0, 10.0, 50.0, 500.0, 1e4}) {
         Scene scene;

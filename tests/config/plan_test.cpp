@@ -248,7 +248,7 @@ TEST(Feasible, AnUnstableTimeStepNeedsConsent) {
 
 TEST(Feasible, TheStepsOfTheRulesAreStable) {
   Scene scene = minimal_scene();
-  for (auto const* model : {"CD", "CD_n", "CD_rot", "general"})
+  for (auto const* model : {"CD", "CD_n", "CD_rot", "CD_nt"})
     for (auto const* mass : {"equal", "area"})
       for (double q = 0.1; q <= 1e6; q *= 1.7) {
         scene.disks.model = model;

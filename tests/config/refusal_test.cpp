@@ -84,7 +84,7 @@ TEST(Refusals, SayWhereWhichAndWhat) {
 
 TEST(Refusals, AllowedWordsAreListed) {
   std::string const message = refusal(with_line(minimal_text, "model", "model = \"cd\""));
-  for (auto const* word : {"\"CD\"", "\"CD_n\"", "\"CD_rot\"", "\"general\""})
+  for (auto const* word : {"\"CD\"", "\"CD_n\"", "\"CD_rot\"", "\"CD_nt\""})
     EXPECT_TRUE(has(message, word)) << message;
 }
 
@@ -101,14 +101,13 @@ TEST(Refusals, Contradictions) {
   EXPECT_TRUE(has(with("shear.discard=1"), "shear.discard = 1"));
   EXPECT_TRUE(has(refusal(minimal_text, {"disks.model=CD", "measure.rotation=true"}),
                   "measure.rotation = true"));
-  EXPECT_EQ(refusal(minimal_text, {"disks.model=general", "disks.damping_tangential=0"}),
-            "accepted");
+  EXPECT_EQ(refusal(minimal_text, {"disks.model=CD_nt", "disks.damping_tangential=0"}), "accepted");
 }
 
 /// A scene whose numeric key `wanted` has the value `value`, as text.
 std::string scene_with(Key const& wanted, double value) {
   Scene scene = parse(text_for(wanted));
-  scene.disks.model = "general";  // the one that takes every key
+  scene.disks.model = "CD_nt";  // the one that takes every key
   for_each_key(scene, [&](Key const& key, auto& member) {
     using Member = std::decay_t<decltype(member)>;
     if (key.name != wanted.name) return;

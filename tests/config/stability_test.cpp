@@ -33,7 +33,7 @@ struct TwoDisks {
     // second derivative of (1/alpha) (1 - r/d)^alpha, at 20% overlap
     stiffness = d.force_exponent == 2.0 ? 1.0 : 1.5 * std::sqrt(0.2);
     double const k_d = 1 / d.elasticity;
-    bool const general = d.model == "general";
+    bool const general = d.model == "CD_nt";
     damping_normal = general ? d.damping_normal * k_d : k_d;
     damping_tangential = general ? d.damping_tangential * k_d : d.model == "CD_n" ? 0.0 : k_d;
     rotate = general || d.model == "CD_rot";
@@ -109,14 +109,14 @@ struct TwoDisks {
 std::vector<Scene::Disks> all_disks() {
   std::vector<Scene::Disks> all;
   for (auto const* mass : {"equal", "area"})
-    for (auto const* model : {"CD", "CD_n", "CD_rot", "general", "general"})
+    for (auto const* model : {"CD", "CD_n", "CD_rot", "CD_nt", "CD_nt"})
       for (double const alpha : {2.0, 2.5})
         for (double const q : {0.05, 0.3, 0.5, 1.0, 2.0, 10.0, 100.0}) {
           Scene::Disks d = disks(model, q, mass);
           d.force_exponent = alpha;
-          if (d.model == "general") {  // mostly normal, then mostly tangential
+          if (d.model == "CD_nt") {  // mostly normal, then mostly tangential
             bool const second =
-                !all.empty() && all.back().model == "general" && all.back().damping_normal < 1;
+                !all.empty() && all.back().model == "CD_nt" && all.back().damping_normal < 1;
             d.damping_normal = second ? 0.3 : 1.7;
             d.damping_tangential = second ? 2.1 : 0.4;
           }
@@ -173,13 +173,13 @@ TEST(ContactSpectralRadius, IsAboveOneWhereAContactGrows) {
   EXPECT_GT(shrunk, 100);
 }
 
-/// General with equal constants is CD_rot (P2, below Eq. 7); without tangential damping it is CD_n.
+/// CD_nt with equal constants is CD_rot (P2, below Eq. 7); without tangential damping it is CD_n.
 TEST(ContactSpectralRadius, GeneralEndsInTheOthers) {
   for (double const q : {0.1, 1.0, 30.0})
     for (double const dt : steps_of_time) {
       Scene rolling, general;
       rolling.disks = disks("CD_rot", q);
-      general.disks = disks("general", q);
+      general.disks = disks("CD_nt", q);
       EXPECT_EQ(contact_spectral_radius(general, dt), contact_spectral_radius(rolling, dt));
       rolling.disks.model = "CD_n";
       general.disks.damping_tangential = 0;
@@ -240,7 +240,7 @@ TEST(DenseFlowTimeStep, IsTheMeasuredOne) {
 }
 
 TEST(DenseFlowTimeStep, LiesBetweenSixContactsAndOne) {
-  for (auto const* model : {"CD", "CD_n", "CD_rot", "general"})
+  for (auto const* model : {"CD", "CD_n", "CD_rot", "CD_nt"})
     for (auto const* mass : {"equal", "area"})
       for (auto const scheme : {papers_scheme, two_stage_scheme}) {
         Scene scene;
@@ -253,7 +253,7 @@ TEST(DenseFlowTimeStep, LiesBetweenSixContactsAndOne) {
 
 TEST(DenseFlowTimeStep, OfGeneralEndsInTheOthers) {
   Scene general, law;
-  general.disks = disks("general", 0.5);
+  general.disks = disks("CD_nt", 0.5);
   law.disks = disks("CD_rot", 0.5);
   auto const of = [](Scene const& scene) { return dense_flow_time_step(scene, two_stage_scheme); };
   EXPECT_DOUBLE_EQ(of(general), of(law));
@@ -266,19 +266,19 @@ TEST(DenseFlowTimeStep, OfGeneralEndsInTheOthers) {
 
 /// No rule warns of itself where dampings are those of the papers' figures.
 TEST(DenseFlowTimeStep, BearsTheRules) {
-  for (auto const* model : {"CD", "CD_n", "CD_rot", "general"})
+  for (auto const* model : {"CD", "CD_n", "CD_rot", "CD_nt"})
     for (double const q : {0.1, 0.3, 0.5, 1.0, 50.0, 500.0}) {
       Scene scene;
       scene.disks = disks(model, q, "equal");
       EXPECT_GT(dense_flow_time_step(scene, two_stage_scheme), two_stage_time_step(scene));
-      if (scene.disks.model != "general") {
+      if (scene.disks.model != "CD_nt") {
         EXPECT_GT(dense_flow_time_step(scene, papers_scheme), paper_time_step(scene.disks)) << q;
       }
     }
 }
 
 TEST(LargestStableTimeStep, ScalesWithQWhereDampingLimits) {
-  for (auto const* model : {"CD", "CD_n", "CD_rot", "general"})
+  for (auto const* model : {"CD", "CD_n", "CD_rot", "CD_nt"})
     for (auto const scheme : {papers_scheme, two_stage_scheme}) {
       Scene one, half;
       one.disks = disks(model, 0.1);

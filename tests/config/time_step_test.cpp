@@ -11,7 +11,7 @@ namespace {
 
 /// P1 Sec. II C: dt = min{0.5/Q, 0.1, 0.2 Q}.
 TEST(PaperTimeStep, OfP1) {
-  for (auto const* model : {"CD_n", "general"}) {
+  for (auto const* model : {"CD_n", "CD_nt"}) {
     EXPECT_DOUBLE_EQ(paper_time_step(disks(model, 0.1)), 0.02);
     EXPECT_DOUBLE_EQ(paper_time_step(disks(model, 0.5)), 0.1);
     EXPECT_DOUBLE_EQ(paper_time_step(disks(model, 1)), 0.1);
@@ -39,12 +39,12 @@ TEST(TwoStageTimeStep, OfEachLaw) {
     return two_stage_time_step(scene);
   };
   for (double const q : {1.0, 50.0, 500.0})
-    for (auto const* model : {"CD", "CD_n", "CD_rot", "general"}) EXPECT_EQ(rule(model, q), 0.2);
+    for (auto const* model : {"CD", "CD_n", "CD_rot", "CD_nt"}) EXPECT_EQ(rule(model, q), 0.2);
   for (auto const* model : {"CD", "CD_n"}) {
     EXPECT_EQ(rule(model, 0.4), 0.2);
     EXPECT_DOUBLE_EQ(rule(model, 0.1), 0.05);
   }
-  for (auto const* model : {"CD_rot", "general"}) EXPECT_DOUBLE_EQ(rule(model, 0.1), 0.02);
+  for (auto const* model : {"CD_rot", "CD_nt"}) EXPECT_DOUBLE_EQ(rule(model, 0.1), 0.02);
   scene.disks.damping_tangential = 4;
   EXPECT_DOUBLE_EQ(two_stage_time_step(scene), 0.005);
 }
@@ -77,7 +77,7 @@ TEST(Scheme, TwoStagesUnlessNamed) {
 /// scheme it bears with two stages.
 TEST(Scheme, TwoStagesBearWhatThePapersBear) {
   int borne = 0;
-  for (auto const* model : {"CD", "CD_n", "CD_rot", "general"})
+  for (auto const* model : {"CD", "CD_n", "CD_rot", "CD_nt"})
     for (auto const* mass : {"equal", "area"})
       for (double q = 1e-3; q < 2e3; q *= 1.3)
         for (double dt = 1e-4; dt < 10; dt *= 1.05) {

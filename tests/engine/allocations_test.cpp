@@ -36,7 +36,7 @@ struct Allocated {
 };
 
 Scene scene_of(std::string const& law, std::string const& engine, std::int64_t count = 2048) {
-  Scene scene = small_scene(law, engine == "windowed" ? 0.6 : 0.8, count);
+  Scene scene = small_scene(law, engine == "lookahead" ? 0.6 : 0.8, count);
   scene.integration.engine = engine;
   scene.integration.skin = 0.35;
   return scene;
@@ -130,14 +130,14 @@ std::set<std::string> labels(Bytes const& bytes, std::string const& part = "") {
   return found;
 }
 
-bool rotates(std::string const& law) { return law == "CD_rot" || law == "general"; }
+bool rotates(std::string const& law) { return law == "CD_rot" || law == "CD_nt"; }
 
 TEST(Allocations, SpinsAreOnlyWhereTheLawRotates) {
   for (auto const& law : law_names())
-    for (std::string const engine : {"dense", "contact-rich", "windowed"}) {
+    for (std::string const engine : {"few-contacts", "many-contacts", "lookahead"}) {
       std::set<std::string> expected;
       if (rotates(law)) expected = {"state::spin", "dynamics::trial_spin"};
-      if (rotates(law) && engine == "windowed")
+      if (rotates(law) && engine == "lookahead")
         expected.insert({"islands::spin", "islands::trial_spin"});
       EXPECT_EQ(labels(held(scene_of(law, engine)).views, "spin"), expected)
           << law << ' ' << engine;
@@ -158,7 +158,7 @@ TEST(Allocations, TheReferencesMotionIsThatOfTheLaw) {
 /// Beyond the spins, laws of one engine hold the same bytes: their forces in scratch and their sums
 /// differ, nothing a disk.
 TEST(Allocations, LawsDifferInNothingElse) {
-  for (std::string const engine : {"dense", "contact-rich"}) {
+  for (std::string const engine : {"few-contacts", "many-contacts"}) {
     Bytes const plain = held(scene_of("CD", engine)).views;
     for (auto const& law : law_names()) {
       Bytes of = held(scene_of(law, engine)).views;
@@ -184,12 +184,13 @@ TEST(Allocations, ArraysOfAWayOfSteppingAreOnlyThere) {
   std::set<std::string> const of_dense{"steps::active", "steps::active_count", "steps::contacts",
                                        "steps::is_active"};
   for (auto const& law : law_names())
-    for (std::string const engine : {"reference", "dense", "contact-rich", "windowed"}) {
+    for (std::string const engine : {"reference", "few-contacts", "many-contacts", "lookahead"}) {
       auto const found = labels(held(scene_of(law, engine)).views);
       for (auto const& label : of_dense)
-        EXPECT_EQ(found.contains(label), engine == "dense") << law << ' ' << engine << ' ' << label;
+        EXPECT_EQ(found.contains(label), engine == "few-contacts")
+            << law << ' ' << engine << ' ' << label;
       EXPECT_EQ(!labels(held(scene_of(law, engine)).views, "islands::").empty(),
-                engine == "windowed")
+                engine == "lookahead")
           << law << ' ' << engine;
       EXPECT_EQ(found.contains("dynamics::trial_position"), engine == "reference");
       EXPECT_EQ(found.contains("dynamics::trial_record"), engine != "reference");
@@ -215,12 +216,12 @@ TEST(Allocations, AStepKeepsWhatItsSchemeUses) {
 /// Off the Views an engine keeps the diameters that files want, 8 bytes a disk; room by slot for
 /// windows only where there are windows, that for contacts only where these are asked for.
 TEST(Allocations, TheHeapHasDiametersAndWhatIsAskedFor) {
-  for (std::string const engine : {"reference", "dense", "contact-rich", "windowed"}) {
+  for (std::string const engine : {"reference", "few-contacts", "many-contacts", "lookahead"}) {
     double const plain = per_disk("CD_n", engine).heap;
     double const watched = per_disk("CD_n", engine, true).heap;
     RecordProperty(engine + "_heap", std::to_string(plain));
     RecordProperty(engine + "_heap_with_contacts", std::to_string(watched));
-    if (engine == "windowed")
+    if (engine == "lookahead")
       EXPECT_GT(plain, 8 + 9);  // whose result, in which batch, which node
     else
       EXPECT_NEAR(plain, 8, 0.5) << engine;
@@ -230,15 +231,15 @@ TEST(Allocations, TheHeapHasDiametersAndWhatIsAskedFor) {
 
 /// A law that rotates takes at least its two spins a disk more, and in blocks not many more: halos.
 TEST(Allocations, ViewsADiskAreThoseOfTheLaw) {
-  for (std::string const engine : {"reference", "dense", "contact-rich", "windowed"}) {
+  for (std::string const engine : {"reference", "few-contacts", "many-contacts", "lookahead"}) {
     std::map<std::string, double> views;
     for (auto const& law : law_names()) {
       views[law] = per_disk(law, engine).views;
       RecordProperty(engine + "_" + law + "_views", std::to_string(views[law]));
     }
-    double const islands = engine == "windowed" ? 5 : 0.01;  // these depend on what meets
+    double const islands = engine == "lookahead" ? 5 : 0.01;  // these depend on what meets
     EXPECT_NEAR(views["CD"], views["CD_n"], islands) << engine;
-    EXPECT_NEAR(views["CD_rot"], views["general"], islands) << engine;
+    EXPECT_NEAR(views["CD_rot"], views["CD_nt"], islands) << engine;
     EXPECT_GT(views["CD_rot"], views["CD"] + 15) << engine;
     EXPECT_LT(views["CD_rot"], views["CD"] + 24) << engine;
     EXPECT_LT(views["CD_rot"], 260) << engine;

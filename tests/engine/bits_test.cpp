@@ -115,7 +115,7 @@ TEST_P(Bits, ListsDoNotActOnTheTrajectory) {
 
 BAGNOLD_FOR_EVERY_SIMULATION(Bits);
 
-/// Dense steps are contact-rich ones to the last bit while they have the same lists.
+/// Dense steps are many-contacts ones to the last bit while they have the same lists.
 class DenseBits : public testing::TestWithParam<std::string> {};
 
 TEST_P(DenseBits, AreThoseOfContactRichSteps) {
@@ -127,9 +127,9 @@ TEST_P(DenseBits, AreThoseOfContactRichSteps) {
       scene.integration.scheme = scheme;
       State state = shaken_start(scene);
       for (auto& v : state.velocity) v[1] -= 0.1;  // no common drift: one list for all steps
-      scene.integration.engine = "contact-rich";
+      scene.integration.engine = "many-contacts";
       auto const rich = simulate(scene, state, "serial");
-      scene.integration.engine = "dense";
+      scene.integration.engine = "few-contacts";
       auto const dense = simulate(scene, state, "serial");
       auto const a = advance(*rich, 80, 3), b = advance(*dense, 80, 3);
       EXPECT_EQ(rich->snapshot().list_builds, 1);
@@ -172,7 +172,7 @@ TEST(LargeBits, DependNeitherOnTheOrderOfBlocksNorOnTheBackend) {
   Scene scene = small_scene("CD_rot", 0.65, 320 * 320);
   scene.integration.skin = 0.35;
   State const state = shaken_lattice(scene);
-  for (auto const engine : {"contact-rich", "dense"})
+  for (auto const engine : {"many-contacts", "few-contacts"})
     for (auto const scheme : {papers_scheme, two_stage_scheme}) {
       SCOPED_TRACE(std::string(engine) + ", " + std::string(scheme));
       scene.integration.engine = engine;

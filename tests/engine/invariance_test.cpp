@@ -76,12 +76,12 @@ TEST_P(Invariance, UnderReimagingOfDisks) {
   }
 }
 
-/// The general law at its ends: k_t = 0 is CD_n, k_t = k_n is CD_rot.
+/// CD_nt at its ends: k_t = 0 is CD_n, k_t = k_n is CD_rot.
 TEST_P(Invariance, GeneralLawHasCDnAndCDrotAsItsEnds) {
   if (law() != "CD_n" && law() != "CD_rot") GTEST_SKIP() << "not an end";
   State const state = shaken_start(scene());
   Scene general = scene();
-  general.disks.model = "general";
+  general.disks.model = "CD_nt";
   general.disks.damping_normal = 1.0;
   general.disks.damping_tangential = law() == "CD_n" ? 0.0 : 1.0;
   State with_spins = state;

@@ -5,7 +5,7 @@
 namespace bagnold::test {
 namespace {
 
-constexpr char const* engines[] = {"reference", "dense", "contact-rich", "windowed"};
+constexpr char const* engines[] = {"reference", "few-contacts", "many-contacts", "lookahead"};
 
 Scene scene_for(std::string const& engine) {
   Scene scene = small_scene("CD_rot", 0.80, 300);
@@ -41,12 +41,12 @@ TEST(Resume, AnyEngineGoesOnFromAnyOther) {
 
 /// Bits depend on all of the memory: a part of it is no reason to guess the rest.
 TEST(Resume, RefusesAPartOfTheMemory) {
-  Snapshot whole = left_by("contact-rich", shaken_start(scene_for("reference")));
+  Snapshot whole = left_by("many-contacts", shaken_start(scene_for("reference")));
   for (auto const& [name, value] : whole.memory) {
     Snapshot part = whole;
     part.memory.erase(name);
     try {
-      make_simulation(scene_for("contact-rich"), part, "serial");
+      make_simulation(scene_for("many-contacts"), part, "serial");
       ADD_FAILURE() << "went on without " << name;
     } catch (InputError const& error) {
       EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << error.what();
@@ -56,8 +56,8 @@ TEST(Resume, RefusesAPartOfTheMemory) {
 
 /// Bits depend on no counter; one that an older version did not have begins at 0.
 TEST(Resume, CountsFromZeroWhatWasNotCounted) {
-  auto const scene = scene_for("contact-rich");
-  Snapshot const whole = left_by("contact-rich", shaken_start(scene));
+  auto const scene = scene_for("many-contacts");
+  Snapshot const whole = left_by("many-contacts", shaken_start(scene));
   ASSERT_GT(whole.counters.at("prunings"), 0);
   Snapshot without = whole;
   without.counters.clear();

@@ -64,7 +64,7 @@ TEST_P(Statistics, OfEveryEngineAreThoseOfTheReference) {
   advance(*warm, steps(warm_up));
   State const state = warm->state();
   auto const expected = run("reference", state);
-  for (std::string const engine : {"dense", "contact-rich", "windowed"}) {
+  for (std::string const engine : {"few-contacts", "many-contacts", "lookahead"}) {
     auto const found = run(engine, state);
     for (auto const& observable : observables(scene(), state.box_length)) {
       std::string const name(observable.name);

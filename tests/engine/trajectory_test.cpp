@@ -111,7 +111,7 @@ TEST_P(Trajectory, OfADiluteGas) {
       double const scale = c < C::kinetic_xx ? elastic : kinetic;
       EXPECT_NEAR(sums.sums[c], expected.sums[c], 1e-9 * (std::abs(expected.sums[c]) + scale)) << c;
     }
-    if (engine() == "windowed") {
+    if (engine() == "lookahead") {
       auto const counters = simulation->snapshot().counters;
       EXPECT_GE(counters.at("steps_in_windows"), steps / 2);
       EXPECT_LT(counters.at("disks_in_larger_islands"),

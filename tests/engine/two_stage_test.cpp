@@ -113,7 +113,7 @@ TEST_P(TwoStage, OfADiluteGas) {
     double const scale = c < C::kinetic_xx ? elastic : kinetic;
     EXPECT_NEAR(sums.sums[c], expected.sums[c], 1e-9 * (std::abs(expected.sums[c]) + scale)) << c;
   }
-  if (engine() == "windowed") {
+  if (engine() == "lookahead") {
     EXPECT_GE(simulation->snapshot().counters.at("steps_in_windows"), steps / 2);
     EXPECT_GT(simulation->snapshot().counters.at("binary_islands"), 0);
   }
@@ -150,7 +150,7 @@ TEST_P(TwoStage, ALonePairRelaxesExactly) {
   State const after = simulation->state();
   // d/dt v_t = -k_t (2/m) v_t, with spins -k_t (2/m + 2 (d/2)^2/I) v_t = -k_t (6/m) v_t at the
   // contact.
-  double const k = law() == "general" ? scene.disks.damping_tangential : 1.0;
+  double const k = law() == "CD_nt" ? scene.disks.damping_tangential : 1.0;
   double slip = after.velocity[0][1] - after.velocity[1][1];
   if (scene.rotates()) slip += 0.5 * (after.spin[0] + after.spin[1]);
   double const z = k * 0.4 * (scene.rotates() ? 6.0 : 2.0);

@@ -26,12 +26,12 @@ struct Quadratic {
   }
 };
 
-/// General without its spins: two weights, but room for one.
-struct Sliding : General {
+/// CD_nt without its spins: two weights, but room for one.
+struct Sliding : CDnt {
   static constexpr std::string_view name = "sliding";
   static constexpr bool rotates = false;
 
-  static Sliding make(DampingInput const& input) { return {General::make(input)}; }
+  static Sliding make(DampingInput const& input) { return {CDnt::make(input)}; }
 };
 
 static_assert(ContactLaw<Quadratic> && !TwoStageLaw<Quadratic>);
@@ -78,7 +78,7 @@ TEST(WithScheme, ThePapersSchemeDoesEveryLaw) {
 }
 
 TEST(WithScheme, TheLawsOfTheProgramDoTwoStages) {
-  EXPECT_EQ(with_physics_of<General>(Scene{}, as_it_is), Scheme::two_stage_leapfrog);
+  EXPECT_EQ(with_physics_of<CDnt>(Scene{}, as_it_is), Scheme::two_stage_leapfrog);
 }
 
 }  // namespace bagnold::test

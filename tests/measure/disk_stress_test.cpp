@@ -52,7 +52,7 @@ void expect_the_boxs(Scene const& scene) {
 TEST(DiskStress, AddsUpToThatOfTheBox) {
   for (auto const& law : law_names())
     for (auto const scheme : {papers_scheme, two_stage_scheme})
-      for (char const* engine : {"reference", "contact-rich"}) {
+      for (char const* engine : {"reference", "many-contacts"}) {
         SCOPED_TRACE(law + " " + std::string(scheme) + " " + engine);
         Scene scene = small_scene(law, 0.84, 200);
         scene.integration.scheme = scheme;

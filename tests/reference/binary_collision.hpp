@@ -25,7 +25,7 @@ class BinaryCollision {
     double const m_j = mass(p, diameter_j);
     double const reduced_mass = m_i * m_j / (m_i + m_j);
     double const contact_distance = (diameter_i + diameter_j) / 2.0;
-    bool const own_constant = p.model == Parameters::Model::general;
+    bool const own_constant = p.model == Parameters::Model::CD_nt;
     double const damping = (own_constant ? p.damping_normal : 1.0) / p.elasticity;
     decay_rate_ = damping / (2.0 * reduced_mass);
     frequency_squared_ =

@@ -24,7 +24,7 @@ struct PairForce {
 ///     CD       -k_d v                                          P2 Eq. (3)
 ///     CD_n     -k_d (v . n) n                                  P1 Eq. (3)
 ///     CD_rot   -k_d v^C                                        P2 Eq. (5)
-///     general  -k_d^n (v^C . n) n - k_d^t [v^C - (v^C . n) n]  P2, below Eq. (7)
+///     CD_nt    -k_d^n (v^C . n) n - k_d^t [v^C - (v^C . n) n]  P2, below Eq. (7)
 ///
 /// Torques, P2 Eq. (7): tau_i = s_ji x f_ij and tau_j = s_ij x f_ji, s_ji = r_ji d_i / (d_i + d_j).
 inline PairForce pair_force(Parameters const& p, State const& s, Contact const& c) {
@@ -62,7 +62,7 @@ inline PairForce pair_force(Parameters const& p, State const& s, Contact const& 
       f.dissipative_x = -k_d * v_n * nx;
       f.dissipative_y = -k_d * v_n * ny;
       break;
-    case Parameters::Model::general: {
+    case Parameters::Model::CD_nt: {
       double const k_n = p.damping_normal * k_d;
       double const k_t = p.damping_tangential * k_d;
       f.dissipative_x = -k_n * v_n * nx - k_t * (vx - v_n * nx);

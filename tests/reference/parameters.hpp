@@ -13,11 +13,11 @@ namespace bagnold::reference {
 /// What is simulated. Units: d_s, tau_e, and m (equal masses, P2) or m_0 (area masses, P1); k_e
 /// = 1.
 struct Parameters {
-  enum class Model { CD, CD_n, CD_rot, general };
+  enum class Model { CD, CD_n, CD_rot, CD_nt };
   Model model = Model::CD_n;
   double elasticity = 1.0;          ///< Q; k_d = 1 / Q (P1 Eq. 6, P2 Eq. 9)
-  double damping_normal = 1.0;      ///< model general: k_d^(n) Q
-  double damping_tangential = 1.0;  ///< model general: k_d^(t) Q
+  double damping_normal = 1.0;      ///< model CD_nt: k_d^(n) Q
+  double damping_tangential = 1.0;  ///< model CD_nt: k_d^(t) Q
   double force_exponent = 2.0;      ///< alpha (P1 Eq. 1)
   bool area_mass = false;           ///< false: m_i = m = 1 (P2); true: by area, m_0 = 1 (P1)
   double strain_rate = 0.0;         ///< [1 / tau_e]
@@ -26,7 +26,7 @@ struct Parameters {
 
 /// Whether disks carry spins: only where the law reads them.
 inline bool rotates(Parameters const& p) {
-  return p.model == Parameters::Model::CD_rot || p.model == Parameters::Model::general;
+  return p.model == Parameters::Model::CD_rot || p.model == Parameters::Model::CD_nt;
 }
 
 /// m_i. By area: m_i = rho_0 pi (d_i/2)^2 with m_0 = rho_0 d_s^2 / 2 = 1 (P1, below Eq. 4), so that

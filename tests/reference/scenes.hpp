@@ -15,7 +15,7 @@ namespace bagnold::reference {
 using Model = Parameters::Model;
 
 inline std::string model_name(testing::TestParamInfo<Model> const& info) {
-  char const* const names[] = {"CD", "CD_n", "CD_rot", "general"};
+  char const* const names[] = {"CD", "CD_n", "CD_rot", "CD_nt"};
   return names[static_cast<int>(info.param)];
 }
 
@@ -23,7 +23,7 @@ inline Parameters parameters(Model model, double elasticity = 2.0) {
   Parameters p;
   p.model = model;
   p.elasticity = elasticity;
-  p.damping_normal = 0.7;  // only `general` reads these two
+  p.damping_normal = 0.7;  // only `CD_nt` reads these two
   p.damping_tangential = 1.6;
   p.strain_rate = 0.05;
   return p;

@@ -11,7 +11,7 @@ namespace {
 class StepOfEveryModel : public testing::TestWithParam<Model> {};
 
 INSTANTIATE_TEST_SUITE_P(Reference, StepOfEveryModel,
-                         testing::Values(Model::CD, Model::CD_n, Model::CD_rot, Model::general),
+                         testing::Values(Model::CD, Model::CD_n, Model::CD_rot, Model::CD_nt),
                          model_name);
 
 /// The box may be cut anywhere: moving all disks by (a, b), with gammadot b added to v_x, is only

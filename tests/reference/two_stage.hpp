@@ -32,7 +32,7 @@ inline Parameters second_law(Parameters p, State const& s, Contact const& c, int
     return p;
   }
   if (p.model == Parameters::Model::CD_rot) p.damping_normal = p.damping_tangential = 1.0;
-  p.model = Parameters::Model::general;
+  p.model = Parameters::Model::CD_nt;
   p.damping_normal *= second_share(p.damping_normal * z);
   p.damping_tangential *= second_share(3.0 * p.damping_tangential * z);
   return p;
@@ -42,7 +42,7 @@ inline Parameters second_law(Parameters p, State const& s, Contact const& c, int
 inline std::array<double, 2> damped_velocity(Parameters p, State const& s, Contact const& c) {
   p.elasticity = 1.0;
   if (rotates(p)) {
-    p.model = Parameters::Model::general;
+    p.model = Parameters::Model::CD_nt;
     p.damping_normal = p.damping_tangential = 1.0;
   }
   PairForce const f = pair_force(p, s, c);

@@ -68,7 +68,7 @@ std::string refusal(std::function<void(State&)> const& spoil, Scene scene = scen
 }
 
 TEST(FitToScene, KeepsEveryBitAtTheSameRate) {
-  for (auto const* model : {"CD_rot", "general"}) {
+  for (auto const* model : {"CD_rot", "CD_nt"}) {
     auto const started = fit(some_state(), scene_of(model));
     State const expected = some_state();
     EXPECT_EQ(started.state.position, expected.position);

@@ -132,7 +132,7 @@ TEST(RandomStart, HalfAreSmallThenHalfBigInTheBox) {
 
 TEST(RandomStart, FlowIsLinear) {
   Scene scene = scene_of(128, 0.78);
-  for (auto const* model : {"CD", "CD_n", "CD_rot", "general"}) {
+  for (auto const* model : {"CD", "CD_n", "CD_rot", "CD_nt"}) {
     scene.disks.model = model;
     State const state = random_start(scene).state;
     for (std::size_t i = 0; i < state.count(); ++i) {

@@ -36,7 +36,7 @@ inline Scene small_scene(std::string const& model, double packing_fraction = 0.8
   scene.disks.packing_fraction = packing_fraction;
   scene.disks.elasticity = 2.0;
   scene.disks.mass = "area";
-  if (model == "general") {
+  if (model == "CD_nt") {
     scene.disks.damping_normal = 0.7;
     scene.disks.damping_tangential = 1.6;
   }
@@ -65,8 +65,9 @@ class EverySimulation
   }
 
   static auto all() {
-    return testing::Combine(testing::ValuesIn(law_names()), testing::ValuesIn(backend_names()),
-                            testing::Values("reference", "dense", "contact-rich", "windowed"));
+    return testing::Combine(
+        testing::ValuesIn(law_names()), testing::ValuesIn(backend_names()),
+        testing::Values("reference", "few-contacts", "many-contacts", "lookahead"));
   }
   static std::string name(testing::TestParamInfo<ParamType> const& info) {
     auto const& [law, backend, engine] = info.param;
@@ -118,7 +119,7 @@ inline reference::Parameters reference_parameters(Scene const& scene) {
   p.model = name == "CD"       ? Model::CD
             : name == "CD_n"   ? Model::CD_n
             : name == "CD_rot" ? Model::CD_rot
-                               : Model::general;
+                               : Model::CD_nt;
   p.elasticity = scene.disks.elasticity;
   p.damping_normal = scene.disks.damping_normal;
   p.damping_tangential = scene.disks.damping_tangential;

@@ -41,7 +41,7 @@ using EveryBackend = decltype(detail::as_types(static_cast<Backends const*>(null
 using EveryLawOnEveryBackend =
     decltype(detail::as_types(static_cast<detail::LawsOnBackends const*>(nullptr)));
 
-/// A law at k_d = 1/Q; the general one with 0.7 and 1.6 times that, normal and tangential.
+/// A law at k_d = 1/Q; CD_nt with 0.7 and 1.6 times that, normal and tangential.
 template <ContactLaw Law>
 Law law_at(double elasticity) {
   Scene::Disks disks;

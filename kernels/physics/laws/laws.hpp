@@ -5,8 +5,8 @@
 
 #include "kernels/physics/laws/cd.hpp"
 #include "kernels/physics/laws/cd_n.hpp"
+#include "kernels/physics/laws/cd_nt.hpp"
 #include "kernels/physics/laws/cd_rot.hpp"
-#include "kernels/physics/laws/general.hpp"
 
 namespace bagnold {
 
@@ -14,6 +14,6 @@ namespace bagnold {
 using Laws = std::tuple<CD,     //
                         CDn,    //
                         CDrot,  //
-                        General>;
+                        CDnt>;
 
 }  // namespace bagnold

@@ -87,7 +87,7 @@ void BlockEngine::for_each_memory(Visit const& visit) {
   visit("inner_margin", lists_.inner.margin);
   visit("near_pairs", lists_.near_pairs);
   visit("touching", single_.touching);
-  visit("dense", single_.few);
+  visit("few_contacts", single_.few);
   visit("in_windows", in_windows_);
   visit("window_allowance", lookahead_.allowance);
   visit("window_usual_stray", lookahead_.usual);

@@ -60,7 +60,7 @@ constexpr ByHand by_hand<CDrot>() {
   return {-0.5, -0.3725, 0.1396875, 0.1955625};
 }
 template <>  // P2 below Eq. (7), k_n = 0.7/2 and k_t = 1.6/2: f_t = -0.8 * 0.745
-constexpr ByHand by_hand<General>() {
+constexpr ByHand by_hand<CDnt>() {
   return {-0.35, -0.596, 0.2235, 0.3129};
 }
 

@@ -27,8 +27,8 @@ constexpr Model model_of<CDrot>() {
   return Model::CD_rot;
 }
 template <>
-constexpr Model model_of<General>() {
-  return Model::general;
+constexpr Model model_of<CDnt>() {
+  return Model::CD_nt;
 }
 
 /// What one disk feels, and what its pairs add up to.

@@ -106,15 +106,15 @@ TEST(Laws, AreMadeFromTheInput) {
   });
 }
 
-/// docs/stability.md: 18.8, 8.0 and 5.3 k_d/m; what general adds beyond its k_t is along the
+/// docs/stability.md: 18.8, 8.0 and 5.3 k_d/m; what CD_nt adds beyond its k_t is along the
 /// normal.
 TEST(Laws, RelaxInDenseFlowsAtTheMeasuredRates) {
   EXPECT_DOUBLE_EQ(CD{0.5}.dense_flow_rate(), 4.0);
   EXPECT_DOUBLE_EQ(CDn{0.5}.dense_flow_rate(), 2.65);
   EXPECT_DOUBLE_EQ(CDrot{0.5}.dense_flow_rate(), 9.4);
-  EXPECT_DOUBLE_EQ((General{0.5, 0.5}.dense_flow_rate()), 9.4);
-  EXPECT_DOUBLE_EQ((General{0.5, 0.0}.dense_flow_rate()), 2.65);
-  EXPECT_DOUBLE_EQ((General{0.3, 0.5}.dense_flow_rate()), 9.4);
+  EXPECT_DOUBLE_EQ((CDnt{0.5, 0.5}.dense_flow_rate()), 9.4);
+  EXPECT_DOUBLE_EQ((CDnt{0.5, 0.0}.dense_flow_rate()), 2.65);
+  EXPECT_DOUBLE_EQ((CDnt{0.3, 0.5}.dense_flow_rate()), 9.4);
 }
 
 /// The stiffness is the slope of the force: k_e = 1, d_ij = 1.

@@ -34,7 +34,7 @@ Vec2<Real> expected_force<CDrot>() {
   return {0.5, -1.0};
 }
 template <>  // P2 below Eq. (7) with k_n = 0.7/2, k_t = 1.6/2: -0.35 * 1 n - 0.8 * 2 t
-Vec2<Real> expected_force<General>() {
+Vec2<Real> expected_force<CDnt>() {
   return {-0.21 + 1.28, -0.28 - 0.96};
 }
 
@@ -120,7 +120,7 @@ TYPED_TEST(LawOn, PointsAgainstWhatItDamps) {
   auto const law = law_at<Law>(4.0);
   auto const force = this->forces(law, contacts);
   EXPECT_TRUE(Law::linear);
-  EXPECT_EQ(Law::one_constant, !(std::is_same_v<Law, General>));
+  EXPECT_EQ(Law::one_constant, !(std::is_same_v<Law, CDnt>));
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     auto const& c = contacts[k];
     Vec2<Real> const tangent{-c.normal.y, c.normal.x};
@@ -128,10 +128,8 @@ TYPED_TEST(LawOn, PointsAgainstWhatItDamps) {
     double const tangential = dot(force[k], tangent), sliding = dot(c.velocity, tangent);
     double const rounding_n =
         1e-14 * std::hypot(c.velocity.x, c.velocity.y) / std::abs(dot(c.velocity, c.normal));
-    double const damped_n = std::is_same_v<Law, General> ? 0.7 : 1.0;
-    double const damped_t = std::is_same_v<Law, CDn>       ? 0.0
-                            : std::is_same_v<Law, General> ? 1.6
-                                                           : 1.0;
+    double const damped_n = std::is_same_v<Law, CDnt> ? 0.7 : 1.0;
+    double const damped_t = std::is_same_v<Law, CDn> ? 0.0 : std::is_same_v<Law, CDnt> ? 1.6 : 1.0;
     EXPECT_EQ(4 * law.normal_damping(), damped_n);
     EXPECT_EQ(4 * law.tangential_damping(), damped_t);
     EXPECT_NEAR(along_normal, damped_n, rounding_n);
@@ -145,9 +143,9 @@ TYPED_TEST_SUITE(LawsOn, EveryBackend, TypeNames);
 
 TYPED_TEST(LawsOn, GeneralEndsInCDnAndCDrot) {
   auto const contacts = random_contacts();
-  auto const only_normal = dissipative_forces<TypeParam>(General{0.3, 0.0}, contacts);
+  auto const only_normal = dissipative_forces<TypeParam>(CDnt{0.3, 0.0}, contacts);
   auto const cd_n = dissipative_forces<TypeParam>(CDn{0.3}, contacts);
-  auto const both = dissipative_forces<TypeParam>(General{0.3, 0.3}, contacts);
+  auto const both = dissipative_forces<TypeParam>(CDnt{0.3, 0.3}, contacts);
   auto const cd_rot = dissipative_forces<TypeParam>(CDrot{0.3}, contacts);
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     EXPECT_NEAR(only_normal[k].x, cd_n[k].x, rounding(contacts[k]));

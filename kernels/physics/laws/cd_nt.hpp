@@ -13,8 +13,8 @@ namespace bagnold {
 ///     B
 ///
 /// Force on i from j, [m d_s / tau_e^2]. k_t = 0 is CD_n, k_t = k_n is CD_rot.
-struct General {
-  static constexpr std::string_view name = "general";
+struct CDnt {
+  static constexpr std::string_view name = "CD_nt";
   static constexpr bool rotates = true;
   static constexpr bool linear = true;
   static constexpr bool one_constant = false;
@@ -32,7 +32,7 @@ struct General {
     return dense_flow::rolling * damping_tangential + dense_flow::normal * (more > 0 ? more : 0);
   }
   static Real paper_time_step(Real elasticity) { return time_step_of_p1(elasticity); }
-  static General make(DampingInput const& input) {
+  static CDnt make(DampingInput const& input) {
     Real const damping = 1 / input.elasticity;
     return {input.normal * damping, input.tangential * damping};
   }
@@ -43,6 +43,6 @@ struct General {
     return normal_part * c.normal - T(damping_tangential) * c.velocity;
   }
 };
-static_assert(is_contact_law<General>());
+static_assert(is_contact_law<CDnt>());
 
 }  // namespace bagnold
