@@ -5,6 +5,8 @@
 #include <string_view>
 #include <tuple>
 
+#include "kernels/physics/type_list.hpp"
+
 namespace bagnold {
 
 /// Name of an execution space in input and output.
@@ -54,5 +56,16 @@ inline constexpr bool is_device =
 using Backends = decltype(std::tuple_cat(detail::SerialBackend{}, detail::OpenMPBackend{},
                                          detail::CudaBackend{}));
 static_assert(std::tuple_size_v<Backends> > 0, "no backend: Kokkos has none of those asked for");
+
+/// make(std::type_identity<Space>) on the backend of that name; an empty Made if the build has
+/// none.
+template <class Made, class Make>
+Made on_backend(std::string_view backend, Make const& make) {
+  Made made;
+  for_each_type<Backends>([&]<class Space>(std::type_identity<Space> space) {
+    if (backend == backend_name<Space>) made = make(space);
+  });
+  return made;
+}
 
 }  // namespace bagnold

@@ -14,17 +14,6 @@ namespace bagnold {
 
 namespace detail {
 
-/// An Engine<Space> on the backend of that name, if the build has it and wants(Space).
-template <class Made, class Make>
-Made on_backend(std::string const& backend, Make const& make) {
-  Made made;
-  [&]<class... Space>(std::tuple<Space...> const*) {
-    ((backend == backend_name<Space> ? void(made = make(std::type_identity<Space>{})) : void()),
-     ...);
-  }(static_cast<Backends const*>(nullptr));
-  return made;
-}
-
 template <ContactLaw Law>
 std::unique_ptr<BlockStepper> make_stepper(Scene const& scene) {
   return with_physics_of<Law>(scene, [&]<class R>(Law const& law, R const& repulsion, auto scheme) {

@@ -18,11 +18,8 @@ namespace {
 
 /// What is compiled for the law of a scene.
 LawEngines engines_for(Scene const& scene) {
-  LawEngines found{};
-  [&]<class... Law>(std::tuple<Law...> const*) {
-    ((scene.disks.model == Law::name ? void(found = engines_of<Law>()) : void()), ...);
-  }(static_cast<Laws const*>(nullptr));
-  return found;
+  return with_named<Laws>(scene.disks.model,
+                          []<class Law>(std::type_identity<Law>) { return engines_of<Law>(); });
 }
 
 Stepping stepping(std::string const& engine) {

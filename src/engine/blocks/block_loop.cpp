@@ -47,22 +47,16 @@ class LoopOn final : public BlockLoop {
   Kokkos::View<std::byte*, Kokkos::HostSpace> scratch_;
 };
 
-template <class... Spaces>
-std::unique_ptr<BlockLoop> make_any(std::tuple<Spaces...> const*, std::string const& backend) {
-  std::unique_ptr<BlockLoop> made;
-  auto const try_one = [&]<class Space>(std::type_identity<Space>) {
-    if constexpr (Kokkos::SpaceAccessibility<Kokkos::HostSpace,
-                                             typename Space::memory_space>::accessible)
-      if (backend == backend_name<Space>) made = std::make_unique<LoopOn<Space>>();
-  };
-  (try_one(std::type_identity<Spaces>{}), ...);
-  return made;
-}
-
 }  // namespace
 
 std::unique_ptr<BlockLoop> make_block_loop(std::string const& backend) {
-  return make_any(static_cast<Backends const*>(nullptr), backend);
+  using Made = std::unique_ptr<BlockLoop>;
+  return on_backend<Made>(backend, []<class Space>(std::type_identity<Space>) -> Made {
+    if constexpr (is_device<Space>)
+      return nullptr;
+    else
+      return std::make_unique<LoopOn<Space>>();
+  });
 }
 
 }  // namespace bagnold
