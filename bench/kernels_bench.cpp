@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <benchmark/benchmark.h>
 
-#include "kernels/device/dynamics/modified_velocity_verlet.hpp"
+#include "kernels/device/dynamics/predict_correct.hpp"
 #include "kernels/device/neighbors/verlet_list.hpp"
+#include "kernels/physics/schemes/modified_velocity_verlet.hpp"
 #include "src/engine/device_copy.hpp"
 #include "src/engine/laws.hpp"
 #include "src/start/start.hpp"
@@ -53,17 +54,18 @@ void force(benchmark::State& run) {
   Prepared<Law> p(run.range(0));
   Kokkos::View<Vec2<Real>*, Space> trial_position("bench::trial_position", run.range(0));
   Kokkos::View<Motion<Law::rotates>*, Space> trial_motion("bench::trial_motion", run.range(0));
-  Predict<Law, HarmonicRepulsion, Space> const predict{{p.position,
-                                                        p.motion,
-                                                        p.species,
-                                                        p.list.rows,
-                                                        p.table,
-                                                        p.box,
-                                                        make_law<Law>(p.scene.disks),
-                                                        {}},
-                                                       0.05,
-                                                       trial_position,
-                                                       trial_motion};
+  Predict<Law, HarmonicRepulsion, Space, ModifiedVelocityVerlet> const predict{
+      {p.position,
+       p.motion,
+       p.species,
+       p.list.rows,
+       p.table,
+       p.box,
+       make_law<Law>(p.scene.disks),
+       {}},
+      0.05,
+      trial_position,
+      trial_motion};
   for (auto _ : run) {
     Kokkos::parallel_for("bench::force", Kokkos::RangePolicy<Space>(0, run.range(0)), predict);
     Kokkos::fence();

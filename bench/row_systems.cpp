@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "kernels/physics/schemes/modified_velocity_verlet.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/scene_file.hpp"
 #include "src/config/time_step.hpp"
@@ -41,7 +42,7 @@ Scene scene_of(Row const& row, std::string const& engine, RowOptions const& opti
   scene.start.kind = "state";
   scene.start.file = (folder / "state.h5").string();
   scene.integration.engine = engine;
-  scene.integration.scheme = papers_scheme;
+  scene.integration.scheme = ModifiedVelocityVerlet::name;
   scene.integration.time_step = 0.05;
   scene.measure = {};
   scene.output = {};

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "bench/accuracy/damped_contact.hpp"
-#include "kernels/physics/schemes/second_stage.hpp"
+#include "kernels/physics/schemes/two_stage_leapfrog.hpp"
 #include "src/config/errors.hpp"
 
 namespace bagnold::accuracy {
@@ -67,7 +67,7 @@ ContactRadius contact_radius(Scene const& scene, std::string const& scheme, doub
   if (scheme == "increment-sweep")
     return {radius(kick_and_fly(std::exp(-z), h * k * held(z), h)), std::exp(-y)};
   if (scheme == "two-stage") {
-    double const a = SecondStage::share(z), b = SecondStage::share(y);
+    double const a = TwoStageLeapfrog::share(z), b = TwoStageLeapfrog::share(y);
     return {radius(kick_and_fly(1 - z + a * z * z, h * k * (1 - a * z), h)),
             std::abs(1 - y + b * y * y)};
   }

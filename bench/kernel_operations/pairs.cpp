@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The pair loop of each law, compiled as engines compile it, for count.py to look at. Nothing runs.
-#include "kernels/cpu/steps/block_step.hpp"
+#include "kernels/cpu/steps/predict_correct_block_step.hpp"
 #include "kernels/physics/laws/cd.hpp"
 #include "kernels/physics/laws/cd_n.hpp"
 #include "kernels/physics/laws/cd_nt.hpp"
 #include "kernels/physics/laws/cd_rot.hpp"
 #include "kernels/physics/repulsion/repulsion.hpp"
+#include "kernels/physics/schemes/modified_velocity_verlet.hpp"
 
 namespace bagnold {
 
 template <ContactLaw Law>
 struct PairLoop {
-  using Step = BlockStep<Law, HarmonicRepulsion>;
+  using Step = BlockStep<Law, HarmonicRepulsion, ModifiedVelocityVerlet>;
 
   /// The evaluation of the second half of a step, which looks at overlaps.
   [[gnu::noinline]] static BlockReport run(Step const& step, BlockSystem const& system,

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "kernels/physics/schemes/scheme.hpp"
-
 namespace bagnold {
 
 /// Words for the choice of a scheme or of a time step.

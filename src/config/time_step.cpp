@@ -8,10 +8,7 @@
 
 namespace bagnold {
 
-namespace {
-
-/// The time step of a scheme's own rule, [tau_e].
-double rule_of(Scene const& scene, std::string_view scheme) {
+double rule_time_step(Scene const& scene, std::string_view scheme) {
   auto const input = damping_input(scene.disks);
   return with_named<Laws>(scene.disks.model, [&]<class Law>(std::type_identity<Law>) {
     return with_named<Schemes>(scheme, [&]<class S>(std::type_identity<S>) -> double {
@@ -22,8 +19,6 @@ double rule_of(Scene const& scene, std::string_view scheme) {
     });
   });
 }
-
-}  // namespace
 
 std::string_view scheme_of(Scene const& scene) {
   auto const& given = scene.integration.scheme;
@@ -36,13 +31,11 @@ double paper_time_step(Scene::Disks const& disks) {
   });
 }
 
-double two_stage_time_step(Scene const& scene) { return rule_of(scene, two_stage_scheme); }
-
 double time_step(Scene const& scene) {
   auto const& given = scene.integration.time_step;
   if (given.number) return *given.number;
-  double const rule =
-      given.word == of_papers ? paper_time_step(scene.disks) : rule_of(scene, scheme_of(scene));
+  double const rule = given.word == of_papers ? paper_time_step(scene.disks)
+                                              : rule_time_step(scene, scheme_of(scene));
   double const piece = scene.shear.ramp_every;
   if (scene.shear.protocol != "ramp") return rule;
   return piece / std::ceil(piece / rule * (1 - 1e-12));

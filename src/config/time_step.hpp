@@ -14,8 +14,8 @@ std::string_view scheme_of(Scene const& scene);
 /// The papers' time step of a law, [tau_e], see kernels/physics/laws/paper_time_step.hpp.
 double paper_time_step(Scene::Disks const& disks);
 
-/// The time step of TwoStageLeapfrog, [tau_e].
-double two_stage_time_step(Scene const& scene);
+/// The time step of a scheme's own rule, [tau_e].
+double rule_time_step(Scene const& scene, std::string_view scheme);
 
 /// The time step of a scene: as given, or by the rule named; of a ramp shortened to divide
 /// ramp_every.

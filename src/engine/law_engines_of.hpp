@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "kernels/cpu/steps/block_step.hpp"
+#include "kernels/cpu/steps/predict_correct_block_step.hpp"
 #include "kernels/cpu/steps/stepper_of.hpp"
 #include "kernels/cpu/steps/two_stage_block_step.hpp"
 #include "src/engine/backends.hpp"
@@ -16,25 +16,22 @@ namespace detail {
 
 template <ContactLaw Law>
 std::unique_ptr<BlockStepper> make_stepper(Scene const& scene) {
-  return with_physics_of<Law>(scene, [&]<class R>(Law const& law, R const& repulsion, auto scheme) {
-    auto const make = [&]<class Step>(std::type_identity<Step>) -> std::unique_ptr<BlockStepper> {
-      return std::make_unique<StepperOf<Step>>(
-          law, repulsion, make_species_table(scene.mass_by_area()), time_step(scene));
-    };
-    if constexpr (scheme() == Scheme::two_stage_leapfrog)
-      return make(std::type_identity<TwoStageBlockStep<Law, R>>{});
-    else
-      return make(std::type_identity<BlockStep<Law, R>>{});
-  });
+  return with_physics_of<Law>(scene,
+                              [&]<class R, class S>(Law const& law, R const& repulsion,
+                                                    S) -> std::unique_ptr<BlockStepper> {
+                                return std::make_unique<StepperOf<BlockStep<Law, R, S>>>(
+                                    law, repulsion, make_species_table(scene.mass_by_area()),
+                                    time_step(scene));
+                              });
 }
 
 template <ContactLaw Law>
 std::unique_ptr<Simulation> make_reference(Scene const& scene, Snapshot const& snapshot,
                                            std::string const& backend) {
   using Made = std::unique_ptr<Simulation>;
-  return with_physics_of<Law>(scene, [&]<class R>(Law const& law, R const&, auto scheme) {
+  return with_physics_of<Law>(scene, [&]<class R, class S>(Law const& law, R const&, S) {
     return on_backend<Made>(backend, [&]<class Space>(std::type_identity<Space>) -> Made {
-      return std::make_unique<ReferenceEngine<Law, R, Space, scheme()>>(
+      return std::make_unique<ReferenceEngine<Law, R, Space, S>>(
           law, make_species_table(scene.mass_by_area()), scene.shear.strain_rate, time_step(scene),
           scene.integration.skin, snapshot);
     });
@@ -45,10 +42,10 @@ template <ContactLaw Law>
 std::shared_ptr<Ensemble> make_ensemble(Scene const& scene, std::vector<Snapshot> const& snapshots,
                                         std::string const& backend) {
   using Made = std::shared_ptr<Ensemble>;
-  return with_physics_of<Law>(scene, [&]<class R>(Law const& law, R const&, auto scheme) {
+  return with_physics_of<Law>(scene, [&]<class R, class S>(Law const& law, R const&, S) {
     return on_backend<Made>(backend, [&]<class Space>(std::type_identity<Space>) -> Made {
       if constexpr (is_device<Space>)
-        return std::make_shared<EnsembleEngine<Law, R, Space, scheme()>>(
+        return std::make_shared<EnsembleEngine<Law, R, Space, S>>(
             law, make_species_table(scene.mass_by_area()), scene.shear.strain_rate,
             time_step(scene), scene.integration.skin, snapshots);
       else

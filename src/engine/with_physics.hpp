@@ -7,13 +7,24 @@
 
 #include "kernels/physics/schemes/schemes.hpp"
 #include "src/config/errors.hpp"
+#include "src/config/names.hpp"
 #include "src/config/time_step.hpp"
 #include "src/engine/laws.hpp"
 
 namespace bagnold {
 
-/// use(law, repulsion, scheme) with the constants of a scene, under one law; scheme: a
-/// std::integral_constant. Throws InputError where the law cannot do the scheme.
+/// Names of the schemes that can step a law.
+template <ContactLaw Law>
+Words schemes_for() {
+  Words names;
+  for_each_type<Schemes>([&]<class S>(std::type_identity<S>) {
+    if (S::template can_step<Law>) names.push_back(S::name);
+  });
+  return names;
+}
+
+/// use(law, repulsion, scheme) with the constants of a scene, under one law; scheme: a value of its
+/// type. Throws InputError where the scheme cannot step the law.
 template <ContactLaw Law, class Use>
 auto with_physics_of(Scene const& scene, Use const& use) {
   auto const law = make_law<Law>(scene.disks);
@@ -21,15 +32,16 @@ auto with_physics_of(Scene const& scene, Use const& use) {
     return with_repulsion(scene.disks,
                           [&](auto const& repulsion) { return use(law, repulsion, scheme); });
   };
-  using Made = decltype(under(std::integral_constant<Scheme, Scheme::modified_velocity_verlet>{}));
+  using Made = decltype(under(ModifiedVelocityVerlet{}));
   return with_named<Schemes>(scheme_of(scene), [&]<class S>(std::type_identity<S>) -> Made {
     if constexpr (S::template can_step<Law>)
-      return under(std::integral_constant<Scheme, S::scheme>{});
+      return under(S{});
     else
       throw InputError(fmt::format(
           "integration.scheme = \"{}\" ({} cannot do model {}, whose {}); set integration.scheme = "
-          "\"{}\"",
-          scene.integration.scheme, S::name, Law::name, S::cannot_step, papers_scheme));
+          "{}",
+          scene.integration.scheme, S::name, Law::name, S::cannot_step,
+          choice(schemes_for<Law>())));
   });
 }
 

@@ -20,11 +20,11 @@ std::vector<Sums<false>> sums_of(Forces const& forces, std::size_t count) {
   return of;
 }
 
-template <Scheme scheme, ContactLaw Law, class Repulsion>
-std::vector<Sums<false>> stress_under(Law const& law, Repulsion const&, Scene const& scene,
+template <ContactLaw Law, class Repulsion, class Scheme>
+std::vector<Sums<false>> stress_under(Law const& law, Repulsion const&, Scheme, Scene const& scene,
                                       State const& state) {
   auto const search = disk_search(state, 0.0);
-  SteppedSystem<Law, Repulsion, FrameSpace, scheme> system{
+  SteppedSystem<Law, Repulsion, FrameSpace, Scheme> system{
       {}, make_species_table(scene.mass_by_area()), law, time_step(scene)};
   auto& disks = system.disks;
   disks.position = search.position;
@@ -42,7 +42,7 @@ std::vector<Sums<false>> stress_under(Law const& law, Repulsion const&, Scene co
 std::vector<Sums<false>> disk_stress(Scene const& scene, State const& state) {
   std::vector<Sums<false>> result;
   with_physics(scene, [&](auto const& law, auto const& repulsion, auto scheme) {
-    result = stress_under<scheme()>(law, repulsion, scene, state);
+    result = stress_under(law, repulsion, scheme, scene, state);
   });
   return result;
 }

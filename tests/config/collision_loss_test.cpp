@@ -10,6 +10,7 @@
 
 #include "src/config/time_step.hpp"
 #include "tests/config/scenes.hpp"
+#include "tests/support/schemes.hpp"
 
 namespace bagnold {
 namespace {

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "tests/config/scenes.hpp"
+#include "tests/support/schemes.hpp"
 
 namespace bagnold {
 namespace {

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "tests/config/scenes.hpp"
+#include "tests/support/schemes.hpp"
 
 namespace bagnold {
 namespace {

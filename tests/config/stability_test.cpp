@@ -14,6 +14,7 @@
 
 #include "src/config/time_step.hpp"
 #include "tests/config/scenes.hpp"
+#include "tests/support/schemes.hpp"
 
 namespace bagnold {
 namespace {
@@ -270,7 +271,8 @@ TEST(DenseFlowTimeStep, BearsTheRules) {
     for (double const q : {0.1, 0.3, 0.5, 1.0, 50.0, 500.0}) {
       Scene scene;
       scene.disks = disks(model, q, "equal");
-      EXPECT_GT(dense_flow_time_step(scene, two_stage_scheme), two_stage_time_step(scene));
+      EXPECT_GT(dense_flow_time_step(scene, two_stage_scheme),
+                rule_time_step(scene, two_stage_scheme));
       if (scene.disks.model != "CD_nt") {
         EXPECT_GT(dense_flow_time_step(scene, papers_scheme), paper_time_step(scene.disks)) << q;
       }

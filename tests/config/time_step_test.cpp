@@ -5,6 +5,7 @@
 
 #include "src/config/stability.hpp"
 #include "tests/config/scenes.hpp"
+#include "tests/support/schemes.hpp"
 
 namespace bagnold {
 namespace {
@@ -36,7 +37,7 @@ TEST(TwoStageTimeStep, OfEachLaw) {
   Scene scene = minimal_scene();
   auto const rule = [&](char const* model, double q) {
     scene.disks = disks(model, q);
-    return two_stage_time_step(scene);
+    return rule_time_step(scene, two_stage_scheme);
   };
   for (double const q : {1.0, 50.0, 500.0})
     for (auto const* model : {"CD", "CD_n", "CD_rot", "CD_nt"}) EXPECT_EQ(rule(model, q), 0.2);
@@ -46,7 +47,7 @@ TEST(TwoStageTimeStep, OfEachLaw) {
   }
   for (auto const* model : {"CD_rot", "CD_nt"}) EXPECT_DOUBLE_EQ(rule(model, 0.1), 0.02);
   scene.disks.damping_tangential = 4;
-  EXPECT_DOUBLE_EQ(two_stage_time_step(scene), 0.005);
+  EXPECT_DOUBLE_EQ(rule_time_step(scene, two_stage_scheme), 0.005);
 }
 
 TEST(TimeStep, AsGivenOrByTheRuleNamed) {

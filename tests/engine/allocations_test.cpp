@@ -61,10 +61,10 @@ std::unique_ptr<Simulation> alone(Scene const& scene, State const& state) {
 }
 
 /// The only system of an ensemble under CD.
-template <Scheme stepped>
+template <class Scheme>
 std::unique_ptr<Simulation> in_an_ensemble(Scene const& scene, State const& state) {
   using Space = std::tuple_element_t<0, Backends>;
-  auto members = members_of(std::make_shared<EnsembleEngine<CD, HarmonicRepulsion, Space, stepped>>(
+  auto members = members_of(std::make_shared<EnsembleEngine<CD, HarmonicRepulsion, Space, Scheme>>(
       make_law<CD>(scene.disks), make_species_table(scene.mass_by_area()), scene.shear.strain_rate,
       time_step(scene), scene.integration.skin, std::vector{first_snapshot(state)}));
   return std::move(members.front());
@@ -209,8 +209,8 @@ TEST(Allocations, AStepKeepsWhatItsSchemeUses) {
   };
   EXPECT_EQ(found(papers, alone), of_papers);
   EXPECT_EQ(found(two_stages, alone), of_two_stages);
-  EXPECT_EQ(found(papers, in_an_ensemble<Scheme::modified_velocity_verlet>), of_papers);
-  EXPECT_EQ(found(two_stages, in_an_ensemble<Scheme::two_stage_leapfrog>), of_two_stages);
+  EXPECT_EQ(found(papers, in_an_ensemble<ModifiedVelocityVerlet>), of_papers);
+  EXPECT_EQ(found(two_stages, in_an_ensemble<TwoStageLeapfrog>), of_two_stages);
 }
 
 /// Off the Views an engine keeps the diameters that files want, 8 bytes a disk; room by slot for

@@ -9,25 +9,6 @@
 
 namespace bagnold::test {
 
-/// A law on a backend, by a scheme.
-template <class Law, class Space, Scheme stepped>
-struct OnBy : On<Law, Space> {
-  static constexpr Scheme scheme = stepped;
-};
-
-template <class... Law, class... Space>
-auto by_each_scheme(testing::Types<On<Law, Space>...>)
-    -> testing::Types<OnBy<Law, Space, Scheme::modified_velocity_verlet>...,
-                      OnBy<Law, Space, Scheme::two_stage_leapfrog>...>;
-
-struct NamesWithSchemes {
-  template <class T>
-  static std::string GetName(int i) {
-    return TypeNames::GetName<T>(i) +
-           (T::scheme == Scheme::two_stage_leapfrog ? "_two_stages" : "_papers");
-  }
-};
-
 /// Many systems in one launch against ReferenceEngine, a system at a time: the same bits.
 template <class On>
 class EnsembleOf : public testing::Test {
@@ -35,18 +16,16 @@ class EnsembleOf : public testing::Test {
   using Law = typename On::Law;
   using Space = typename On::Space;
   template <class Repulsion>
-  using Together = EnsembleEngine<Law, Repulsion, Space, On::scheme>;
+  using Together = EnsembleEngine<Law, Repulsion, Space, typename On::Scheme>;
   template <class Repulsion>
-  using Alone = ReferenceEngine<Law, Repulsion, Space, On::scheme>;
-  using Kernel = AdvanceSystems<Law, HarmonicRepulsion, Space, On::scheme>;
+  using Alone = ReferenceEngine<Law, Repulsion, Space, typename On::Scheme>;
+  using Kernel = AdvanceSystems<Law, HarmonicRepulsion, Space, typename On::Scheme>;
   using Simulations = std::vector<std::unique_ptr<Simulation>>;
 
   static Scene scene(double packing_fraction = 0.82, std::int64_t count = 64) {
     Scene scene = small_scene(std::string(Law::name), packing_fraction, count);
-    if (On::scheme == Scheme::two_stage_leapfrog) {
-      scene.integration.scheme = two_stage_scheme;
-      scene.integration.time_step = 0.2;
-    }
+    scene.integration.scheme = On::Scheme::name;
+    if (TwoStageScheme<typename On::Scheme>) scene.integration.time_step = 0.2;
     return scene;
   }
 
@@ -131,7 +110,7 @@ class EnsembleOf : public testing::Test {
   }
 };
 
-TYPED_TEST_SUITE(EnsembleOf, decltype(by_each_scheme(EveryLawOnEveryBackend{})), NamesWithSchemes);
+TYPED_TEST_SUITE(EnsembleOf, EveryLawOnEveryBackendByEveryScheme, TypeNames);
 
 TYPED_TEST(EnsembleOf, HasTheBitsOfEachAlone) {
   for (double const packing_fraction : {0.84, 0.55})

@@ -43,7 +43,9 @@ constexpr bool all_do_two_stages(std::tuple<Law...> const*) {
 }
 static_assert(all_do_two_stages(static_cast<Laws const*>(nullptr)));
 
-constexpr auto as_it_is = [](auto const&, auto const&, auto scheme) { return scheme(); };
+constexpr auto as_it_is = [](auto const&, auto const&, auto scheme) {
+  return decltype(scheme)::name;
+};
 
 template <class Law>
 void expect_refusal(char const* scheme) {
@@ -72,13 +74,13 @@ TEST(WithScheme, ALawThatTwoStagesCannotDoIsRefused) {
 TEST(WithScheme, ThePapersSchemeDoesEveryLaw) {
   Scene scene;
   scene.integration.scheme = papers_scheme;
-  EXPECT_EQ(with_physics_of<Quadratic>(scene, as_it_is), Scheme::modified_velocity_verlet);
-  EXPECT_EQ(with_physics_of<Sliding>(scene, as_it_is), Scheme::modified_velocity_verlet);
-  EXPECT_EQ(with_physics_of<CDrot>(scene, as_it_is), Scheme::modified_velocity_verlet);
+  EXPECT_EQ(with_physics_of<Quadratic>(scene, as_it_is), papers_scheme);
+  EXPECT_EQ(with_physics_of<Sliding>(scene, as_it_is), papers_scheme);
+  EXPECT_EQ(with_physics_of<CDrot>(scene, as_it_is), papers_scheme);
 }
 
 TEST(WithScheme, TheLawsOfTheProgramDoTwoStages) {
-  EXPECT_EQ(with_physics_of<CDnt>(Scene{}, as_it_is), Scheme::two_stage_leapfrog);
+  EXPECT_EQ(with_physics_of<CDnt>(Scene{}, as_it_is), two_stage_scheme);
 }
 
 }  // namespace bagnold::test

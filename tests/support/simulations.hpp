@@ -15,6 +15,7 @@
 #include "src/start/relax_overlaps.hpp"
 #include "src/start/start.hpp"
 #include "tests/reference/reference.hpp"
+#include "tests/support/schemes.hpp"
 
 /// Scenes, starts and comparisons that the tests of simulations share.
 namespace bagnold::test {

@@ -3,7 +3,7 @@
 
 #include "bench/accuracy/schemes/increments.hpp"
 #include "bench/accuracy/schemes/pair_relaxation.hpp"
-#include "kernels/physics/schemes/second_stage.hpp"
+#include "kernels/physics/schemes/two_stage_leapfrog.hpp"
 
 namespace bagnold::accuracy {
 
@@ -20,7 +20,7 @@ namespace bagnold::accuracy {
 /// 1/alpha, the polynomial of a two-stage Runge-Kutta-Chebyshev method. Normal and tangential, each
 /// with its z,
 ///
-///     alpha = SecondStage::share(N z),   N the larger number of contacts of the two disks.
+///     alpha = TwoStageLeapfrog::share(N z),   N the larger number of contacts of the two disks.
 ///
 /// Two disks alone (N = 1) relax exactly. For more, dt A = G C G^T with the matrix C of the z, and
 /// the second stage takes off S = G (alpha C) G^T; masses cut in N parts bound it, S <= 1, so that
@@ -51,7 +51,7 @@ struct TwoStage {
       auto const& t = touches[k];
       int const n = std::max(contacts[t.i], contacts[t.j]);
       auto const share = [n](Relaxing const& r) {
-        return r.mass * r.steps * SecondStage::share(n * r.steps);
+        return r.mass * r.steps * TwoStageLeapfrog::share(n * r.steps);
       };
       impulse[k] = along(t, change_of(world, t, first).velocity, share(by.normal[t.big]),
                          share(by.tangential[t.big]));

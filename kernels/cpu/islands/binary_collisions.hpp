@@ -8,8 +8,8 @@
 #include "kernels/cpu/simd/pack.hpp"
 #include "kernels/cpu/simd/records.hpp"
 #include "kernels/physics/laws/pair_force.hpp"
-#include "kernels/physics/schemes/modified_velocity_verlet.hpp"
-#include "kernels/physics/schemes/two_stage_leapfrog.hpp"
+#include "kernels/physics/schemes/flight_and_kick.hpp"
+#include "kernels/physics/schemes/second_stage.hpp"
 #include "kernels/physics/species.hpp"
 
 namespace bagnold {
@@ -17,10 +17,11 @@ namespace bagnold {
 /// Islands of two disks, eight at a time, one a lane, each at its own time: a pair flies to just
 /// before its contact in one go, is stepped while it touches, and flies on. So a collision costs
 /// the same whatever the time between collisions.
-template <ContactLaw Law, class Repulsion, Scheme Stepped>
+template <ContactLaw Law, class Repulsion, class Scheme>
 struct BinaryCollisions {
   static constexpr bool rotates = Law::rotates;
-  static constexpr bool two_stage = Stepped == Scheme::two_stage_leapfrog;
+  static constexpr bool two_stage = TwoStageScheme<Scheme>;
+  static_assert(two_stage || PredictCorrectScheme<Scheme>, "lone pairs have no step of this form");
   static constexpr int width = simd::width;
   using Pack = simd::Pack;
 
@@ -31,7 +32,7 @@ struct BinaryCollisions {
   SpeciesTable table;
   Real time_step;
   Real strain_rate;
-  SecondStage const* second_stage = nullptr;  ///< of the two-stage leapfrog
+  SecondStage const* second_stage = nullptr;  ///< of a scheme that has one
 
   /// Brings pairs (a[k], b[k]), k < count <= 8, through `steps` steps. What they add to the sampled
   /// sums, beyond what their straight flights would, is added to sums[k * times.bins() + bin].
@@ -162,28 +163,24 @@ struct BinaryCollisions {
 
     /// sign: 1 for disk a, -1 for b, on which the opposite force acts.
     Lanes predicted(PairContact const& f, Pack dt, Real sign) const {
-      using Formulas = ModifiedVelocityVerlet;
       Lanes t = *this;
-      t.set(Formulas::trial_position(position(), velocity(), dt),
-            Formulas::trial_velocity(velocity(), f.total, sign * dt * inverse_mass));
-      if constexpr (rotates) t.spin = Formulas::trial_velocity(spin, f.turn, dt * turn_to_spin);
+      t.set(Scheme::trial_position(position(), velocity(), dt),
+            Scheme::trial_velocity(velocity(), f.total, sign * dt * inverse_mass));
+      if constexpr (rotates) t.spin = Scheme::trial_velocity(spin, f.turn, dt * turn_to_spin);
       return t;
     }
 
     void correct(Lanes const& t, PairContact const& f, Pack dt, Real sign) {
-      using Formulas = ModifiedVelocityVerlet;
       auto const after =
-          Formulas::velocity(velocity(), t.velocity(), f.total, 0.5 * sign * dt * inverse_mass);
-      set(Formulas::position(position(), velocity(), after, 0.5 * dt), after);
-      if constexpr (rotates)
-        spin = Formulas::velocity(spin, t.spin, f.turn, 0.5 * dt * turn_to_spin);
+          Scheme::velocity(velocity(), t.velocity(), f.total, 0.5 * sign * dt * inverse_mass);
+      set(Scheme::position(position(), velocity(), after, 0.5 * dt), after);
+      if constexpr (rotates) spin = Scheme::velocity(spin, t.spin, f.turn, 0.5 * dt * turn_to_spin);
     }
 
     void leap(PairContact const& f, Pack dt, Real sign) {
-      using Formulas = TwoStageLeapfrog;
-      auto const after = Formulas::velocity_of_pair(velocity(), f.total, sign * dt * inverse_mass);
-      set(Formulas::position(position(), after, dt), after);
-      if constexpr (rotates) spin = Formulas::velocity_of_pair(spin, f.turn, dt * turn_to_spin);
+      auto const after = Scheme::velocity_of_pair(velocity(), f.total, sign * dt * inverse_mass);
+      set(Scheme::position(position(), after, dt), after);
+      if constexpr (rotates) spin = Scheme::velocity_of_pair(spin, f.turn, dt * turn_to_spin);
     }
 
     void watch(Pack time, Real time_step) {

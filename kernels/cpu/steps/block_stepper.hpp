@@ -8,6 +8,7 @@
 #include "kernels/cpu/islands/flight_sums.hpp"
 #include "kernels/cpu/steps/active_disks.hpp"
 #include "kernels/cpu/steps/speed_watch.hpp"
+#include "kernels/physics/laws/contact.hpp"
 #include "kernels/physics/sums/sums.hpp"
 
 namespace bagnold {
@@ -31,6 +32,10 @@ struct StepNeeds {
   std::size_t force_bytes;  ///< of a disk's force
   StepCosts costs;
 };
+
+/// The step of a scheme on a block of disks, by its form; StepperOf shows it.
+template <ContactLaw Law, class Repulsion, class Scheme>
+struct BlockStep;
 
 /// The step of a scheme, under a law and a repulsion, on one block of disks at a time. Which they
 /// are is behind this face: one virtual call for a thousand disks, and engines are compiled once.

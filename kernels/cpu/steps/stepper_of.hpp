@@ -6,7 +6,7 @@
 
 namespace bagnold {
 
-/// BlockStepper of one law, repulsion and scheme. Step: BlockStep or TwoStageBlockStep.
+/// BlockStepper of one law, repulsion and scheme. Step: a BlockStep.
 template <class Step>
 class StepperOf final : public BlockStepper {
  public:
@@ -46,7 +46,7 @@ class StepperOf final : public BlockStepper {
   BinaryOutcome collide(BinaryDisk* a, BinaryDisk* b, int count, std::int64_t steps,
                         Real strain_rate, SampleTimes const& times, BlockSums* sums,
                         LaneWatch* watch) const override {
-    BinaryCollisions<Law, Repulsion, Step::scheme> const collisions{
+    BinaryCollisions<Law, Repulsion, typename Step::Scheme> const collisions{
         step_.forces.law, step_.forces.repulsion, table_, step_.time_step,
         strain_rate,      step_.second_stage()};
     if (watch != nullptr) return collisions.run(a, b, count, steps, times, sums, *watch);

@@ -4,23 +4,23 @@
 #include "kernels/cpu/steps/block_forces.hpp"
 #include "kernels/cpu/steps/block_stepper.hpp"
 #include "kernels/cpu/steps/kick.hpp"
-#include "kernels/physics/schemes/two_stage_leapfrog.hpp"
+#include "kernels/physics/schemes/forms.hpp"
+#include "kernels/physics/schemes/second_stage.hpp"
 
 namespace bagnold {
 
-/// TwoStageLeapfrog (two_stage_leapfrog.hpp) on a block. `trial` holds what the first look changes:
+/// The step of a TwoStageScheme on a block. `trial` holds what the first look changes:
 /// as a record {v_x, v_y, thetadot, contacts} a disk. The first look lists the pairs that touch for
 /// the second one.
-template <TwoStageLaw L, class R>
-struct TwoStageBlockStep {
+template <TwoStageLaw L, class R, TwoStageScheme S>
+struct BlockStep<L, R, S> {
   using Law = L;
   using Repulsion = R;
+  using Scheme = S;
   static constexpr bool rotates = Law::rotates;
   using Forces = BlockForces<Law, Repulsion, true>;
   using Force = typename Forces::Force;
 
-  using Formulas = TwoStageLeapfrog;
-  static constexpr Scheme scheme = Formulas::scheme;
   static constexpr int observed_forces = 2;
   static constexpr StepNeeds needs{.rotates = rotates,
                                    .lists_contacts = true,
@@ -35,8 +35,8 @@ struct TwoStageBlockStep {
   Real time_step;  ///< dt, [tau_e]
   SecondStage shares;
 
-  TwoStageBlockStep(Law const& law, Repulsion const& repulsion, SpeciesTable const& table, Real dt)
-      : forces{law, repulsion}, time_step(dt), shares(law, table, dt) {}
+  BlockStep(Law const& law, Repulsion const& repulsion, SpeciesTable const& table, Real dt)
+      : forces{law, repulsion}, time_step(dt), shares(SecondStage::of<Scheme>(law, table, dt)) {}
 
   SecondStage const* second_stage() const { return &shares; }
 
@@ -85,7 +85,7 @@ struct TwoStageBlockStep {
       auto const f = simd::load_forces(force + i);
       auto const big = simd::nonzero(s.species.data() + slot);
       auto const after = accelerated(r, change, f, kick.per_mass(big));
-      r = simd::make_records(Formulas::position(r.position(), after, Pack(time_step)), after);
+      r = simd::make_records(Scheme::position(r.position(), after, Pack(time_step)), after);
       simd::store_records(s.now.record.data() + slot, r);
       seen(slot, r);
       if constexpr (rotates) {
@@ -186,19 +186,19 @@ struct TwoStageBlockStep {
   BAGNOLD_INLINE static simd::Records change_of(Kick const& kick, simd::ForceComponents const& f,
                                                 simd::Mask big) {
     Pack const most = SecondStage::most;
-    auto const v = Formulas::change(f.force(), kick.per_mass(big));
-    return {v.x, v.y, Formulas::change(f.turn, kick.per_inertia(big)),
+    auto const v = Scheme::change(f.force(), kick.per_mass(big));
+    return {v.x, v.y, Scheme::change(f.turn, kick.per_inertia(big)),
             select(most < f.count, most, f.count)};
   }
 
   BAGNOLD_INLINE static Vec2<Pack> accelerated(simd::Records const& r, simd::Records const& change,
                                                simd::ForceComponents const& second, Pack per_mass) {
-    return Formulas::velocity(r.velocity(), change.position(), second.force(), per_mass);
+    return Scheme::velocity(r.velocity(), change.position(), second.force(), per_mass);
   }
 
   BAGNOLD_INLINE static Pack spun(Pack spin, simd::Records const& change,
                                   simd::ForceComponents const& second, Pack per_inertia) {
-    return Formulas::velocity(spin, change.vx, second.turn, per_inertia);
+    return Scheme::velocity(spin, change.vx, second.turn, per_inertia);
   }
 
   /// Adds what the second look exerts to force, which is cleared where pairs touch.

@@ -2,15 +2,15 @@
 #pragma once
 
 #include "kernels/physics/laws/contact.hpp"
-#include "kernels/physics/schemes/scheme.hpp"
 
 namespace bagnold {
 
-template <ContactLaw Law, class Repulsion, class Space, Scheme Stepped>
+template <ContactLaw Law, class Repulsion, class Space, class Scheme>
 struct SteppedSystem;
 
-/// A scheme's step on a device: measured_forces, begin and end, as SteppedSystem calls them.
-template <Scheme>
+/// The step of a scheme on a device, by its form: measured_forces, begin and end, as SteppedSystem
+/// calls them.
+template <class Scheme>
 struct DeviceStep;
 
 }  // namespace bagnold

@@ -3,30 +3,29 @@
 
 #include "kernels/device/neighbors/neighbor_rows.hpp"
 #include "kernels/physics/motion.hpp"
-#include "kernels/physics/schemes/scheme.hpp"
 #include "kernels/physics/species.hpp"
 
 namespace bagnold {
 
 /// What a step of a scheme keeps of one system's disks beside trial positions and motions: nothing,
-/// unless its header says otherwise.
-template <Scheme, class Space>
+/// unless the header of its form says otherwise.
+template <class Scheme, class Space>
 struct StepViews {
   template <class Law>
   void allocate(Law const&, SpeciesTable const&, Real, std::size_t) {}
 };
 
 /// Likewise of many systems.
-template <Scheme Stepped, class Space>
+template <class Scheme, class Space>
 struct StepTables {
-  KOKKOS_FUNCTION StepViews<Stepped, Space> of(std::size_t) const { return {}; }
+  KOKKOS_FUNCTION StepViews<Scheme, Space> of(std::size_t) const { return {}; }
 
   template <class Law>
   void allocate(Law const&, SpeciesTable const&, Real, std::size_t, std::size_t) {}
 };
 
 /// The disks of one system in memory.
-template <bool Rotates, class Space, Scheme Stepped>
+template <bool Rotates, class Space, class Scheme>
 struct DiskViews {
   template <class T>
   using Row = Kokkos::View<T*, Space>;
@@ -35,7 +34,7 @@ struct DiskViews {
   Row<Motion<Rotates>> motion, trial_motion;           ///< [N]
   Row<Species> species;                                ///< [N]
   NeighborRows<Space> neighbors;
-  StepViews<Stepped, Space> step;
+  StepViews<Scheme, Space> step;
 
   KOKKOS_FUNCTION std::int64_t count() const {
     return static_cast<std::int64_t>(position.extent(0));

@@ -3,20 +3,20 @@
 
 #include "kernels/device/dynamics/disk_views.hpp"
 #include "kernels/device/dynamics/list_renewal.hpp"
-#include "kernels/device/dynamics/modified_velocity_verlet.hpp"
-#include "kernels/device/dynamics/two_stage_leapfrog.hpp"
+#include "kernels/device/dynamics/predict_correct.hpp"
+#include "kernels/device/dynamics/two_stages.hpp"
 #include "kernels/device/loops.hpp"
 
 namespace bagnold {
 
 /// One system and its step, by launches or in a team: Loops. What counts steps, keeps the box and
 /// builds lists stands around it.
-template <ContactLaw Law, class Repulsion, class Space, Scheme Stepped>
+template <ContactLaw Law, class Repulsion, class Space, class Scheme>
 struct SteppedSystem {
   static constexpr bool rotates = Law::rotates;
-  using Views = DiskViews<rotates, Space, Stepped>;
+  using Views = DiskViews<rotates, Space, Scheme>;
   using Forces = ContactForces<Law, Repulsion, Space>;
-  using Step = DeviceStep<Stepped>;
+  using Step = DeviceStep<Scheme>;
 
   Views disks;
   SpeciesTable table;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string_view>
+
 #include "kernels/physics/laws/contact.hpp"
 #include "kernels/physics/schemes/flight_and_kick.hpp"
+#include "kernels/physics/schemes/forms.hpp"
 #include "kernels/physics/schemes/lone_contact.hpp"
-#include "kernels/physics/schemes/scheme.hpp"
 
 namespace bagnold {
 
@@ -13,11 +15,10 @@ namespace bagnold {
 ///     v~_1 = v_0 + f(r_0, v_0) dt/m,             r~_1 = r_0 + v_0 dt
 ///     v_1 = (v_0 + v~_1)/2 + f(r~_1, v~_1) dt/2m,   r_1 = r_0 + (v_0 + v_1) dt/2
 ///
-/// where (v_0 + v~_1)/2 is v_0 + f(r_0, v_0) dt/2m. A disk that touches nothing flies exactly r + v
-/// dt. T: a number or pack; V: Vec2<T>, or T for the spin.
+/// where (v_0 + v~_1)/2 is v_0 + f(r_0, v_0) dt/2m. T: a number or pack; V: Vec2<T>, or T for the
+/// spin.
 struct ModifiedVelocityVerlet {
-  static constexpr std::string_view name = papers_scheme;
-  static constexpr Scheme scheme = Scheme::modified_velocity_verlet;
+  static constexpr std::string_view name = "modified-velocity-verlet";  ///< as in input and output
 
   /// Largest rate of damping that does not grow, times dt: |1 - y + y^2/2| <= 1.
   static constexpr Real largest_rate = 2;
@@ -68,5 +69,6 @@ struct ModifiedVelocityVerlet {
     return {position(q.x, q.v, after, dt / 2), after};
   }
 };
+static_assert(PredictCorrectScheme<ModifiedVelocityVerlet>);
 
 }  // namespace bagnold

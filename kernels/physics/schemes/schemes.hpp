@@ -10,9 +10,11 @@
 
 namespace bagnold {
 
-/// What the program asks of a scheme; engines ask for its steps besides.
+/// What the program asks of a scheme: the facts of it, and one of the forms that engines step.
 template <class S>
-concept SteppingScheme = requires(RelativeMotion const& q, LoneContact const& contact, Real dt) {
+concept SteppingScheme = (PredictCorrectScheme<S> ||
+                          TwoStageScheme<S>)&&requires(RelativeMotion const& q,
+                                                       LoneContact const& contact, Real dt) {
   { S::name } -> std::convertible_to<std::string_view>;
   { S::largest_rate } -> std::convertible_to<Real>;       // of damping that does not grow, times dt
   { S::largest_frequency } -> std::convertible_to<Real>;  // without damping, times dt
@@ -24,7 +26,12 @@ concept SteppingScheme = requires(RelativeMotion const& q, LoneContact const& co
 /// Every scheme there is.
 using Schemes = std::tuple<ModifiedVelocityVerlet,  //
                            TwoStageLeapfrog>;
-static_assert(SteppingScheme<ModifiedVelocityVerlet> && SteppingScheme<TwoStageLeapfrog>);
+
+template <class... S>
+constexpr bool are_schemes(std::tuple<S...> const*) {
+  return (SteppingScheme<S> && ...);
+}
+static_assert(are_schemes(static_cast<Schemes const*>(nullptr)));
 
 /// What "auto" takes.
 using DefaultScheme = TwoStageLeapfrog;

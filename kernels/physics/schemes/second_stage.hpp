@@ -1,47 +1,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cmath>
-
 #include "kernels/physics/laws/pair_force.hpp"
+#include "kernels/physics/schemes/forms.hpp"
 #include "kernels/physics/species.hpp"
 
 namespace bagnold {
 
-/// What share of the damping of the changes acts in the second stage of TwoStageLeapfrog:
+/// What share of the damping of the changes acts in the second stage of a scheme: its share(z) of
 ///
-///     alpha(z) = max{1/7, (z - 1 + e^-z) / z^2},   z = N k_d dt (1/m_i + 1/m_j),
+///     z = N k_d dt (1/m_i + 1/m_j),
 ///
 /// and along the tangent of disks that roll with tangential_mobility times that z.
-/// N: the contacts of the one of the two disks that has more. For N = 1 the pair slows down by e^-z
-/// exactly; 1 - z + alpha z^2 stays within (-1, 1] up to z = 7 for any N.
+/// N: the contacts of the one of the two disks that has more.
 struct SecondStage {
   static constexpr int most = 8;     ///< N beyond it counts as it
   static constexpr int classes = 3;  ///< small-small, small-big, big-big
   Real normal[classes][most];        ///< by N mod 8
   Real tangential[classes][most];    ///< by N mod 8
 
-  SecondStage() = default;
-
-  template <TwoStageLaw Law>
-  SecondStage(Law const& law, SpeciesTable const& table, Real time_step) {
+  template <TwoStageScheme Scheme, TwoStageLaw Law>
+  static SecondStage of(Law const& law, SpeciesTable const& table, Real time_step) {
+    SecondStage shares;
     for (int c = 0; c < classes; ++c) {
       Species const a = c == 2, b = c != 0;
       Real const per_force = time_step * (table.inverse_mass[a] + table.inverse_mass[b]);
       for (int n = 1; n <= most; ++n) {
         Real const z = n * per_force;
-        normal[c][n % most] = share(law.normal_damping() * z);
-        tangential[c][n % most] =
-            share(law.tangential_damping() * z * tangential_mobility(Law::rotates));
+        shares.normal[c][n % most] = Scheme::share(law.normal_damping() * z);
+        shares.tangential[c][n % most] =
+            Scheme::share(law.tangential_damping() * z * tangential_mobility(Law::rotates));
       }
     }
-  }
-
-  /// alpha(z); where the difference cancels, its series.
-  static Real share(Real z) {
-    Real const exact =
-        z < Real(1e-3) ? Real(0.5) - z / 6 + z * z / 24 : (z + std::expm1(-z)) / (z * z);
-    return exact > Real(1) / 7 ? exact : Real(1) / 7;
+    return shares;
   }
 };
 

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <string_view>
 
 #include "kernels/physics/schemes/flight_and_kick.hpp"
+#include "kernels/physics/schemes/forms.hpp"
 #include "kernels/physics/schemes/lone_contact.hpp"
-#include "kernels/physics/schemes/scheme.hpp"
 #include "kernels/physics/schemes/second_stage.hpp"
 
 namespace bagnold {
@@ -17,12 +19,14 @@ namespace bagnold {
 ///     changes v_+ = v_- + a + b,   r_n+1 = r_n + v_+ dt
 ///
 /// and the spins alike. To second order in the damping it is exp(-A dt) v_-, A v = -f_dis/m; alpha,
-/// see SecondStage, makes lone pairs relax exactly and holds it stable. Every contact reads the
-/// same starting data: nothing depends on an order of pairs. A disk that touches nothing flies
-/// exactly r_n + v dt. T: a number or pack; V: Vec2<T>, or T for the spin.
+///
+///     alpha(z) = max{1/7, (z - 1 + e^-z) / z^2},   z: of the contact, see SecondStage
+///
+/// makes lone pairs relax by e^-z exactly and holds it stable: 1 - z + alpha z^2 stays within
+/// (-1, 1] up to z = 7. Every contact reads the same starting data: nothing depends on an order of
+/// pairs. T: a number or pack; V: Vec2<T>, or T for the spin.
 struct TwoStageLeapfrog {
-  static constexpr std::string_view name = two_stage_scheme;
-  static constexpr Scheme scheme = Scheme::two_stage_leapfrog;
+  static constexpr std::string_view name = "two-stage-leapfrog";  ///< as in input and output
 
   /// Largest rate of damping that does not grow, times dt: |1 - y + y^2/7| <= 1.
   static constexpr Real largest_rate = 7;
@@ -42,6 +46,13 @@ struct TwoStageLeapfrog {
     Law const at_one = Law::make({1, input.normal, input.tangential});
     Real const damping = std::max(at_one.normal_damping(), at_one.tangential_damping());
     return std::min(0.2, (Law::rotates ? 0.2 : 0.5) * input.elasticity / damping);
+  }
+
+  /// alpha(z); where the difference cancels, its series.
+  static Real share(Real z) {
+    Real const exact =
+        z < Real(1e-3) ? Real(0.5) - z / 6 + z * z / 24 : (z + std::expm1(-z)) / (z * z);
+    return exact > Real(1) / 7 ? exact : Real(1) / 7;
   }
 
   /// a of the force of the first stage.
@@ -74,10 +85,11 @@ struct TwoStageLeapfrog {
   static RelativeMotion step(RelativeMotion const& q, LoneContact const& contact, Real dt) {
     Real const first = change(contact.acceleration(q), dt);
     LoneContact const damping{0, contact.damping, contact.opens};
-    Real const share = SecondStage::share(contact.damping * dt);
-    Real const after = velocity(q.v, first, damping.acceleration({q.x, share * first}), dt);
+    Real const changed = share(contact.damping * dt) * first;
+    Real const after = velocity(q.v, first, damping.acceleration({q.x, changed}), dt);
     return {position(q.x, after, dt), after};
   }
 };
+static_assert(TwoStageScheme<TwoStageLeapfrog>);
 
 }  // namespace bagnold

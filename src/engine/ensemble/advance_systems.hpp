@@ -8,14 +8,14 @@ namespace bagnold {
 /// Many systems in one launch, a team a system. Positions, which a disk reads of all its
 /// neighbours, lie in team scratch where they fit; velocities are read in contacts only and stay in
 /// memory.
-template <ContactLaw Law, class Repulsion, class Space, Scheme Stepped>
+template <ContactLaw Law, class Repulsion, class Space, class Scheme>
 struct AdvanceSystems {
   /// A team of 512 leaves each of its threads 128 registers, of which it uses most.
   using Policy = Kokkos::TeamPolicy<Space, Kokkos::LaunchBounds<512, 1>>;
-  using Run = SystemRun<Law, Repulsion, Space, Stepped>;
+  using Run = SystemRun<Law, Repulsion, Space, Scheme>;
   using Team = typename Run::Team;
 
-  EnsembleViews<Law::rotates, Space, Stepped> views;
+  EnsembleViews<Law::rotates, Space, Scheme> views;
   Kokkos::View<SystemConstants*, Space> constants;  ///< [S]
   Kokkos::View<SystemProgress*, Space> progress;    ///< [S]
   EnsembleRules<Law> rules;

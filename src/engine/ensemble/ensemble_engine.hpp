@@ -16,7 +16,7 @@ namespace bagnold {
 /// Many small systems, stepped by launches that hold the time loop, lists and samples included: the
 /// host is needed where a launch ends, where its room for samples is used up, or a list has
 /// outgrown its own. The bits of each are those of ReferenceEngine on the same backend.
-template <ContactLaw Law, class Repulsion, class Space, Scheme Stepped>
+template <ContactLaw Law, class Repulsion, class Space, class Scheme>
 class EnsembleEngine final : public Ensemble {
  public:
   static constexpr bool rotates = Law::rotates;
@@ -87,8 +87,8 @@ class EnsembleEngine final : public Ensemble {
   State state(std::size_t system) const override { return in_box(raw_state(system)); }
 
  private:
-  using Views = EnsembleViews<rotates, Space, Stepped>;
-  using Kernel = AdvanceSystems<Law, Repulsion, Space, Stepped>;
+  using Views = EnsembleViews<rotates, Space, Scheme>;
+  using Kernel = AdvanceSystems<Law, Repulsion, Space, Scheme>;
   using Wait = SystemProgress::Wait;
   using List = SystemProgress::List;
 

@@ -10,19 +10,19 @@
 namespace bagnold {
 
 /// The Views of one system of an ensemble, as kernels for one system want them.
-template <bool Rotates, class Space, Scheme Stepped>
+template <bool Rotates, class Space, class Scheme>
 struct SystemViews {
   template <class T>
   using Row = Kokkos::View<T*, Space>;
 
-  DiskViews<Rotates, Space, Stepped> disks;
+  DiskViews<Rotates, Space, Scheme> disks;
   Row<std::uint32_t> cell_first, cell_members, cell_filled;
   Row<Sums<Rotates>> disk_sums, block_sums;  ///< [N], [ceil(N / measured_block)]
   Row<Sums<Rotates>> samples;                ///< those measured since the host took them
 };
 
 /// What many systems of N disks consist of: Views with the system as the leading index.
-template <bool Rotates, class Space, Scheme Stepped>
+template <bool Rotates, class Space, class Scheme>
 struct EnsembleViews {
   template <class T>
   using Table = SystemTable<T, Space>;
@@ -37,7 +37,7 @@ struct EnsembleViews {
   Table<Neighbor> entries;
   Table<std::uint32_t> cell_first, cell_members, cell_filled;
   Table<Sums<Rotates>> disk_sums, block_sums, samples;
-  StepTables<Stepped, Space> step;
+  StepTables<Scheme, Space> step;
 
   EnsembleViews() = default;
   EnsembleViews(std::size_t systems, std::size_t disks)
@@ -68,7 +68,7 @@ struct EnsembleViews {
                               position.extent(0), most);
   }
 
-  KOKKOS_FUNCTION SystemViews<Rotates, Space, Stepped> of(std::size_t s) const {
+  KOKKOS_FUNCTION SystemViews<Rotates, Space, Scheme> of(std::size_t s) const {
     return {{part(position, s),
              part(trial_position, s),
              part(at_build, s),

@@ -13,12 +13,12 @@ namespace bagnold {
 
 /// The time loop of one system, run by the threads of a team, each with the same copy of this: the
 /// steps of ReferenceEngine, where that has launches.
-template <ContactLaw Law, class Repulsion, class Space, Scheme Stepped>
+template <ContactLaw Law, class Repulsion, class Space, class Scheme>
 class SystemRun {
  public:
   static constexpr bool rotates = Law::rotates;
   using Team = typename Kokkos::TeamPolicy<Space>::member_type;
-  using Views = SystemViews<rotates, Space, Stepped>;
+  using Views = SystemViews<rotates, Space, Scheme>;
 
   KOKKOS_FUNCTION SystemRun(Team const& team, EnsembleRules<Law> const& rules,
                             SystemConstants const& constants, Views const& views,
@@ -133,7 +133,7 @@ class SystemRun {
   EnsembleRules<Law> const& rules_;
   SystemConstants constants_;
   Views views_;
-  SteppedSystem<Law, Repulsion, Space, Stepped> system_;
+  SteppedSystem<Law, Repulsion, Space, Scheme> system_;
   SystemProgress progress_;
   ShearSince since_;
   ShearedBox box_;  ///< at progress_.step

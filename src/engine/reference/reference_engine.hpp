@@ -16,7 +16,7 @@ namespace bagnold {
 
 /// A scheme plainly: a full neighbour list, every disk sums its own contacts. What the faster
 /// engines are held against.
-template <ContactLaw Law, class Repulsion, class Space, Scheme Stepped>
+template <ContactLaw Law, class Repulsion, class Space, class Scheme>
 class ReferenceEngine final : public Simulation {
  public:
   static constexpr bool rotates = Law::rotates;
@@ -146,7 +146,7 @@ class ReferenceEngine final : public Simulation {
   }
 
   Launches<Space> loops_{};
-  SteppedSystem<Law, Repulsion, Space, Stepped> system_;
+  SteppedSystem<Law, Repulsion, Space, Scheme> system_;
   double skin_;  ///< [d_s]
   Clock clock_;
   std::int64_t step_ = 0;

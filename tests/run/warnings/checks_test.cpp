@@ -10,6 +10,7 @@
 #include "kernels/device/sums/measure.hpp"
 #include "src/config/jamming.hpp"
 #include "tests/config/scenes.hpp"
+#include "tests/support/schemes.hpp"
 
 namespace bagnold {
 namespace {

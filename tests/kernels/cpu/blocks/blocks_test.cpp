@@ -6,7 +6,7 @@
 
 #include "kernels/cpu/blocks/build_blocks.hpp"
 #include "kernels/cpu/blocks/prune.hpp"
-#include "kernels/cpu/steps/block_step.hpp"
+#include "kernels/cpu/steps/predict_correct_block_step.hpp"
 #include "tests/kernels/device/neighbors/lists.hpp"
 
 namespace bagnold::test {

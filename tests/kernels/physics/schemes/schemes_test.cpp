@@ -8,6 +8,7 @@
 
 #include "kernels/cpu/simd/pack.hpp"
 #include "kernels/physics/type_list.hpp"
+#include "tests/support/schemes.hpp"
 
 namespace bagnold::test {
 namespace {
@@ -62,14 +63,14 @@ TEST(MultiplyAdd, RoundsPlainNumbersTwice) {
   EXPECT_GT(differ, 100);
 }
 
-TEST(SecondStage, ShareIsTheSeriesWhereTheDifferenceCancels) {
+TEST(TwoStageLeapfrog, ShareIsTheSeriesWhereTheDifferenceCancels) {
   for (double z = 1e-6; z < 0.3; z *= 1.1) {
     double sum = 0, term = 0.5;  // sum of (-z)^k / (k + 2)!
     for (int k = 0; k < 20; ++k, term *= -z / (k + 2)) sum += term;
-    EXPECT_NEAR(SecondStage::share(z), sum, z < 1e-3 ? 1e-11 : 1e-9) << z;
+    EXPECT_NEAR(TwoStage::share(z), sum, z < 1e-3 ? 1e-11 : 1e-9) << z;
   }
-  EXPECT_DOUBLE_EQ(SecondStage::share(1), std::exp(-1.0));
-  EXPECT_EQ(SecondStage::share(1e3), 1.0 / 7);
+  EXPECT_DOUBLE_EQ(TwoStage::share(1), std::exp(-1.0));
+  EXPECT_EQ(TwoStage::share(1e3), 1.0 / 7);
 }
 
 constexpr LoneContact sliding(Real rate) { return {0, rate}; }

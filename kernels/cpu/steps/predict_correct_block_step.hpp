@@ -4,22 +4,21 @@
 #include "kernels/cpu/steps/block_forces.hpp"
 #include "kernels/cpu/steps/block_stepper.hpp"
 #include "kernels/cpu/steps/kick.hpp"
-#include "kernels/physics/schemes/modified_velocity_verlet.hpp"
+#include "kernels/physics/schemes/forms.hpp"
 #include "kernels/physics/schemes/second_stage.hpp"
 
 namespace bagnold {
 
-/// The papers' step on a block (P2 Eqs. 21-24), as in device/dynamics/modified_velocity_verlet.hpp.
-template <ContactLaw L, class R>
-struct BlockStep {
+/// The step of a PredictCorrectScheme on a block, as in device/dynamics/predict_correct.hpp.
+template <ContactLaw L, class R, PredictCorrectScheme S>
+struct BlockStep<L, R, S> {
   using Law = L;
   using Repulsion = R;
+  using Scheme = S;
   static constexpr bool rotates = Law::rotates;
   using Forces = BlockForces<Law, Repulsion>;
   using Force = typename Forces::Force;
 
-  using Formulas = ModifiedVelocityVerlet;
-  static constexpr Scheme scheme = Formulas::scheme;
   static constexpr int observed_forces = 1;
   static constexpr StepNeeds needs{.rotates = rotates,
                                    .lists_contacts = false,
@@ -53,8 +52,7 @@ struct BlockStep {
       predict(r, f, kick.per_mass(big));
       simd::store_records(s.trial.record.data() + slot, r);
       if constexpr (rotates)
-        Formulas::trial_velocity(Pack::load(s.now.spin.data() + slot), f.turn,
-                                 kick.per_inertia(big))
+        Scheme::trial_velocity(Pack::load(s.now.spin.data() + slot), f.turn, kick.per_inertia(big))
             .store(s.trial.spin.data() + slot);
     }
     return {};
@@ -83,7 +81,7 @@ struct BlockStep {
       if constexpr (rotates) {
         auto* const spin = s.now.spin.data() + slot;
         auto const trial = Pack::load(s.trial.spin.data() + slot);
-        Formulas::velocity(Pack::load(spin), trial, f.turn, kick.per_inertia(big)).store(spin);
+        Scheme::velocity(Pack::load(spin), trial, f.turn, kick.per_inertia(big)).store(spin);
       }
       speeds(r, r.y);
     }
@@ -111,8 +109,8 @@ struct BlockStep {
                        simd::store_records(trial, at, r);
                        if constexpr (rotates)
                          simd::store(spins(s.trial, block), at,
-                                     Formulas::trial_velocity(simd::load(spins(s.now, block), at),
-                                                              f.turn, kick.per_inertia(big)));
+                                     Scheme::trial_velocity(simd::load(spins(s.now, block), at),
+                                                            f.turn, kick.per_inertia(big)));
                      });
     return {};
   }
@@ -130,22 +128,22 @@ struct BlockStep {
     Kick const kick(s.table, time_step / 2);
     SpeedWatch speeds{box.strain_rate};
     auto* to = moved;
-    active.each_pack(block, active.count(b), s.species.data(),
-                     [&](std::uint16_t const* at, simd::Mask big) {
-                       auto r = simd::load_records(now, at);
-                       auto const f = simd::load_forces(force, at);
-                       correct(r, simd::load_records(trial, at), f, kick.per_mass(big));
-                       simd::store_records(to, r);
-                       to += simd::width;
-                       if constexpr (rotates) {
-                         auto* const spin = spins(s.now, block);
-                         auto const trial_spin = simd::load(spins(s.trial, block), at);
-                         simd::store(spin, at,
-                                     Formulas::velocity(simd::load(spin, at), trial_spin, f.turn,
-                                                        kick.per_inertia(big)));
-                       }
-                       speeds(r, r.y);
-                     });
+    active.each_pack(
+        block, active.count(b), s.species.data(), [&](std::uint16_t const* at, simd::Mask big) {
+          auto r = simd::load_records(now, at);
+          auto const f = simd::load_forces(force, at);
+          correct(r, simd::load_records(trial, at), f, kick.per_mass(big));
+          simd::store_records(to, r);
+          to += simd::width;
+          if constexpr (rotates) {
+            auto* const spin = spins(s.now, block);
+            auto const trial_spin = simd::load(spins(s.trial, block), at);
+            simd::store(
+                spin, at,
+                Scheme::velocity(simd::load(spin, at), trial_spin, f.turn, kick.per_inertia(big)));
+          }
+          speeds(r, r.y);
+        });
     simd::fly(now, now, block.padded, time_step);
     auto const* const at = active.list.data() + block.first;
     for (std::uint32_t k = 0; k < active.count(b); ++k) {
@@ -175,14 +173,14 @@ struct BlockStep {
   using Pack = simd::Pack;
 
   BAGNOLD_INLINE void predict(simd::Records& r, simd::ForceComponents const& f, Pack k) const {
-    auto const place = Formulas::trial_position(r.position(), r.velocity(), Pack(time_step));
-    r = simd::make_records(place, Formulas::trial_velocity(r.velocity(), f.force(), k));
+    auto const place = Scheme::trial_position(r.position(), r.velocity(), Pack(time_step));
+    r = simd::make_records(place, Scheme::trial_velocity(r.velocity(), f.force(), k));
   }
 
   BAGNOLD_INLINE void correct(simd::Records& r, simd::Records const& trial,
                               simd::ForceComponents const& f, Pack k) const {
-    auto const after = Formulas::velocity(r.velocity(), trial.velocity(), f.force(), k);
-    auto const place = Formulas::position(r.position(), r.velocity(), after, Pack(time_step / 2));
+    auto const after = Scheme::velocity(r.velocity(), trial.velocity(), f.force(), k);
+    auto const place = Scheme::position(r.position(), r.velocity(), after, Pack(time_step / 2));
     r = simd::make_records(place, after);
   }
 

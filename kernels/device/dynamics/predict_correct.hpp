@@ -4,7 +4,8 @@
 #include "kernels/device/dynamics/contact_forces.hpp"
 #include "kernels/device/dynamics/device_step.hpp"
 #include "kernels/physics/box/list_criterion.hpp"
-#include "kernels/physics/schemes/modified_velocity_verlet.hpp"
+#include "kernels/physics/schemes/flight_and_kick.hpp"
+#include "kernels/physics/schemes/forms.hpp"
 
 namespace bagnold {
 
@@ -16,8 +17,8 @@ struct TimePerMass {
       : mass(time * table.inverse_mass[species]), inertia(time * table.inverse_inertia[species]) {}
 };
 
-/// First half of ModifiedVelocityVerlet: the trial state.
-template <ContactLaw Law, class Repulsion, class Space>
+/// First half of the step of a PredictCorrectScheme: the trial state.
+template <ContactLaw Law, class Repulsion, class Space, PredictCorrectScheme Scheme>
 struct Predict {
   ContactForces<Law, Repulsion, Space> forces;  ///< at t
   Real time_step;                               ///< dt, [tau_e]
@@ -25,7 +26,6 @@ struct Predict {
   Kokkos::View<Motion<Law::rotates>*, Space> trial_motion;
 
   KOKKOS_FUNCTION void operator()(std::uint32_t i) const {
-    using Scheme = ModifiedVelocityVerlet;
     auto const before = forces.motion(i);
     auto const action = forces(i, NoObserver{});
     TimePerMass const per(time_step, forces.table, forces.species(i));
@@ -55,10 +55,10 @@ KOKKOS_INLINE_FUNCTION void keep_largest(Real& largest, Real now2, Real next2, b
   if (value > largest) largest = value;
 }
 
-/// Second half of ModifiedVelocityVerlet. Reduces (Max) the largest |w|^2 of r_1 and of the next
+/// Second half of its step. Reduces (Max) the largest |w|^2 of r_1 and of the next
 /// trial position r_1 + v_1 dt, so that the list can be renewed before it is outrun; infinity where
 /// a number is no number or an overlap is beyond its limit.
-template <ContactLaw Law, class Repulsion, class Space>
+template <ContactLaw Law, class Repulsion, class Space, PredictCorrectScheme Scheme>
 struct Correct {
   ContactForces<Law, Repulsion, Space> forces;  ///< at the trial positions, at t + dt
   Real time_step;                               ///< dt, [tau_e]
@@ -71,7 +71,6 @@ struct Correct {
   KOKKOS_FUNCTION void operator()(std::uint32_t i, Real& largest) const {
     OverlapLimit limit;
     auto const action = forces(i, limit);
-    using Scheme = ModifiedVelocityVerlet;
     auto const before = motion(i), trial = forces.motion(i);
     TimePerMass const half(time_step / 2, forces.table, forces.species(i));
     Motion<Law::rotates> after;
@@ -90,9 +89,9 @@ struct Correct {
   }
 };
 
-/// The scheme as a SteppedSystem takes it. Trial Views hold the trial state.
-template <>
-struct DeviceStep<Scheme::modified_velocity_verlet> {
+/// The form as a SteppedSystem takes it. Trial Views hold the trial state.
+template <PredictCorrectScheme Scheme>
+struct DeviceStep<Scheme> {
   template <class System>
   KOKKOS_FUNCTION static auto measured_forces(System const& system, ShearedBox const& box) {
     return system.forces(box);
@@ -103,18 +102,18 @@ struct DeviceStep<Scheme::modified_velocity_verlet> {
     return true;
   }
 
-  template <class Law, class Repulsion, class Space, Scheme scheme, class Loops>
-  KOKKOS_FUNCTION static Real end(SteppedSystem<Law, Repulsion, Space, scheme>& system,
+  template <class Law, class Repulsion, class Space, class Loops>
+  KOKKOS_FUNCTION static Real end(SteppedSystem<Law, Repulsion, Space, Scheme>& system,
                                   Loops const& loops, ShearedBox const& box,
                                   ShearedBox const& next_box, Real strain, Real next_strain) {
     auto const& disks = system.disks;
     Real largest2 = 0;
     loops.for_all("dynamics::Predict", disks.count(),
-                  Predict<Law, Repulsion, Space>{system.forces(box), system.time_step,
-                                                 disks.trial_position, disks.trial_motion});
+                  Predict<Law, Repulsion, Space, Scheme>{system.forces(box), system.time_step,
+                                                         disks.trial_position, disks.trial_motion});
     loops.reduce(
         "dynamics::Correct", disks.count(),
-        Correct<Law, Repulsion, Space>{
+        Correct<Law, Repulsion, Space, Scheme>{
             system.forces(next_box, disks.trial_position, disks.trial_motion), system.time_step,
             disks.position, disks.motion, disks.at_build, strain, next_strain},
         Kokkos::Max<Real>(largest2));

@@ -4,15 +4,15 @@
 #include "kernels/device/dynamics/contact_forces.hpp"
 #include "kernels/device/dynamics/device_step.hpp"
 #include "kernels/device/dynamics/disk_views.hpp"
-#include "kernels/device/dynamics/modified_velocity_verlet.hpp"
+#include "kernels/device/dynamics/predict_correct.hpp"
 #include "kernels/device/system_table.hpp"
 #include "kernels/physics/box/list_criterion.hpp"
-#include "kernels/physics/schemes/two_stage_leapfrog.hpp"
+#include "kernels/physics/schemes/second_stage.hpp"
 
 namespace bagnold {
 
-/// First stage of TwoStageLeapfrog: what the forces change, and how many contacts each disk has.
-template <ContactLaw Law, class Repulsion, class Space>
+/// First stage of a TwoStageScheme: what the forces change, and how many contacts each disk has.
+template <ContactLaw Law, class Repulsion, class Space, TwoStageScheme Scheme>
 struct FirstStage {
   ContactForces<Law, Repulsion, Space> forces;  ///< at t
   Real time_step;                               ///< dt, [tau_e]
@@ -35,8 +35,8 @@ struct FirstStage {
     auto const action = forces(i, Counter{count, too_deep});
     TimePerMass const per(time_step, forces.table, forces.species(i));
     Motion<Law::rotates> changed;
-    changed.velocity = TwoStageLeapfrog::change(action.force, per.mass);
-    if constexpr (Law::rotates) changed.spin = TwoStageLeapfrog::change(action.torque, per.inertia);
+    changed.velocity = Scheme::change(action.force, per.mass);
+    if constexpr (Law::rotates) changed.spin = Scheme::change(action.torque, per.inertia);
     change(i) = changed;
     contacts(i) = count < SecondStage::most ? count : SecondStage::most;
     if (too_deep) failed = 1;
@@ -126,9 +126,9 @@ struct ChangeForces {
   }
 };
 
-/// Second stage of TwoStageLeapfrog, and the step. Reduces (Max) as Correct does; new positions go
-/// to another array, as neighbours still read the old ones.
-template <ContactLaw Law, class Repulsion, class Space>
+/// Second stage, and the step. Reduces (Max) as Correct does; new positions go to another array, as
+/// neighbours still read the old ones.
+template <ContactLaw Law, class Repulsion, class Space, TwoStageScheme Scheme>
 struct LeapOn {
   ChangeForces<Law, Repulsion, Space> forces;
   Real time_step;  ///< dt, [tau_e]
@@ -139,7 +139,6 @@ struct LeapOn {
   Real next_strain_since_build;  ///< at t + 2 dt
 
   KOKKOS_FUNCTION void operator()(std::uint32_t i, Real& largest) const {
-    using Scheme = TwoStageLeapfrog;
     auto const& now = forces.now();
     auto const before = motion(i), change = forces.change(i);
     auto const second = forces(i, NoObserver{});
@@ -158,33 +157,33 @@ struct LeapOn {
   }
 };
 
-template <class Space, TwoStageLaw Law>
+template <class Scheme, class Space, TwoStageLaw Law>
 Kokkos::View<SecondStage*, Space> shares_on_device(Law const& law, SpeciesTable const& table,
                                                    Real time_step) {
   Kokkos::View<SecondStage*, Space> const shares("dynamics::second_stage", 1);
-  Kokkos::deep_copy(shares, SecondStage(law, table, time_step));
+  Kokkos::deep_copy(shares, SecondStage::of<Scheme>(law, table, time_step));
   return shares;
 }
 
 /// How many contacts each disk has, and the shares of the second stage.
-template <class Space>
-struct StepViews<Scheme::two_stage_leapfrog, Space> {
+template <TwoStageScheme Scheme, class Space>
+struct StepViews<Scheme, Space> {
   Kokkos::View<int*, Space> contacts;              ///< [N]
   Kokkos::View<SecondStage const*, Space> shares;  ///< [1]
 
   template <class Law>
   void allocate(Law const& law, SpeciesTable const& table, Real time_step, std::size_t disks) {
     contacts = Kokkos::View<int*, Space>("dynamics::contacts", disks);
-    shares = shares_on_device<Space>(law, table, time_step);
+    shares = shares_on_device<Scheme, Space>(law, table, time_step);
   }
 };
 
-template <class Space>
-struct StepTables<Scheme::two_stage_leapfrog, Space> {
+template <TwoStageScheme Scheme, class Space>
+struct StepTables<Scheme, Space> {
   SystemTable<int, Space> contacts;
   Kokkos::View<SecondStage*, Space> shares;
 
-  KOKKOS_FUNCTION StepViews<Scheme::two_stage_leapfrog, Space> of(std::size_t s) const {
+  KOKKOS_FUNCTION StepViews<Scheme, Space> of(std::size_t s) const {
     return {part(contacts, s), Kokkos::View<SecondStage const*, Space>(shares.data(), 1)};
   }
 
@@ -192,44 +191,44 @@ struct StepTables<Scheme::two_stage_leapfrog, Space> {
   void allocate(Law const& law, SpeciesTable const& table, Real time_step, std::size_t systems,
                 std::size_t disks) {
     contacts = SystemTable<int, Space>("dynamics::contacts", systems, disks);
-    shares = shares_on_device<Space>(law, table, time_step);
+    shares = shares_on_device<Scheme, Space>(law, table, time_step);
   }
 };
 
-/// The scheme as a SteppedSystem takes it. Trial Views hold the next positions and what the first
+/// The form as a SteppedSystem takes it. Trial Views hold the next positions and what the first
 /// stage changes.
-template <>
-struct DeviceStep<Scheme::two_stage_leapfrog> {
-  template <class Law, class Repulsion, class Space, Scheme scheme>
+template <TwoStageScheme Scheme>
+struct DeviceStep<Scheme> {
+  template <class Law, class Repulsion, class Space>
   KOKKOS_FUNCTION static ChangeForces<Law, Repulsion, Space> measured_forces(
-      SteppedSystem<Law, Repulsion, Space, scheme> const& system, ShearedBox const& box) {
+      SteppedSystem<Law, Repulsion, Space, Scheme> const& system, ShearedBox const& box) {
     auto const& disks = system.disks;
     return {system.forces(box), disks.trial_motion, disks.step.contacts, disks.step.shares,
             system.time_step};
   }
 
-  template <class Law, class Repulsion, class Space, Scheme scheme, class Loops>
-  KOKKOS_FUNCTION static bool begin(SteppedSystem<Law, Repulsion, Space, scheme> const& system,
+  template <class Law, class Repulsion, class Space, class Loops>
+  KOKKOS_FUNCTION static bool begin(SteppedSystem<Law, Repulsion, Space, Scheme> const& system,
                                     Loops const& loops, ShearedBox const& box) {
     auto const& disks = system.disks;
     Real failed = 0;
     loops.reduce("dynamics::FirstStage", disks.count(),
-                 FirstStage<Law, Repulsion, Space>{system.forces(box), system.time_step,
-                                                   disks.trial_motion, disks.step.contacts},
+                 FirstStage<Law, Repulsion, Space, Scheme>{system.forces(box), system.time_step,
+                                                           disks.trial_motion, disks.step.contacts},
                  Kokkos::Max<Real>(failed));
     return !(failed > 0);
   }
 
-  template <class Law, class Repulsion, class Space, Scheme scheme, class Loops>
-  KOKKOS_FUNCTION static Real end(SteppedSystem<Law, Repulsion, Space, scheme>& system,
+  template <class Law, class Repulsion, class Space, class Loops>
+  KOKKOS_FUNCTION static Real end(SteppedSystem<Law, Repulsion, Space, Scheme>& system,
                                   Loops const& loops, ShearedBox const& box, ShearedBox const&,
                                   Real strain, Real next_strain) {
     auto& disks = system.disks;
     Real largest2 = 0;
     loops.reduce("dynamics::LeapOn", disks.count(),
-                 LeapOn<Law, Repulsion, Space>{measured_forces(system, box), system.time_step,
-                                               disks.trial_position, disks.motion, disks.at_build,
-                                               strain, next_strain},
+                 LeapOn<Law, Repulsion, Space, Scheme>{
+                     measured_forces(system, box), system.time_step, disks.trial_position,
+                     disks.motion, disks.at_build, strain, next_strain},
                  Kokkos::Max<Real>(largest2));
     auto const reached = disks.trial_position;
     disks.trial_position = disks.position;

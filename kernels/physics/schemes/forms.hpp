@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <concepts>
+
+#include "kernels/physics/vec2.hpp"
+
+/// Forms of schemes: engines are templates on the scheme and are written for a form, so a scheme of
+/// one of these runs in all of them. A new form needs its DeviceStep (kernels/device/dynamics), its
+/// BlockStep (kernels/cpu/steps) and its step of a lone pair (kernels/cpu/islands/
+/// binary_collisions.hpp).
+///
+/// Under any form a disk without force flies exactly r + v dt and keeps its v and its spin, to the
+/// last bit: lists are renewed by that, steps for few contacts move the disks without contacts so,
+/// and lookahead flies them over many steps at once (tests/kernels/physics/schemes/forms_test.cpp).
+namespace bagnold {
+
+/// Forces at the start of the step give a trial state a step later, whose positions are r + v dt;
+/// forces there give the new state. Of a disk, its velocity or its spin:
+///
+///     v~ = trial_velocity(v_0, f(r_0, v_0), dt/m),   r~ = trial_position(r_0, v_0, dt)
+///     v_1 = velocity(v_0, v~, f(r~, v~), dt/2m),     r_1 = position(r_0, v_0, v_1, dt/2)
+template <class S>
+concept PredictCorrectScheme = requires(Vec2<Real> v, Real t) {
+  { S::trial_velocity(v, v, t) } -> std::same_as<Vec2<Real>>;
+  { S::trial_position(v, v, t) } -> std::same_as<Vec2<Real>>;
+  { S::velocity(v, v, v, t) } -> std::same_as<Vec2<Real>>;
+  { S::position(v, v, v, t) } -> std::same_as<Vec2<Real>>;
+};
+
+/// All forces once a step; then the damping of what they change, of which `share` acts:
+///
+///     a = change(f(r_0, v_0), dt/m),          b_ij: the damping at share(z) (a_i - a_j)
+///     v_1 = velocity(v_0, a, sum b, dt/m),    r_1 = position(r_0, v_1, dt)
+///
+/// z: SecondStage. velocity_of_pair: v_1 of a disk of a lone pair, of the forces of both stages.
+template <class S>
+concept TwoStageScheme = requires(Vec2<Real> v, Real t) {
+  { S::share(t) } -> std::same_as<Real>;
+  { S::change(v, t) } -> std::same_as<Vec2<Real>>;
+  { S::velocity(v, v, v, t) } -> std::same_as<Vec2<Real>>;
+  { S::velocity_of_pair(v, v, t) } -> std::same_as<Vec2<Real>>;
+  { S::position(v, v, t) } -> std::same_as<Vec2<Real>>;
+};
+
+}  // namespace bagnold
