@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include "src/cli/commands.hpp"
 
 namespace bagnold {
 
 /// Arguments and options of `bagnold analyse`, read into `options`, which must outlive the parsing.
-void add_analyse_options(CLI::App& command, AnalyseOptions& options);
+void add_analyse_options(Words command, AnalyseOptions& options);
 
 }  // namespace bagnold

@@ -136,20 +136,19 @@ int check_limit_command(CheckLimitOptions const& options) {
 
 }  // namespace
 
-Command add_check_limit(CLI::App& program) {
+Command add_check_limit(Words program) {
   auto const options = std::make_shared<CheckLimitOptions>();
-  CLI::App& command =
+  Words command =
       add_command(program, "check-limit",
                   "is the rate small enough? The scene at its rate and at half of it, compared");
   add_scene_options(command, options->run);
-  command.add_option("--out", options->run.folder, "folder for both runs [results/SCENE-limit]");
-  command.add_option("--jobs", options->jobs, "runs at a time [default: cores / threads]")
-      ->check(CLI::Range(1, 4096));
-  command
-      .add_option("--tolerance", options->tolerance, "relative change that counts as none [0.05]")
-      ->check(CLI::Range(1e-6, 0.3));
+  command.option("--out", options->run.folder, "folder for both runs [results/SCENE-limit]");
+  command.option("--jobs", options->jobs, "runs at a time [default: cores / threads]")
+      .between(1, 4096);
+  command.option("--tolerance", options->tolerance, "relative change that counts as none [0.05]")
+      .between(1e-6, 0.3);
   add_machine_options(command, options->run.machine, options->run.quiet);
-  return {&command, [options] { return check_limit_command(*options); }};
+  return {command, [options] { return check_limit_command(*options); }};
 }
 
 }  // namespace bagnold

@@ -8,13 +8,10 @@
 #include <vector>
 
 #include "src/analysis/request.hpp"
+#include "src/cli/command_line.hpp"
 #include "src/config/scene.hpp"
 #include "src/run/machine.hpp"
 #include "src/run/messages.hpp"
-
-namespace CLI {
-class App;
-}
 
 namespace bagnold {
 
@@ -80,14 +77,14 @@ struct FigureOptions {
 
 /// A command of the program: its words on the command line, and what it does once they are read.
 struct Command {
-  CLI::App* words;
+  Words words;
 
   /// Returns the exit code: 0 done, 130 or 143 interrupted with a checkpoint written. What goes
   /// wrong is thrown: InputError, NumericalError, FileError.
   std::function<int()> run;
 };
 
-using AddCommand = Command(CLI::App& program);
+using AddCommand = Command(Words program);
 
 AddCommand add_run, add_validate, add_resume, add_sweep, add_analyse, add_check_limit, add_figure,
     add_info;

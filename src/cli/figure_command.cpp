@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <map>
 #include <memory>
@@ -27,12 +26,12 @@ namespace {
 /// "KIND --option value": the words of `bagnold analyse KIND SWEEP --option value`.
 AnalyseOptions parse_words(std::string const& words, std::string const& figure) {
   auto const kind = words.substr(0, words.find(' '));
-  CLI::App app;
+  CommandLine line;
   AnalyseOptions options;
-  add_analyse_options(app, options);
+  add_analyse_options(line.words(), options);
   try {
-    app.parse(kind + " . " + words.substr(kind.size()));
-  } catch (CLI::ParseError const& error) {
+    line.parse_line(kind + " . " + words.substr(kind.size()));
+  } catch (UnreadableWords const& error) {
     throw InputError(fmt::format("{}: analyse = \"{}\": {}", figure, words, error.what()));
   }
   return options;
@@ -232,22 +231,20 @@ int figure_command(FigureOptions const& options) try {
 
 }  // namespace
 
-Command add_figure(CLI::App& program) {
+Command add_figure(Words program) {
   auto const options = std::make_shared<FigureOptions>();
-  CLI::App& command = add_command(program, "figure",
-                                  "run and draw a figure of the papers; without a name: list them");
-  command.add_option("NAME", options->name, "P2-15: Fig. 15 of P2 (docs/figures.md)");
-  command.add_flag("--quick", options->quick, "a small version, of minutes, where there is one");
-  command.add_option("--out", options->folder,
-                     "folder for pictures, and for data that figures share [results/figures]");
-  command.add_option("--data", options->data,
-                     "draw from the tables in this folder, docs/data/figures; run nothing");
-  command.add_option("--figures", options->figures,
-                     "file of figures [inputs/figures/figures.toml]");
-  command.add_option("--jobs", options->jobs, "runs at a time [default: cores]")
-      ->check(CLI::Range(1, 4096));
-  command.add_flag("--quiet", options->quiet, "no progress and no table; errors are still shown");
-  return {&command, [options] { return figure_command(*options); }};
+  Words command = add_command(program, "figure",
+                              "run and draw a figure of the papers; without a name: list them");
+  command.option("NAME", options->name, "P2-15: Fig. 15 of P2 (docs/figures.md)");
+  command.flag("--quick", options->quick, "a small version, of minutes, where there is one");
+  command.option("--out", options->folder,
+                 "folder for pictures, and for data that figures share [results/figures]");
+  command.option("--data", options->data,
+                 "draw from the tables in this folder, docs/data/figures; run nothing");
+  command.option("--figures", options->figures, "file of figures [inputs/figures/figures.toml]");
+  command.option("--jobs", options->jobs, "runs at a time [default: cores]").between(1, 4096);
+  command.flag("--quiet", options->quiet, "no progress and no table; errors are still shown");
+  return {command, [options] { return figure_command(*options); }};
 }
 
 }  // namespace bagnold

@@ -22,8 +22,8 @@ int info_command() {
 
 }  // namespace
 
-Command add_info(CLI::App& program) {
-  return {&add_command(program, "info", "version, git hash, Kokkos, backends, CPU"), info_command};
+Command add_info(Words program) {
+  return {add_command(program, "info", "version, git hash, Kokkos, backends, CPU"), info_command};
 }
 
 }  // namespace bagnold

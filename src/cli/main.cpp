@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <string_view>
 #include <vector>
@@ -30,8 +29,7 @@ void give_back_large_arrays() {
 #endif
 }
 
-/// The words of the command line, the first one last, as CLI11 wants them; `help COMMAND` becomes
-/// `COMMAND --help`.
+/// The words of the command line; `help COMMAND` becomes `COMMAND --help`.
 std::vector<std::string> words_of(int argc, char** argv) {
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   if (!words.empty() && words.front() == "help") {
@@ -39,43 +37,39 @@ std::vector<std::string> words_of(int argc, char** argv) {
     words.resize(std::min<std::size_t>(words.size(), 1));
     words.emplace_back("--help");
   }
-  std::ranges::reverse(words);
   return words;
 }
 
 /// CLI11 would complain of the words behind it.
-void refuse_unknown_command(CLI::App const& app, std::vector<std::string> const& words) {
-  if (words.empty() || words.back().starts_with("-")) return;
-  std::vector<std::string> names;
-  for (auto const* command : app.get_subcommands({})) names.push_back(command->get_name());
-  if (std::ranges::count(names, words.back()) == 0)
+void refuse_unknown_command(std::vector<std::string> const& names,
+                            std::vector<std::string> const& words) {
+  if (words.empty() || words.front().starts_with("-")) return;
+  if (std::ranges::count(names, words.front()) == 0)
     throw bagnold::InputError(fmt::format("unknown command {}; did you mean {}? See bagnold --help",
-                                          bagnold::shown(words.back()),
-                                          bagnold::nearest_word(words.back(), names)));
+                                          bagnold::shown(words.front()),
+                                          bagnold::nearest_word(words.front(), names)));
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("Bagnold: dense granular flow of soft disks at vanishing shear rate");
-  app.footer(bagnold::units_and_exit_codes);
-  app.require_subcommand(1);
-  app.set_version_flag("--version", [] {
+  bagnold::CommandLine line("Bagnold: dense granular flow of soft disks at vanishing shear rate");
+  line.words().footer(bagnold::units_and_exit_codes);
+  line.require_command([] {
     auto const made = bagnold::provenance();
     return fmt::format("bagnold {} ({})", made.version, made.git);
   });
 
   std::vector<bagnold::Command> commands;
-  for (auto* add : bagnold::all_commands) commands.push_back(add(app));
+  for (auto* add : bagnold::all_commands) commands.push_back(add(line.words()));
 
   auto const words = words_of(argc, argv);
-  refuse_unknown_command(app, words);
+  refuse_unknown_command(line.commands(), words);
   try {
-    app.parse(std::vector(words));
-  } catch (CLI::ParseError const& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);
+    if (!line.parse(words)) return bagnold::done;
+  } catch (bagnold::UnreadableWords const& error) {
     throw bagnold::InputError(fmt::format("{}; see bagnold --help", error.what()));
   }
   auto const wanted = std::ranges::find_if(
-      commands, [](bagnold::Command const& command) { return command.words->parsed(); });
+      commands, [](bagnold::Command const& command) { return command.words.given(); });
   return wanted->run();
 }
 

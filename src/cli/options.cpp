@@ -10,32 +10,31 @@ char const* const units_and_exit_codes =
     "4 input/output failure, 5 internal error, 129, 130 or 143 interrupted with a checkpoint\n"
     "written.";
 
-CLI::App& add_command(CLI::App& program, char const* name, char const* description) {
-  CLI::App& command = *program.add_subcommand(name, description);
+Words add_command(Words program, char const* name, char const* description) {
+  Words command = program.command(name, description);
   command.footer(units_and_exit_codes);
   return command;
 }
 
-void add_machine_options(CLI::App& command, Machine& machine, bool& quiet) {
-  command.add_option("--threads", machine.threads, "threads [default: by count and cores]")
-      ->check(CLI::Range(1, 4096));
-  command.add_option("--backend", machine.backend, "serial, openmp or cuda [default: by threads]")
-      ->check(CLI::IsMember({"serial", "openmp", "cuda"}));
-  command.add_flag("--quiet", quiet, "no progress and no table; errors are still shown");
+void add_machine_options(Words command, Machine& machine, bool& quiet) {
+  command.option("--threads", machine.threads, "threads [default: by count and cores]")
+      .between(1, 4096);
+  command.option("--backend", machine.backend, "serial, openmp or cuda [default: by threads]")
+      .one_of({"serial", "openmp", "cuda"});
+  command.flag("--quiet", quiet, "no progress and no table; errors are still shown");
 }
 
-void add_scene_options(CLI::App& command, SceneOptions& options) {
-  command.add_option("SCENE", options.scene_file, "scene file in TOML (see inputs/reference.toml)")
-      ->required();
-  command
-      .add_option("--set", options.overrides, "table.key=value, over the scene; may be repeated")
-      ->allow_extra_args(false);
+void add_scene_options(Words command, SceneOptions& options) {
+  command.option("SCENE", options.scene_file, "scene file in TOML (see inputs/reference.toml)")
+      .required();
+  command.option("--set", options.overrides, "table.key=value, over the scene; may be repeated")
+      .one_value_each();
   add_unstable_flag(command, options.allow_unstable);
 }
 
-void add_unstable_flag(CLI::App& command, bool& allow_unstable) {
-  command.add_flag("--allow-unstable", allow_unstable,
-                   "accept a time step (in tau_e) beyond the scheme's stability");
+void add_unstable_flag(Words command, bool& allow_unstable) {
+  command.flag("--allow-unstable", allow_unstable,
+               "accept a time step (in tau_e) beyond the scheme's stability");
 }
 
 }  // namespace bagnold

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include "src/cli/commands.hpp"
 
 /// Options that several commands have. What they are read into must outlive the parsing.
@@ -12,12 +10,12 @@ namespace bagnold {
 extern char const* const units_and_exit_codes;
 
 /// A command with these words, and with units and exit codes below its help.
-CLI::App& add_command(CLI::App& program, char const* name, char const* description);
+Words add_command(Words program, char const* name, char const* description);
 
-void add_machine_options(CLI::App& command, Machine& machine, bool& quiet);
-void add_scene_options(CLI::App& command, SceneOptions& options);
+void add_machine_options(Words command, Machine& machine, bool& quiet);
+void add_scene_options(Words command, SceneOptions& options);
 
 /// --allow-unstable.
-void add_unstable_flag(CLI::App& command, bool& allow_unstable);
+void add_unstable_flag(Words command, bool& allow_unstable);
 
 }  // namespace bagnold

@@ -35,23 +35,22 @@ int resume_command(ResumeOptions const& options) {
 
 }  // namespace
 
-Command add_run(CLI::App& program) {
+Command add_run(Words program) {
   auto const options = std::make_shared<SceneOptions>();
-  CLI::App& command = add_command(program, "run", "run a scene");
+  Words command = add_command(program, "run", "run a scene");
   add_scene_options(command, *options);
-  command.add_option("--out", options->folder, "folder for the results [results/SCENE]")
-      ->check([](std::string const& name) { return std::string(name.empty() ? "is empty" : ""); });
-  command.add_flag("--force", options->force, "replace the run that is in the folder");
+  command.option("--out", options->folder, "folder for the results [results/SCENE]").not_empty();
+  command.flag("--force", options->force, "replace the run that is in the folder");
   add_machine_options(command, options->machine, options->quiet);
-  return {&command, [options] { return run_command(*options); }};
+  return {command, [options] { return run_command(*options); }};
 }
 
-Command add_resume(CLI::App& program) {
+Command add_resume(Words program) {
   auto const options = std::make_shared<ResumeOptions>();
-  CLI::App& command = add_command(program, "resume", "go on with an interrupted run, bit for bit");
-  command.add_option("DIR", options->folder, "folder of the run")->required();
+  Words command = add_command(program, "resume", "go on with an interrupted run, bit for bit");
+  command.option("DIR", options->folder, "folder of the run").required();
   add_machine_options(command, options->machine, options->quiet);
-  return {&command, [options] { return resume_command(*options); }};
+  return {command, [options] { return resume_command(*options); }};
 }
 
 }  // namespace bagnold

@@ -145,26 +145,26 @@ int run_sweep(sweep::Sweep const& sweep, SweepOptions const& options) {
   return status > 128 ? status : std::max(status, write_tables(sweep, folder, options.quiet));
 }
 
-Command add_sweep(CLI::App& program) {
+Command add_sweep(Words program) {
   auto const options = std::make_shared<SweepOptions>();
-  CLI::App& command = add_command(
-      program, "sweep", "run all points of a sweep file; the same command goes on with it");
-  command.add_option("FILE", options->sweep_file, "scene with a table [sweep] (see inputs/)")
-      ->required();
-  command.add_option("--out", options->folder, "folder for the points and tables [results/FILE]");
-  command.add_option("--jobs", options->jobs, "points at a time [default: cores / threads]")
-      ->check(CLI::Range(1, 4096));
-  auto* slurm = command.add_flag("--emit-slurm", options->emit_slurm,
-                                 "prepare the folder for Slurm and write job scripts; run nothing");
-  auto* chain = command.add_option("--chain", options->chain,
-                                   "run this chain of points only, from 1, and write no table");
-  auto* collect = command.add_flag("--collect", options->collect,
-                                   "write the tables of what is done; run nothing");
-  slurm->excludes(chain)->excludes(collect);
-  chain->excludes(collect);
+  Words command = add_command(program, "sweep",
+                              "run all points of a sweep file; the same command goes on with it");
+  command.option("FILE", options->sweep_file, "scene with a table [sweep] (see inputs/)")
+      .required();
+  command.option("--out", options->folder, "folder for the points and tables [results/FILE]");
+  command.option("--jobs", options->jobs, "points at a time [default: cores / threads]")
+      .between(1, 4096);
+  auto slurm = command.flag("--emit-slurm", options->emit_slurm,
+                            "prepare the folder for Slurm and write job scripts; run nothing");
+  auto chain = command.option("--chain", options->chain,
+                              "run this chain of points only, from 1, and write no table");
+  auto collect =
+      command.flag("--collect", options->collect, "write the tables of what is done; run nothing");
+  slurm.excludes(chain).excludes(collect);
+  chain.excludes(collect);
   add_unstable_flag(command, options->allow_unstable);
   add_machine_options(command, options->machine, options->quiet);
-  return {&command, [options] {
+  return {command, [options] {
             return run_sweep(read_checked_sweep(options->sweep_file, options->allow_unstable),
                              *options);
           }};

@@ -116,12 +116,12 @@ int validate_command(SceneOptions const& options) {
 
 }  // namespace
 
-Command add_validate(CLI::App& program) {
+Command add_validate(Words program) {
   auto const options = std::make_shared<SceneOptions>();
-  CLI::App& command = add_command(program, "validate",
-                                  "check a scene; print it resolved, its steps, memory and time");
+  Words command = add_command(program, "validate",
+                              "check a scene; print it resolved, its steps, memory and time");
   add_scene_options(command, *options);
-  return {&command, [options] { return validate_command(*options); }};
+  return {command, [options] { return validate_command(*options); }};
 }
 
 }  // namespace bagnold

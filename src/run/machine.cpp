@@ -10,6 +10,7 @@
 #include <omp.h>
 #endif
 
+#include "kernels/device/initialize_kokkos.hpp"
 #include "src/config/errors.hpp"
 #include "src/engine/make_simulation.hpp"
 #include "src/run/messages.hpp"
@@ -68,8 +69,7 @@ Machine choose_for_replicas(Machine machine, Scene const& scene) {
   return machine;
 }
 
-}  // namespace
-
+/// What of the environment would give Kokkos other threads than these is put aside.
 void free_from_environment([[maybe_unused]] int threads) {
   for (auto const* name : {"KOKKOS_NUM_THREADS", "KOKKOS_DISABLE_WARNINGS"}) unsetenv(name);
 #ifdef _OPENMP
@@ -77,6 +77,20 @@ void free_from_environment([[maybe_unused]] int threads) {
   omp_set_num_threads(threads);  // Kokkos starts as many as the environment says, to count them
   omp_set_max_active_levels(std::max(1, omp_get_max_active_levels()));
 #endif
+}
+
+}  // namespace
+
+KokkosScope::KokkosScope(Machine const& machine, Scene const& scene)
+    : outermost_(!Kokkos::is_initialized()) {
+  if (!outermost_) return;
+  int const threads = scene.disks.replicas > 1 ? 1 : machine.threads;
+  free_from_environment(threads);
+  initialize_kokkos(threads);
+}
+
+KokkosScope::~KokkosScope() {
+  if (outermost_) Kokkos::finalize();
 }
 
 Machine choose(Machine machine, Scene const& scene) {

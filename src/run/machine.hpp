@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include "kernels/device/initialize_kokkos.hpp"
 #include "src/config/scene.hpp"
 
 namespace bagnold {
@@ -22,21 +21,11 @@ struct Machine {
 /// have or that cannot run replicas, and where Kokkos cannot start.
 Machine choose(Machine machine, Scene const& scene);
 
-/// What of the environment would give Kokkos other threads than these is put aside.
-void free_from_environment(int threads);
-
 /// Kokkos, running. Replicas bring their own threads, each a system's only one.
 class KokkosScope {
  public:
-  KokkosScope(Machine const& machine, Scene const& scene) : outermost_(!Kokkos::is_initialized()) {
-    if (!outermost_) return;
-    int const threads = scene.disks.replicas > 1 ? 1 : machine.threads;
-    free_from_environment(threads);
-    initialize_kokkos(threads);
-  }
-  ~KokkosScope() {
-    if (outermost_) Kokkos::finalize();
-  }
+  KokkosScope(Machine const& machine, Scene const& scene);
+  ~KokkosScope();
   KokkosScope(KokkosScope const&) = delete;
   KokkosScope& operator=(KokkosScope const&) = delete;
 

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <Kokkos_Core.hpp>
+#include <Kokkos_Macros.hpp>
 #include <fstream>
 
 #include "git_version.hpp"

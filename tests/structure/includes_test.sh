@@ -33,6 +33,7 @@ src/config           Kokkos|hdf5|H5
 src/state            hdf5|H5|toml|CLI|nlohmann
 src/statistics       Kokkos|hdf5|H5|toml|CLI|nlohmann
 src/run              hdf5|H5|toml|CLI
+src/cli              Kokkos|hdf5|H5|toml|Eigen
 src/io               Kokkos
 src/sweep            Kokkos
 "

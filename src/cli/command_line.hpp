@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <initializer_list>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "src/config/errors.hpp"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+/// The command line: what there is to type, and where it is read into. A face of CLI11, which
+/// takes four seconds to compile and is seen by command_line.cpp alone.
+namespace bagnold {
+
+/// An argument, an option or a flag.
+class Word {
+ public:
+  explicit Word(CLI::Option& option) : option_(&option) {}
+
+  Word& required();
+  Word& between(int least, int most);
+  Word& between(double least, double most);
+  Word& one_of(std::initializer_list<char const*> names);
+  Word& not_empty();
+  Word& values(int count);  ///< so many, one after the other
+  Word& one_value_each();   ///< it is repeated for more
+  Word& excludes(Word const& other);
+
+ private:
+  CLI::Option* option_;
+};
+
+/// Words of the program, or of a command. What they are read into must outlive the parsing.
+class Words {
+ public:
+  explicit Words(CLI::App& app) : app_(&app) {}
+
+  Words command(char const* name, char const* description);
+
+  /// "NAME" or "--name". T: std::string, std::filesystem::path, int, std::int64_t, std::uint32_t,
+  /// std::uint64_t, double; std::vector of strings or doubles; std::optional of a double or a pair.
+  template <class T>
+  Word option(char const* name, T& value, char const* description);
+
+  /// Values are given to `read`.
+  Word option(char const* name, std::function<void(std::vector<std::string> const&)> read,
+              char const* description);
+
+  Word flag(char const* name, bool& value, char const* description);
+
+  void footer(std::string const& text);  ///< below the help
+  bool given() const;                    ///< the command was
+
+ private:
+  CLI::App* app_;
+};
+
+/// Words that are not as they must be.
+struct UnreadableWords : InputError {
+  using InputError::InputError;
+};
+
+class CommandLine {
+ public:
+  explicit CommandLine(char const* description = "");
+  ~CommandLine();
+
+  Words words();
+
+  /// One of the commands must be given; --version is told by `version`.
+  void require_command(std::function<std::string()> version);
+  std::vector<std::string> commands() const;
+
+  /// false: help or the version was asked for and is shown. Throws UnreadableWords.
+  bool parse(std::vector<std::string> const& words);
+
+  /// A line of words, quoted as in a shell. Throws UnreadableWords, where help is asked for too.
+  void parse_line(std::string const& line);
+
+ private:
+  std::unique_ptr<CLI::App> app_;
+};
+
+}  // namespace bagnold
