@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "src/analysis/curves.hpp"
-#include "src/analysis/fit/covariance.hpp"
+#include "src/analysis/fit/fit.hpp"
 #include "src/analysis/request.hpp"
 
 namespace bagnold::analysis {

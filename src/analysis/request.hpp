@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "src/analysis/fit/levenberg_marquardt.hpp"
+#include "src/analysis/fit/fit.hpp"
 
 namespace bagnold::analysis {
 

@@ -34,11 +34,12 @@ Eigen::MatrixXd covariance_of(Eigen::MatrixXd const& weighted_jacobian) {
 }
 
 void set_covariance(Fit& fit, Eigen::MatrixXd const& weighted_jacobian, bool weighted) {
-  fit.covariance = covariance_of(weighted_jacobian);
+  Eigen::MatrixXd covariance = covariance_of(weighted_jacobian);
   if (!weighted)
-    fit.covariance *= fit.freedom == 0 ? unknown : fit.chi2 / static_cast<double>(fit.freedom);
+    covariance *= fit.freedom == 0 ? unknown : fit.chi2 / static_cast<double>(fit.freedom);
   fit.error.clear();
-  for (double const variance : fit.covariance.diagonal()) fit.error.push_back(std::sqrt(variance));
+  for (double const variance : covariance.diagonal()) fit.error.push_back(std::sqrt(variance));
+  fit.covariance.assign(covariance.data(), covariance.data() + covariance.size());
 }
 
 }  // namespace bagnold::analysis

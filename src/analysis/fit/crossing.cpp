@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "src/analysis/fit/covariance.hpp"
+#include "src/analysis/fit/fit.hpp"
 
 namespace bagnold::analysis {
 namespace {

@@ -9,7 +9,9 @@
 #include <unsupported/Eigen/NonLinearOptimization>
 #include <unsupported/Eigen/NumericalDiff>
 
+#include "src/analysis/fit/covariance.hpp"
 #include "src/analysis/fit/starts.hpp"
+#include "src/analysis/fit/weights.hpp"
 #include "src/config/errors.hpp"
 
 namespace bagnold::analysis {
@@ -125,14 +127,13 @@ Fit fit_from(Model const& model, Points const& points, Fixed const& fixed, Value
         slope_of(model.parameters[free[k]], out.value[free[k]]);
   Fit of_free{{}, {}, {}, out.chi2, out.freedom};
   set_covariance(of_free, jacobian, points.weighted());
-  auto const size = static_cast<Eigen::Index>(out.value.size());
-  out.covariance = Eigen::MatrixXd::Zero(size, size);
-  out.error.assign(out.value.size(), 0.0);
+  auto const size = out.value.size();
+  out.covariance.assign(size * size, 0.0);
+  out.error.assign(size, 0.0);
   for (std::size_t k = 0; k < free.size(); ++k) {
     out.error[free[k]] = of_free.error[k];
     for (std::size_t l = 0; l < free.size(); ++l)
-      out.covariance(static_cast<Eigen::Index>(free[k]), static_cast<Eigen::Index>(free[l])) =
-          of_free.covariance(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(l));
+      out.covariance[free[k] * size + free[l]] = of_free.covariance[k * free.size() + l];
   }
   return out;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "src/analysis/fit/covariance.hpp"
-#include "src/analysis/fit/starts.hpp"
+#include "src/analysis/fit/fit.hpp"
+#include "src/analysis/fit/models.hpp"
 
 namespace bagnold::analysis {
 

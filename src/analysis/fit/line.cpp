@@ -3,11 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "src/analysis/fit/covariance.hpp"
+#include "src/analysis/fit/least_squares.hpp"
+#include "src/analysis/fit/weights.hpp"
 #include "src/config/errors.hpp"
 
 namespace bagnold::analysis {
@@ -19,9 +21,8 @@ Fit fit_line(Points const& points) {
   Eigen::MatrixXd design(n, 2);
   design.col(0) = weight;
   design.col(1) = Eigen::Map<Eigen::VectorXd const>(points.x.data(), n).cwiseProduct(weight);
-  Eigen::VectorXd const y = weighted_values(points);
-  Eigen::VectorXd const best = design.colPivHouseholderQr().solve(y);
-  Fit out{{best[0], best[1]}, {}, {}, (y - design * best).squaredNorm(), points.size() - 2};
+  auto const [best, chi2] = least_squares(design, weighted_values(points));
+  Fit out{{best[0], best[1]}, {}, {}, chi2, points.size() - 2};
   set_covariance(out, design, points.weighted());
   return out;
 }
@@ -33,7 +34,8 @@ Meeting intersection(Fit const& first, Fit const& second) {
   Eigen::Vector2d const slope_of_x(1.0 / slopes, x / slopes);
   double variance = 0.0;
   for (auto const* line : {&first, &second})
-    variance += slope_of_x.dot(line->covariance * slope_of_x);
+    variance += slope_of_x.dot(Eigen::Map<Eigen::MatrixXd const>(line->covariance.data(), 2, 2) *
+                               slope_of_x);
   return {x, std::sqrt(variance)};
 }
 

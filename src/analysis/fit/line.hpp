@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "src/analysis/fit/covariance.hpp"
+#include "src/analysis/fit/fit.hpp"
 #include "src/analysis/fit/points.hpp"
 
 namespace bagnold::analysis {

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/analysis/fit/covariance.hpp"
+#include "src/analysis/fit/weights.hpp"
 #include "src/config/errors.hpp"
 
 namespace bagnold::analysis {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
 #include <string_view>
 #include <vector>
 
@@ -23,9 +22,5 @@ void check_points(Points const& points, std::size_t fewest, std::string_view wha
 /// (x, ln y), (ln x, y) or (ln x, ln y), errors to first order: error / y. Throws InputError where
 /// a logarithm is asked of what is not above 0.
 Points with_logarithms(Points const& points, bool log_x, bool log_y);
-
-/// y / error and 1 / error; 1 / error is 1 where the points have no errors.
-Eigen::VectorXd weighted_values(Points const& points);
-Eigen::VectorXd weights(Points const& points);
 
 }  // namespace bagnold::analysis

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/analysis/fit/starts.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+
+#include "src/analysis/fit/least_squares.hpp"
+#include "src/analysis/fit/weights.hpp"
 
 namespace bagnold::analysis {
 namespace {
@@ -38,10 +40,10 @@ double solve_linear(Model const& model, Points const& points, Fixed const& fixed
   }
   if (!basis.allFinite() || !rest.allFinite()) return std::numeric_limits<double>::infinity();
   if (solved.empty()) return rest.squaredNorm();
-  Eigen::VectorXd const best = basis.colPivHouseholderQr().solve(rest);
+  auto const [best, chi2] = least_squares(basis, rest);
   for (std::size_t k = 0; k < solved.size(); ++k)
     values[solved[k]] = best[static_cast<Eigen::Index>(k)];
-  return (rest - basis * best).squaredNorm();
+  return chi2;
 }
 
 }  // namespace

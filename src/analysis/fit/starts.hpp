@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <map>
-#include <string>
 #include <utility>
 #include <vector>
 
+#include "src/analysis/fit/fit.hpp"
 #include "src/analysis/fit/models.hpp"
 
 namespace bagnold::analysis {
-
-/// Values of parameters that are not fitted.
-using Fixed = std::map<std::string, double>;
 
 /// All combinations of the parameters' guesses, fixed ones at their values, the linear ones solved
 /// for each by least squares: {chi2, parameters}, best first. Those that are not finite are left

@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "src/analysis/fit/models.hpp"
 #include "src/analysis/outcome.hpp"
 #include "src/analysis/series.hpp"
 

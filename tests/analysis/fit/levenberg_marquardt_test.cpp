@@ -124,7 +124,7 @@ TEST(LevenbergMarquardt, CovarianceOfALineInClosedForm) {
   EXPECT_NEAR(found.value[1], (s * sxy - sx * sy) / det, 1e-9);
   EXPECT_NEAR(found.error[0], std::sqrt(sxx / det), 1e-7);
   EXPECT_NEAR(found.error[1], std::sqrt(s / det), 1e-7);
-  EXPECT_NEAR(found.covariance(0, 1), -sx / det, 1e-7);
+  EXPECT_NEAR(found.covariance[1], -sx / det, 1e-7);
 }
 
 /// Without errors the scatter about the fit tells them: pulls follow Student's t.
