@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "kernels/device/sums/measure.hpp"
+#include "kernels/physics/sums/sums.hpp"
 #include "src/config/scene.hpp"
 #include "src/state/state.hpp"
 

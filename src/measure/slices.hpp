@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "kernels/device/sums/measure.hpp"
+#include "kernels/physics/sums/sums.hpp"
 #include "src/state/state.hpp"
 
 namespace bagnold {

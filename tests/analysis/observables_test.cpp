@@ -9,7 +9,7 @@
 #include <set>
 #include <string>
 
-#include "kernels/device/sums/measure.hpp"
+#include "kernels/physics/sums/sums.hpp"
 #include "tests/config/scenes.hpp"
 
 namespace bagnold {

@@ -8,7 +8,7 @@
 #include <string>
 #include <tuple>
 
-#include "kernels/device/sums/measure.hpp"
+#include "kernels/physics/sums/sums.hpp"
 #include "src/config/time_step.hpp"
 #include "src/engine/laws.hpp"
 #include "src/engine/make_simulation.hpp"

@@ -7,7 +7,7 @@
 #include <random>
 #include <tuple>
 
-#include "kernels/device/sums/measure.hpp"
+#include "kernels/physics/sums/sums.hpp"
 #include "src/config/jamming.hpp"
 #include "tests/config/scenes.hpp"
 #include "tests/support/schemes.hpp"
