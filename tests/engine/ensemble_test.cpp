@@ -3,7 +3,6 @@
 
 #include "src/config/errors.hpp"
 #include "src/engine/ensemble/ensemble_engine.hpp"
-#include "src/engine/reference/reference_engine.hpp"
 #include "tests/support/simulations.hpp"
 #include "tests/support/typed.hpp"
 
@@ -17,8 +16,6 @@ class EnsembleOf : public testing::Test {
   using Space = typename On::Space;
   template <class Repulsion>
   using Together = EnsembleEngine<Law, Repulsion, Space, typename On::Scheme>;
-  template <class Repulsion>
-  using Alone = ReferenceEngine<Law, Repulsion, Space, typename On::Scheme>;
   using Kernel = AdvanceSystems<Law, HarmonicRepulsion, Space, typename On::Scheme>;
   using Simulations = std::vector<std::unique_ptr<Simulation>>;
 
@@ -45,17 +42,15 @@ class EnsembleOf : public testing::Test {
         scene.shear.strain_rate, time_step(scene), scene.integration.skin, from, threads));
   }
 
-  template <class Repulsion = HarmonicRepulsion>
-  static std::unique_ptr<Simulation> alone(Scene const& scene, Snapshot const& from) {
-    return std::make_unique<Alone<Repulsion>>(
-        make_law<Law>(scene.disks), make_species_table(scene.mass_by_area()),
-        scene.shear.strain_rate, time_step(scene), scene.integration.skin, from);
+  /// On the program's reference engine.
+  static std::unique_ptr<Simulation> alone(Scene scene, Snapshot const& from) {
+    scene.integration.engine = "reference";
+    return make_simulation(scene, from, std::string(backend_name<Space>));
   }
 
-  template <class Repulsion = HarmonicRepulsion>
   static Simulations each_alone(Scene const& scene, std::vector<Snapshot> const& from) {
     Simulations all;
-    for (auto const& snapshot : from) all.push_back(alone<Repulsion>(scene, snapshot));
+    for (auto const& snapshot : from) all.push_back(alone(scene, snapshot));
     return all;
   }
 
@@ -100,7 +95,7 @@ class EnsembleOf : public testing::Test {
                           std::int64_t steps, int threads = 0) {
     auto const from = starts(scene, systems);
     auto const members = together<Repulsion>(scene, from, threads);
-    auto const singles = each_alone<Repulsion>(scene, from);
+    auto const singles = each_alone(scene, from);
     auto const a = run(members, sampling, steps), b = run(singles, sampling, steps);
     for (std::size_t s = 0; s < members.size(); ++s) {
       expect_equal(*members[s], *singles[s]);
