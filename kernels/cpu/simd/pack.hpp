@@ -245,8 +245,8 @@ struct CountPairs {
 #endif
 };
 
-/// Rows of an 8 x 8 matrix to its columns.
-BAGNOLD_INLINE void transpose(Pack (&m)[width]) {
+/// Rows of an 8 x 8 matrix, m[8], to its columns.
+BAGNOLD_INLINE void transpose(Pack* m) {
 #if BAGNOLD_AVX512
   __m512d pairs[width];  // even and odd columns of two rows, side by side
   for (int k = 0; k < width; k += 2) {

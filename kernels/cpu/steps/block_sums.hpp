@@ -13,22 +13,29 @@ namespace bagnold {
 /// when it was pruned. A pair across the edge of a block is seen by both of its blocks and counts
 /// half in each.
 struct PackSums {
-  using C = SumColumns;
-  static_assert(pair_columns == simd::width);
+  static constexpr int whole = pair_columns / simd::width;  ///< packs of columns
+  static constexpr int rest = pair_columns % simd::width;   ///< columns left over
 
-  std::uint32_t padded;    ///< of the block: partners from here on are halo
-  simd::Pack first = 0.0;  ///< the columns of PairColumns
+  std::uint32_t padded;          ///< of the block: partners from here on are halo
+  simd::Pack first[whole] = {};  ///< columns of PairColumns, eight a pack
+  Real last[rest + 1] = {};      ///< and those left over; one more, as none is no array
   Real contacts = 0;
 
   void operator()(PackOfPairs const& p) {
     auto of = columns_of(p.force);
-    simd::transpose(of.value);
+    for (int w = 0; w < whole; ++w) simd::transpose(of.value + w * simd::width);
     for (unsigned lanes = p.touching.lanes(); lanes != 0; lanes &= lanes - 1) {
       int const k = __builtin_ctz(lanes);
       Real const weight = std::max(p.pairs[k].a(), p.pairs[k].b()) < padded ? 1.0 : 0.5;
-      first += weight * of.value[k];
+      for (int w = 0; w < whole; ++w) first[w] += weight * of.value[w * simd::width + k];
+      for (int c = 0; c < rest; ++c) last[c] += weight * of.value[whole * simd::width + c].v[k];
       contacts += 2 * weight;
     }
+  }
+
+  Real column(int c) const {
+    int const w = c / simd::width;
+    return w < whole ? first[w].v[c % simd::width] : last[c % simd::width];
   }
 };
 
@@ -63,7 +70,7 @@ BlockSums measure_block(Step const& step, BlockSystem const& s, std::uint32_t b,
   }
   BlockSums sums;
   for (int c = 0; c < C::count_rotating; ++c)
-    sums.value[c] = c < pair_columns ? pairs.first.v[c] : simd::sum(of_disks[c]);
+    sums.value[c] = c < pair_columns ? pairs.column(c) : simd::sum(of_disks[c]);
   sums.value[C::contacts] = pairs.contacts;
   sums.value[C::dissipation] += simd::sum(power.dissipation);
   sums.value[C::torque_power] = simd::sum(power.torque);
