@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# `cmake --install`: the program (if it was built), the kernel headers, and what find_package(Bagnold) needs to offer the
-# target Bagnold::kernels. Headers keep their path from the root of the repository: with Bagnold::kernels
-# linked, #include "kernels/physics/laws/cd_n.hpp" works as it does here.
+# `cmake --install`: the kernel headers, and what find_package(Bagnold) needs to offer the target
+# Bagnold::kernels; if the program was built it too, and Bagnold::run (COMPONENTS run), the libraries behind
+# `bagnold run` with their headers. Headers keep their path from the root of the repository: with
+# Bagnold::kernels linked, #include "kernels/physics/laws/cd_n.hpp" works as it does here.
 
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -19,6 +20,20 @@ if(BAGNOLD_PROGRAM)
   install(TARGETS bagnold RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/inputs/figures"
     DESTINATION "${CMAKE_INSTALL_DATADIR}/bagnold")
+  set(bagnold_libraries config statistics io engine start measure run)
+  foreach(name IN LISTS bagnold_libraries)
+    set_target_properties(bagnold_${name} PROPERTIES EXPORT_NAME ${name})
+    install(DIRECTORY "${PROJECT_SOURCE_DIR}/src/${name}" DESTINATION "${bagnold_headers}/src"
+      FILES_MATCHING PATTERN "*.hpp")
+  endforeach()
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/src/state" DESTINATION "${bagnold_headers}/src"
+    FILES_MATCHING PATTERN "*.hpp")
+  target_include_directories(bagnold_options INTERFACE "$<INSTALL_INTERFACE:${bagnold_headers}>")
+  set_target_properties(bagnold_options PROPERTIES EXPORT_NAME options)
+  list(TRANSFORM bagnold_libraries PREPEND bagnold_)
+  install(TARGETS bagnold_options ${bagnold_libraries} EXPORT BagnoldRunTargets
+    ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+  install(EXPORT BagnoldRunTargets NAMESPACE Bagnold:: DESTINATION "${bagnold_package}")
 endif()
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/kernels" DESTINATION "${bagnold_headers}"
   FILES_MATCHING PATTERN "*.hpp")

@@ -2,6 +2,7 @@
 #include "src/config/contact_rates.hpp"
 
 #include "kernels/physics/species.hpp"
+#include "src/config/laws.hpp"
 #include "src/config/scene_physics.hpp"
 
 namespace bagnold {
@@ -12,13 +13,11 @@ ContactRates::ContactRates(Scene const& scene) {
     stiffness = 2 * small * Repulsion::stiffness(largest_relative_overlap);
     harmonic = Repulsion::force_exponent == 2;
   });
-  with_law(scene.disks, [&]<ContactLaw Law>(Law const& law) {
-    if constexpr (Law::linear) {
-      normal = 2 * small * law.normal_damping();
-      tangential = 2 * small * tangential_mobility(Law::rotates) * law.tangential_damping();
-      dense_flow = small * law.dense_flow_rate();
-    }
-  });
+  auto const& law = law_of(scene.disks);
+  auto const constants = law.constants(scene.disks);
+  normal = 2 * small * constants.normal;
+  tangential = 2 * small * tangential_mobility(law.rotates) * constants.tangential;
+  dense_flow = small * constants.dense_flow;
 }
 
 }  // namespace bagnold

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "kernels/physics/laws/laws.hpp"
 #include "kernels/physics/repulsion/repulsion.hpp"
 #include "kernels/physics/schemes/schemes.hpp"
 #include "kernels/physics/type_list.hpp"
+#include "src/config/laws.hpp"
 #include "src/config/schemes.hpp"
 
 namespace bagnold {
@@ -20,9 +20,8 @@ namespace {
 template <class Holds>
 Words laws_where(Holds const& holds) {
   Words names;
-  for_each_type<Laws>([&]<class Law>(std::type_identity<Law> law) {
-    if (holds(law)) names.push_back(Law::name);
-  });
+  for (auto const& law : known_laws())
+    if (holds(law)) names.push_back(law.name);
   return names;
 }
 
@@ -37,14 +36,16 @@ std::string damping_meaning(std::string_view constant) {
 
 }  // namespace
 
-Words model_names() { return names_of<Laws>(); }
+Words model_names() {
+  return laws_where([](LawFacts const&) { return true; });
+}
 
 Words rotating_models() {
-  return laws_where([]<class Law>(std::type_identity<Law>) { return Law::rotates; });
+  return laws_where([](LawFacts const& law) { return law.rotates; });
 }
 
 Words separate_models() {
-  return laws_where([]<class Law>(std::type_identity<Law>) { return Law::separate_constants; });
+  return laws_where([](LawFacts const& law) { return law.separate_constants; });
 }
 
 Words scheme_words() {

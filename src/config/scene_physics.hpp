@@ -1,25 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "kernels/physics/laws/laws.hpp"
+#include <tuple>
+
+#include "kernels/physics/laws/contact.hpp"
 #include "kernels/physics/repulsion/repulsion.hpp"
-#include "kernels/physics/type_list.hpp"
 #include "src/config/scene.hpp"
 
-/// The law and the repulsion that a scene names, as types of kernels/physics: the one place where
-/// words of a scene become formulas. For .cpp files: what only reads scenes needs no formulas.
+/// The repulsion that a scene names, as a type of kernels/physics, and what a law is made from. For
+/// .cpp files: what only reads scenes needs no formulas.
 namespace bagnold {
 
 inline DampingInput damping_input(Scene::Disks const& disks) {
   return {disks.elasticity, disks.damping_normal, disks.damping_tangential};
-}
-
-/// use(the law of a scene); a value-initialised result where there is no such law.
-template <class Use>
-auto with_law(Scene::Disks const& disks, Use const& use) {
-  return with_named<Laws>(disks.model, [&]<class Law>(std::type_identity<Law>) {
-    return use(Law::make(damping_input(disks)));
-  });
 }
 
 namespace detail {

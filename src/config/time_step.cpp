@@ -4,20 +4,13 @@
 #include <cmath>
 
 #include "kernels/physics/schemes/schemes.hpp"
-#include "src/config/scene_physics.hpp"
+#include "src/config/laws.hpp"
+#include "src/config/schemes.hpp"
 
 namespace bagnold {
 
 double rule_time_step(Scene const& scene, std::string_view scheme) {
-  auto const input = damping_input(scene.disks);
-  return with_named<Laws>(scene.disks.model, [&]<class Law>(std::type_identity<Law>) {
-    return with_named<Schemes>(scheme, [&]<class S>(std::type_identity<S>) -> double {
-      if constexpr (S::template can_step<Law>)
-        return S::template time_step<Law>(input);
-      else
-        return Law::paper_time_step(input.elasticity);  // refused by name where it is run
-    });
-  });
+  return law_of(scene.disks).rule_time_step(scheme, scene.disks);
 }
 
 std::string_view scheme_of(Scene const& scene) {
@@ -26,9 +19,7 @@ std::string_view scheme_of(Scene const& scene) {
 }
 
 double paper_time_step(Scene::Disks const& disks) {
-  return with_law(disks, [&]<class Law>(Law const&) -> double {
-    return Law::paper_time_step(disks.elasticity);
-  });
+  return law_of(disks).paper_time_step(disks.elasticity);
 }
 
 double time_step(Scene const& scene) {

@@ -7,11 +7,16 @@
 #include <vector>
 
 #include "kernels/cpu/steps/block_stepper.hpp"
+#include "kernels/device/neighbors/neighbor_search.hpp"
+#include "kernels/physics/sums/sums.hpp"
 #include "src/config/scene.hpp"
 #include "src/engine/ensemble/ensemble.hpp"
 #include "src/engine/simulation.hpp"
 
 namespace bagnold {
+
+/// Disks of a state on one thread of the host, as frames are measured.
+using HostSearch = NeighborSearch<Kokkos::Serial>;
 
 /// What is compiled for each law, in a source file of its own.
 struct LawEngines {
@@ -27,9 +32,19 @@ struct LawEngines {
   /// Systems that share launches; nullptr if the build has no such backend, or it is not a device.
   std::shared_ptr<Ensemble> (*ensemble)(Scene const&, std::vector<Snapshot> const&,
                                         std::string const& backend);
+
+  /// What each disk adds to the sums over pairs in the step that begins at a state, see
+  /// src/measure/disk_stress.hpp. search: of all that touch.
+  std::vector<Sums<false>> (*disk_sums)(Scene const&, State const&, HostSearch const& search);
 };
 
 template <class Law>
 LawEngines engines_of();
+
+/// Of the law of a scene: one of the list in kernels/physics/laws/laws.hpp, or registered.
+LawEngines const& engines_for(Scene const& scene);
+
+/// Adds a law (register_law.hpp), under a name that is not taken.
+void add_engines(LawEngines const& engines);
 
 }  // namespace bagnold

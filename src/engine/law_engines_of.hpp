@@ -5,6 +5,7 @@
 #include "kernels/cpu/steps/stepper_of.hpp"
 #include "kernels/cpu/steps/two_stage_block_step.hpp"
 #include "src/engine/backends.hpp"
+#include "src/engine/disk_sums.hpp"
 #include "src/engine/ensemble/ensemble_engine.hpp"
 #include "src/engine/law_engines.hpp"
 #include "src/engine/reference/reference_engine.hpp"
@@ -60,7 +61,7 @@ std::shared_ptr<Ensemble> make_ensemble(Scene const& scene, std::vector<Snapshot
 template <class Law>
 LawEngines engines_of() {
   return {Law::name, detail::make_stepper<Law>, detail::make_reference<Law>,
-          detail::make_ensemble<Law>};
+          detail::make_ensemble<Law>, detail::disk_sums<Law>};
 }
 
 }  // namespace bagnold

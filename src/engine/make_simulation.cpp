@@ -10,17 +10,10 @@
 #include "src/engine/blocks/block_engine.hpp"
 #include "src/engine/ensemble/ensemble.hpp"
 #include "src/engine/law_engines.hpp"
-#include "src/engine/laws.hpp"
 
 namespace bagnold {
 
 namespace {
-
-/// What is compiled for the law of a scene.
-LawEngines engines_for(Scene const& scene) {
-  return with_named<Laws>(scene.disks.model,
-                          []<class Law>(std::type_identity<Law>) { return engines_of<Law>(); });
-}
 
 Stepping stepping(std::string const& engine) {
   return engine == "many-contacts"  ? Stepping::many_contacts
@@ -33,7 +26,7 @@ Stepping stepping(std::string const& engine) {
 std::unique_ptr<Simulation> make_engine(Scene const& scene, Snapshot& snapshot,
                                         std::string const& backend) {
   auto const& integration = scene.integration;
-  auto const engines = engines_for(scene);
+  auto const& engines = engines_for(scene);
   if (integration.engine != "reference")
     if (auto loop = make_block_loop(backend))
       return std::make_unique<BlockEngine>(

@@ -45,11 +45,4 @@ auto with_physics_of(Scene const& scene, Use const& use) {
   });
 }
 
-/// Under the law of the scene, which is one of the program's. use: returns nothing.
-template <class Use>
-void with_physics(Scene const& scene, Use const& use) {
-  with_named<Laws>(scene.disks.model,
-                   [&]<class Law>(std::type_identity<Law>) { with_physics_of<Law>(scene, use); });
-}
-
 }  // namespace bagnold

@@ -8,6 +8,7 @@
 #include <string>
 #include <tuple>
 
+#include "kernels/physics/laws/laws.hpp"
 #include "kernels/physics/sums/sums.hpp"
 #include "src/config/time_step.hpp"
 #include "src/engine/laws.hpp"

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <type_traits>
 
+#include "kernels/physics/laws/laws.hpp"
 #include "src/engine/backends.hpp"
 #include "src/engine/laws.hpp"
 #include "tests/support/schemes.hpp"

@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A program with a law of its own, PROGRAM: runs, is interrupted and goes on, with the bits of a run that was not,
+and with those of the program BAGNOLD under CD_nt without damping along the normal, which is the same law."""
+import json
+import pathlib
+import signal
+import subprocess
+import sys
+import time
+
+import h5py
+import numpy
+
+own_law, bagnold, scene = sys.argv[1:4]
+work = pathlib.Path(sys.argv[4])
+work.mkdir()
+
+
+def numbers(folder):
+    """All series and the last state."""
+    found = {}
+    for name in ("result.h5", "state.h5"):
+        with h5py.File(folder / name) as file:
+            def keep(key, item):
+                if isinstance(item, h5py.Dataset) and key.split("/")[0] in ("series", "state"):
+                    found[key] = item[()]
+            file.visititems(keep)
+    assert any(key.startswith("series/") for key in found) and "state/position" in found, found.keys()
+    return found
+
+
+def expect_same(a, b):
+    assert a.keys() == b.keys(), (a.keys(), b.keys())
+    for key in a:
+        assert numpy.array_equal(a[key], b[key], equal_nan=True), key
+
+
+text = pathlib.Path(scene).read_text().replace("strain_rate = 1e-3", "strain_rate = 2e-4")
+assert 'model = "CD_t"' in text
+(work / "own.toml").write_text(text + "\n[output]\nplot = false\n")
+listed = text.replace('model = "CD_t"', 'model = "CD_nt"\ndamping_normal = 0.0')
+(work / "listed.toml").write_text(listed + "\n[output]\nplot = false\n")
+
+subprocess.run([own_law, work / "own.toml", work / "whole"], check=True)
+whole = numbers(work / "whole")
+assert 'model = "CD_t"' in (work / "whole/scene.toml").read_text()
+assert "warnings" in json.loads((work / "whole/summary.json").read_text())
+
+cut = subprocess.Popen([own_law, work / "own.toml", work / "cut"])
+while not (work / "cut/scene.toml").exists():
+    assert cut.poll() is None
+    time.sleep(0.01)
+time.sleep(0.1)
+cut.send_signal(signal.SIGINT)
+assert cut.wait() == 130, cut.returncode
+assert not (work / "cut/summary.json").exists()
+subprocess.run([own_law, work / "own.toml", work / "cut"], check=True)
+expect_same(numbers(work / "cut"), whole)
+
+subprocess.run([bagnold, "run", work / "listed.toml", "--out", work / "listed", "--quiet"], check=True)
+expect_same(numbers(work / "listed"), whole)
+
+refused = subprocess.run([bagnold, "run", work / "own.toml", "--out", work / "none"], stderr=subprocess.PIPE, text=True)
+assert refused.returncode == 2 and "CD_t" in refused.stderr, refused
