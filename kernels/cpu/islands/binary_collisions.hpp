@@ -201,15 +201,26 @@ struct BinaryCollisions {
     /// it would have on the straight flight from the start.
     void add_flight(BlockSums& sums, int k, Real time, SampleTimes::Powers const& powers,
                     Real strain_rate) const {
-      Real const mass = 1 / inverse_mass.v[k];
-      auto const add = [&](Real sign, Real at_start, Real u, Real v, Real turning) {
-        FlightSums flight;
-        add_motion(flight.column, mass, flight_x(u, at_start, v, strain_rate), v);
-        if constexpr (rotates) add_spin(flight.column, turning);
-        flight.add_to(sums, powers, sign);
-      };
-      add(1, y.v[k] - time * vy.v[k], vx.v[k], vy.v[k], spin.v[k]);
-      add(-1, y0.v[k], vx0.v[k], vy0.v[k], spin0.v[k]);
+      SumsAtTimes const ended{sums, powers, 1}, straight{sums, powers, -1};
+      Real const start = y.v[k] - time * vy.v[k];
+      add(ended, k, flight_x(vx.v[k], start, vy.v[k], strain_rate), vy.v[k], spin.v[k]);
+      add(straight, k, flight_x(vx0.v[k], y0.v[k], vy0.v[k], strain_rate), vy0.v[k], spin0.v[k]);
+    }
+
+    /// Likewise at `time` alone, where the disk is at (y, v).
+    void add_now(BlockSums& sums, int k, Real time, Real strain_rate) const {
+      SampleTimes::Powers const once{1, 0, 0};
+      SumsAtTimes const now{sums, once, 1}, straight{sums, once, -1};
+      Real const flown = y0.v[k] + time * vy0.v[k];
+      add(now, k, peculiar_x(vx.v[k], y.v[k], strain_rate), vy.v[k], spin.v[k]);
+      add(straight, k, peculiar_x(vx0.v[k], flown, strain_rate), vy0.v[k], spin0.v[k]);
+    }
+
+    /// ux: v_x - gammadot y, a number or in time.
+    template <class X>
+    BAGNOLD_INLINE void add(SumsAtTimes const& to, int k, X const& ux, Real v, Real turning) const {
+      add_motion(to, 1 / inverse_mass.v[k], ux, v);
+      if constexpr (rotates) add_spin(to, turning);
     }
   };
 
@@ -311,9 +322,8 @@ struct BinaryCollisions {
       }
     }
     Real const time = time_step * step;
-    SampleTimes::Powers const now{1, time, time * time};
-    p.add_flight(sums, k, time, now, strain_rate);
-    q.add_flight(sums, k, time, now, strain_rate);
+    p.add_now(sums, k, time, strain_rate);
+    q.add_now(sums, k, time, strain_rate);
   }
 
   static Vec2<Real> lane(Vec2<Pack> const& v, int k) { return {v.x.v[k], v.y.v[k]}; }

@@ -18,6 +18,27 @@ BAGNOLD_INLINE Linear<T> flight_x(T const& velocity_x, T const& y, T const& velo
   return {{peculiar_x(velocity_x, y, strain_rate), T(-strain_rate) * velocity_y}};
 }
 
+/// Columns to which polynomials in time are added by their sums over the times of `powers`,
+/// `weight` times each.
+struct SumsAtTimes {
+  BlockSums& sums;
+  SampleTimes::Powers const& powers;
+  Real weight;
+
+  struct Column {
+    Real& sum;
+    SumsAtTimes const& at;
+
+    template <int degree>
+    BAGNOLD_INLINE void operator+=(InTime<Real, degree> const& value) const {
+      sum += at.weight * value.over(at.powers.n, at.powers.t1, at.powers.t2);
+    }
+    BAGNOLD_INLINE void operator+=(Real value) const { *this += InTime<Real, 0>{{value}}; }
+  };
+
+  BAGNOLD_INLINE Column operator[](int column) const { return {sums.value[column], *this}; }
+};
+
 /// Sums of disks in free flight, as polynomials in time: the columns that add_motion() and
 /// add_spin() add to.
 struct FlightSums {
