@@ -5,6 +5,7 @@
 #include "kernels/cpu/steps/stepper_of.hpp"
 #include "kernels/cpu/steps/two_stage_block_step.hpp"
 #include "src/engine/backends.hpp"
+#include "src/engine/compiled_once.hpp"
 #include "src/engine/disk_sums.hpp"
 #include "src/engine/ensemble/ensemble_engine.hpp"
 #include "src/engine/law_engines.hpp"
