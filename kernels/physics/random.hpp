@@ -24,6 +24,10 @@ KOKKOS_INLINE_FUNCTION constexpr std::uint64_t mixed(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
+struct Centred {
+  Real x, y, z;
+};
+
 /// Random numbers by what they are for: of a disk or pair, at a step. No state: bits depend neither
 /// on threads nor on restarts.
 struct RandomStream {
@@ -40,6 +44,16 @@ struct RandomStream {
   /// Even in (0, 1], of 53 bits.
   KOKKOS_INLINE_FUNCTION constexpr Real uniform(std::uint64_t whose, std::uint64_t when) const {
     return static_cast<Real>((bits(whose, when) >> 11) + 1) * (1 / Real(std::uint64_t{1} << 53));
+  }
+
+  /// Three, even in (-1/2, 1/2), of 21 bits each, with mean 0.
+  KOKKOS_INLINE_FUNCTION constexpr Centred centred(std::uint64_t whose, std::uint64_t when) const {
+    auto const all = bits(whose, when);
+    auto const one = [all](int shift) {
+      auto const k = static_cast<Real>(all >> shift & 0x1fffff);
+      return (k + Real(0.5)) * (1 / Real(1 << 21)) - Real(0.5);
+    };
+    return {one(1), one(22), one(43)};
   }
 };
 

@@ -105,11 +105,45 @@ void look_at_others(Scene const& scene, Refusals const& refuse) {
                        disks.model, choice(rotating_models())));
 }
 
+void look_at_drive(Scene const& scene, Refusals const& refuse) {
+  auto const& drive = scene.drive;
+  if (!scene.driven() && (drive.drag != 0 || drive.temperature != 0))
+    refuse(
+        {"drive.kind", "drive.drag", "drive.temperature"},
+        fmt::format("drive.drag and drive.temperature are not used by drive.kind = \"{}\"; leave "
+                    "them out or set drive.kind = {}",
+                    drive.kind, choice(acting_drives())));
+  if (!scene.driven()) return;
+  if (drive.drag == 0)
+    refuse({"drive.kind", "drive.drag"},
+           fmt::format("drive.drag = 0 (drive.kind = \"{}\" needs one above 0); give it, or set "
+                       "drive.kind = \"none\"",
+                       drive.kind));
+  bool const thermal = std::ranges::count(thermal_drives(), drive.kind) > 0;
+  if (thermal && drive.temperature == 0)
+    refuse({"drive.kind", "drive.temperature"},
+           "drive.temperature = 0 (drive.kind = \"thermal\" needs one above 0); give it, or set "
+           "drive.kind = \"stokes\"");
+  if (!thermal && drive.temperature != 0)
+    refuse({"drive.kind", "drive.temperature"},
+           fmt::format("drive.temperature is not used by drive.kind = \"{}\"; leave it out or set "
+                       "drive.kind = {}",
+                       drive.kind, choice(thermal_drives())));
+  for (std::string_view const straight : {"few-contacts", "lookahead"})
+    if (scene.integration.engine == straight)
+      refuse({"drive.kind", "integration.engine"},
+             fmt::format("integration.engine = \"{}\" (needs disks that fly straight between "
+                         "contacts, which drive.kind = \"{}\" does not leave); set "
+                         "integration.engine = \"auto\"",
+                         straight, drive.kind));
+}
+
 }  // namespace
 
 void find_contradictions(Scene const& scene, std::string const& origin, Mistakes& mistakes) {
   Refusals const refuse{origin, mistakes};
   look_at_others(scene, refuse);
+  look_at_drive(scene, refuse);
   if (!mistakes.about("shear.protocol")) look_at_protocol(scene, refuse);
 }
 

@@ -42,7 +42,7 @@ inline constexpr bool above = true;  ///< the lower bound itself is excluded
 /// checking and documenting scenes all go through this one list.
 template <class SceneType, class Visitor>
 void for_each_key(SceneType& scene, Visitor&& visit) {
-  auto& [title, disks, start, shear, integration, measure, output] = scene;
+  auto& [title, disks, start, shear, drive, integration, measure, output] = scene;
   auto const exponents = force_exponents();
   constexpr double many = std::numeric_limits<double>::infinity();
   // asked again at each key: a reader learns the protocol on the way
@@ -149,6 +149,15 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
   visit(of({"ramp"}, Key{"shear.ramp_every", "tau_e", "between changes of the strain rate",
                          optional, 0, 1e6, above}),
         shear.ramp_every);
+
+  visit(Key{"drive.kind", "", "force on each disk alone, P2 Sec. IV", optional, 0, 0, false,
+            drive_words()},
+        drive.kind);
+  visit(Key{"drive.drag", "m/tau_e", "zeta: drag -zeta [v - u(r)] in the mean flow u", optional, 0,
+            1e3},
+        drive.drag);
+  visit(Key{"drive.temperature", "m d_s^2/tau_e^2", "T of a thermal drive", optional, 0, 1e3},
+        drive.temperature);
 
   visit(Key{"integration.scheme", "", "how the motion is stepped, or \"auto\": two stages",
             optional, 0, 0, false, scheme_words()},

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "kernels/physics/drives/drives.hpp"
 #include "kernels/physics/repulsion/repulsion.hpp"
 #include "kernels/physics/schemes/schemes.hpp"
 #include "kernels/physics/type_list.hpp"
@@ -46,6 +47,22 @@ Words rotating_models() {
 
 Words separate_models() {
   return laws_where([](LawFacts const& law) { return law.separate_constants; });
+}
+
+Words acting_drives() { return names_of<Drives>(); }
+
+Words drive_words() {
+  Words words = acting_drives();
+  words.insert(words.begin(), no_drive);
+  return words;
+}
+
+Words thermal_drives() {
+  Words names;
+  for_each_type<Drives>([&]<class D>(std::type_identity<D>) {
+    if (D::random) names.push_back(D::name);
+  });
+  return names;
 }
 
 Words scheme_words() {

@@ -14,6 +14,9 @@ using Words = std::vector<std::string_view>;
 Words model_names();      ///< of all laws
 Words rotating_models();  ///< of laws with spins
 Words separate_models();  ///< of laws with a damping constant of their own in either direction
+Words acting_drives();    ///< names of all drives but "none"
+Words drive_words();      ///< "none", and these
+Words thermal_drives();   ///< of drives that have a temperature
 Words scheme_words();     ///< "auto", and the names of all schemes
 
 /// What a word of before is called now; "" of any other.

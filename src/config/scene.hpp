@@ -55,6 +55,13 @@ struct Scene {
     double ramp_every = 1;
   } shear;
 
+  /// A force on each disk alone, beside contacts.
+  struct Drive {
+    std::string kind = "none";  ///< or of a drive in kernels/physics/drives
+    double drag = 0;            ///< zeta
+    double temperature = 0;     ///< T
+  } drive;
+
   struct Integration {
     std::string scheme = automatic;  ///< scheme_of(scene) resolves it
     std::string engine = "auto";
@@ -80,6 +87,7 @@ struct Scene {
   } output;
 
   bool rotates() const;  ///< whether disks have spins
+  bool driven() const { return drive.kind != "none"; }
   bool mass_by_area() const { return disks.mass == "area"; }
   double box_length() const;  ///< L_x, [d_s], P1 Eq. (8), P2 Eq. (11)
   double box_height() const { return disks.box_aspect * box_length(); }  ///< L_y, [d_s]

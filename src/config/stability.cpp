@@ -35,7 +35,7 @@ double contact_spectral_radius(Scene const& scene, double time_step) {
 double largest_stable_time_step(Scene const& scene, std::string_view scheme) {
   constexpr double contacts = 6;
   ContactRates const r(scene);
-  double const rate = contacts * std::max(r.normal, r.tangential);
+  double const rate = contacts * std::max(r.normal, r.tangential) + drag_rate(scene);
   return with_named<Schemes>(scheme, [&]<class S>(std::type_identity<S>) {
     return std::min(S::largest_rate / rate,
                     S::largest_frequency / std::sqrt(contacts * r.stiffness));
@@ -45,7 +45,7 @@ double largest_stable_time_step(Scene const& scene, std::string_view scheme) {
 double dense_flow_time_step(Scene const& scene, std::string_view scheme) {
   ContactRates const r(scene);
   return with_named<Schemes>(scheme, [&]<class S>(std::type_identity<S>) -> double {
-    return S::largest_rate / r.dense_flow;
+    return S::largest_rate / (r.dense_flow + drag_rate(scene));
   });
 }
 

@@ -17,8 +17,11 @@ double paper_time_step(Scene::Disks const& disks);
 /// The time step of a scheme's own rule, [tau_e].
 double rule_time_step(Scene const& scene, std::string_view scheme);
 
-/// The time step of a scene: as given, or by the rule named; of a ramp shortened to divide
-/// ramp_every.
+/// Largest rate at which the drag of a drive relaxes a disk alone, [1 / tau_e]; 0 without one.
+double drag_rate(Scene const& scene);
+
+/// The time step of a scene: as given, or by the rule named, with a drive at most 0.2/drag_rate();
+/// of a ramp shortened to divide ramp_every.
 double time_step(Scene const& scene);
 
 /// The scene with scheme and time step told instead of ruled, as it is kept beside results.

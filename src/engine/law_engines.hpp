@@ -10,6 +10,7 @@
 #include "kernels/device/neighbors/neighbor_search.hpp"
 #include "kernels/physics/sums/sums.hpp"
 #include "src/config/scene.hpp"
+#include "src/engine/drives/drive_setup.hpp"
 #include "src/engine/ensemble/ensemble.hpp"
 #include "src/engine/simulation.hpp"
 
@@ -23,10 +24,11 @@ struct LawEngines {
   std::string_view name;  ///< of the law
 
   /// The step on blocks of the scene's scheme.
-  std::unique_ptr<BlockStepper> (*stepper)(Scene const&);
+  std::unique_ptr<BlockStepper> (*stepper)(Scene const&, std::optional<DriveSetup> const&);
 
   /// The plain engine; nullptr if the build has no such backend.
   std::unique_ptr<Simulation> (*reference)(Scene const&, Snapshot const&,
+                                           std::optional<DriveSetup> const&,
                                            std::string const& backend);
 
   /// Systems that share launches; nullptr if the build has no such backend, or it is not a device.

@@ -7,6 +7,7 @@
 #include "src/engine/backends.hpp"
 #include "src/engine/compiled_once.hpp"
 #include "src/engine/disk_sums.hpp"
+#include "src/engine/drives/make_drive.hpp"
 #include "src/engine/ensemble/ensemble_engine.hpp"
 #include "src/engine/law_engines.hpp"
 #include "src/engine/reference/reference_engine.hpp"
@@ -17,25 +18,29 @@ namespace bagnold {
 namespace detail {
 
 template <ContactLaw Law>
-std::unique_ptr<BlockStepper> make_stepper(Scene const& scene) {
+std::unique_ptr<BlockStepper> make_stepper(Scene const& scene,
+                                           std::optional<DriveSetup> const& drive) {
   return with_physics_of<Law>(scene,
                               [&]<class R, class S>(Law const& law, R const& repulsion,
                                                     S) -> std::unique_ptr<BlockStepper> {
-                                return std::make_unique<StepperOf<BlockStep<Law, R, S>>>(
+                                using Step = BlockStep<Law, R, S>;
+                                return std::make_unique<StepperOf<Step>>(
                                     law, repulsion, make_species_table(scene.mass_by_area()),
-                                    time_step(scene));
+                                    time_step(scene),
+                                    make_block_drive<typename Step::Force, Law::rotates>(drive));
                               });
 }
 
 template <ContactLaw Law>
 std::unique_ptr<Simulation> make_reference(Scene const& scene, Snapshot const& snapshot,
+                                           std::optional<DriveSetup> const& drive,
                                            std::string const& backend) {
   using Made = std::unique_ptr<Simulation>;
   return with_physics_of<Law>(scene, [&]<class R, class S>(Law const& law, R const&, S) {
     return on_backend<Made>(backend, [&]<class Space>(std::type_identity<Space>) -> Made {
       return std::make_unique<ReferenceEngine<Law, R, Space, S>>(
           law, make_species_table(scene.mass_by_area()), scene.shear.strain_rate, time_step(scene),
-          scene.integration.skin, snapshot);
+          scene.integration.skin, snapshot, make_device_drive<Law::rotates, Space>(drive));
     });
   });
 }

@@ -15,11 +15,13 @@ namespace bagnold {
 
 namespace {
 
-Stepping stepping(std::string const& engine) {
-  return engine == "many-contacts"  ? Stepping::many_contacts
-         : engine == "few-contacts" ? Stepping::few_contacts
-         : engine == "lookahead"    ? Stepping::lookahead
-                                    : Stepping::automatic;
+Stepping stepping(Scene const& scene) {
+  auto const& engine = scene.integration.engine;
+  return scene.driven()              ? Stepping::many_contacts
+         : engine == "many-contacts" ? Stepping::many_contacts
+         : engine == "few-contacts"  ? Stepping::few_contacts
+         : engine == "lookahead"     ? Stepping::lookahead
+                                     : Stepping::automatic;
 }
 
 /// The engine of a scene on a backend; nullptr if the build has no such backend.
@@ -27,13 +29,14 @@ std::unique_ptr<Simulation> make_engine(Scene const& scene, Snapshot& snapshot,
                                         std::string const& backend) {
   auto const& integration = scene.integration;
   auto const& engines = engines_for(scene);
+  auto const drive = drive_setup(scene, snapshot.initial_time);
   if (integration.engine != "reference")
     if (auto loop = make_block_loop(backend))
       return std::make_unique<BlockEngine>(
-          std::move(loop), engines.stepper(scene), stepping(integration.engine),
+          std::move(loop), engines.stepper(scene, drive), stepping(scene),
           make_species_table(scene.mass_by_area()), scene.shear.strain_rate, time_step(scene),
           integration.skin, snapshot);
-  return engines.reference(scene, snapshot, backend);
+  return engines.reference(scene, snapshot, drive, backend);
 }
 
 template <class... Spaces>
@@ -51,7 +54,7 @@ constexpr std::int64_t most_disks_of_a_team = 1024;
 
 /// Whether nothing is asked for that members of an ensemble do not do.
 bool suits_ensembles(Scene const& scene) {
-  return scene.integration.engine != "reference" && !scene.measure.contacts;
+  return scene.integration.engine != "reference" && !scene.measure.contacts && !scene.driven();
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "kernels/physics/sums/sums.hpp"
 #include "src/config/time_step.hpp"
 #include "src/engine/contacts/contact_columns.hpp"
+#include "src/engine/drive_columns.hpp"
 
 namespace bagnold {
 
@@ -67,7 +68,7 @@ void add_rotation_in_contact(std::vector<Observable>& list, Sum const& sum) {
 void add_contacts(Scene const& scene, std::vector<Observable>& list) {
   using K = ContactColumns;
   using M = ContactMotion;
-  int const first = scene.rotates() ? C::count_rotating : C::count;
+  int const first = engine_columns(scene.rotates(), scene.driven());
   auto const sum = [first](Averages a, int column) {
     return a[static_cast<std::size_t>(first + column)];
   };
@@ -102,6 +103,11 @@ std::vector<Observable> observables(Scene const& scene, double box_length) {
   auto const p = [](Averages a, auto part) { return pressure(a, part); };
   auto const s = [](Averages a, auto part) { return shear_stress(a, part); };
   auto const d = [](Averages a, auto part) { return anisotropy(a, part); };
+
+  auto const drive = static_cast<std::size_t>(engine_columns(scene.rotates(), false));
+  auto const driven = [drive, acts = scene.driven()](Averages a) {
+    return acts ? a[drive + DriveColumns::push] - a[drive + DriveColumns::drag] : 0;
+  };
 
   std::vector<Observable> list{
       {"p", stress_unit, "pressure", [=](Averages a) { return pressure(a) / area; }},
@@ -144,8 +150,9 @@ std::vector<Observable> observables(Scene const& scene, double box_length) {
       {"R_v", "1", "<dv_x^2>/<v_y^2>, P2 Eq. 37",
        [=](Averages a) { return a[C::velocity_x2] / a[C::velocity_y2]; }},
       {"energy_gap", "1",
-       "1 - dissipated power/(sigma gammadot L_x L_y): 0 if no energy is lost or made",
-       [=](Averages a) { return 1 - a[C::dissipation] / (shear_stress(a) * rate); }},
+       "1 - power that contacts and the drive take/(sigma gammadot L_x L_y): 0 if no energy is "
+       "lost or made",
+       [=](Averages a) { return 1 - (a[C::dissipation] - driven(a)) / (shear_stress(a) * rate); }},
       {"p_dis_share", "1", "p_dis/p: 0 over whole contacts",
        [=](Averages a) { return pressure(a, dissipative) / pressure(a); }}};
   if (scene.rotates()) {
@@ -158,6 +165,15 @@ std::vector<Observable> observables(Scene const& scene, double box_length) {
     list.push_back({"torque_power", "1",
                     "power of the torques/(sigma gammadot L_x L_y): 0 if <V^C_T V^R> = 0",
                     [=](Averages a) { return a[C::torque_power] / (shear_stress(a) * rate); }});
+  }
+  if (scene.driven()) {
+    list.push_back(
+        {"drag_power", "1", "power that the drag takes/(sigma gammadot L_x L_y)",
+         [=](Averages a) { return a[drive + DriveColumns::drag] / (shear_stress(a) * rate); }});
+    list.push_back(
+        {"push_power", "1",
+         "power that the rest of the drive gives, of a bath its noise, over the same",
+         [=](Averages a) { return a[drive + DriveColumns::push] / (shear_stress(a) * rate); }});
   }
   if (scene.measure.contacts) add_contacts(scene, list);
   return list;

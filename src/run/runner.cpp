@@ -82,7 +82,7 @@ Snapshot Runner::start_of(std::size_t r, std::optional<Snapshot> snapshot) {
 void Runner::make(std::size_t r, Snapshot snapshot) {
   make_frames_of(r, snapshot.state);
   try {
-    simulations_[r] = simulation_of(std::move(snapshot));
+    simulations_[r] = simulation_of(r, std::move(snapshot));
   } catch (NumericalError const& error) {
     throw ReplicaFailure{r, error.what(), snapshot.state};
   }
@@ -97,15 +97,16 @@ void Runner::make_all_together(std::vector<Snapshot> const& snapshots) {
   }
 }
 
-std::unique_ptr<Simulation> Runner::simulation_of(Snapshot&& snapshot) const {
-  auto make = [scene = run_.scene, backend = machine_.backend](double strain_rate,
-                                                               Snapshot&& from) mutable {
+std::unique_ptr<Simulation> Runner::simulation_of(std::size_t r, Snapshot&& snapshot) const {
+  Scene scene = run_.scene;
+  scene.disks.seed = seed(r);
+  auto make = [scene, backend = machine_.backend](double strain_rate, Snapshot&& from) mutable {
     scene.shear.strain_rate = strain_rate;
     return make_simulation(scene, std::move(from), backend);
   };
   if (whole_.ramp)
     return std::make_unique<RampedSimulation>(*whole_.ramp, std::move(make), std::move(snapshot));
-  return make_simulation(run_.scene, std::move(snapshot), machine_.backend);
+  return make_simulation(scene, std::move(snapshot), machine_.backend);
 }
 
 void Runner::make_frames_of(std::size_t r, State const& start) {

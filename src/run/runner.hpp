@@ -38,7 +38,7 @@ class Runner {
   Snapshot start_of(std::size_t replica, std::optional<Snapshot> snapshot);
   void make(std::size_t replica, Snapshot snapshot);
   void make_all_together(std::vector<Snapshot> const& snapshots);
-  std::unique_ptr<Simulation> simulation_of(Snapshot&& snapshot) const;
+  std::unique_ptr<Simulation> simulation_of(std::size_t r, Snapshot&& snapshot) const;
   Plan next_leg() const;  ///< to where the target error is looked at next
   bool enough();          ///< whether the run may end there
   void make_frames_of(std::size_t replica, State const& start);

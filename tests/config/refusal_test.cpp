@@ -104,10 +104,35 @@ TEST(Refusals, Contradictions) {
   EXPECT_EQ(refusal(minimal_text, {"disks.model=CD_nt", "disks.damping_tangential=0"}), "accepted");
 }
 
+TEST(Refusals, ContradictionsOfDrives) {
+  auto const with = [](std::vector<std::string> const& more) {
+    return refusal(minimal_text, more);
+  };
+  EXPECT_TRUE(has(with({"drive.drag=0.1"}), "set drive.kind = \"stokes\" or \"thermal\""))
+      << with({"drive.drag=0.1"});
+  EXPECT_TRUE(has(with({"drive.kind=stokes"}), "drive.drag = 0 (drive.kind"));
+  EXPECT_TRUE(has(with({"drive.kind=thermal", "drive.drag=0.1"}), "drive.temperature = 0 (drive"));
+  EXPECT_TRUE(has(with({"drive.kind=stokes", "drive.drag=0.1", "drive.temperature=1e-3"}),
+                  "set drive.kind = \"thermal\""));
+  EXPECT_TRUE(has(with({"drive.kind=wind"}), "must be one of \"none\", \"stokes\", \"thermal\""));
+  for (std::string const engine : {"few-contacts", "lookahead"}) {
+    auto const message =
+        with({"drive.kind=stokes", "drive.drag=0.1", "integration.engine=" + engine});
+    EXPECT_TRUE(has(message, "integration.engine = \"" + engine + "\" (needs disks that fly"))
+        << message;
+    EXPECT_EQ(with({"integration.engine=" + engine}), "accepted");
+  }
+  for (std::string const engine : {"auto", "reference", "many-contacts"})
+    EXPECT_EQ(with({"drive.kind=thermal", "drive.drag=0.1", "drive.temperature=1e-3",
+                    "integration.engine=" + engine}),
+              "accepted");
+}
+
 /// A scene whose numeric key `wanted` has the value `value`, as text.
 std::string scene_with(Key const& wanted, double value) {
   Scene scene = parse(text_for(wanted));
   scene.disks.model = "CD_nt";  // the one that takes every key
+  if (wanted.name.starts_with("drive.")) scene.drive = {"thermal", 0.1, 1e-3};
   for_each_key(scene, [&](Key const& key, auto& member) {
     using Member = std::decay_t<decltype(member)>;
     if (key.name != wanted.name) return;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <functional>
 
 #include "src/state/state.hpp"
 
@@ -22,6 +24,9 @@ struct Parameters {
   bool area_mass = false;           ///< false: m_i = m = 1 (P2); true: by area, m_0 = 1 (P1)
   double strain_rate = 0.0;         ///< [1 / tau_e]
   double time_step = 0.05;          ///< [tau_e]
+  double drag = 0.0;                ///< zeta, [m / tau_e]; P2 Sec. IV
+  /// Force and torque on a disk beside it, in a step: [m d_s / tau_e^2], [m d_s^2 / tau_e^2].
+  std::function<std::array<double, 3>(std::size_t disk, long step)> push;
 };
 
 /// Whether disks carry spins: only where the law reads them.

@@ -48,6 +48,26 @@ inline void wrap(Parameters const& p, State& s, double strain) {
   }
 }
 
+/// zeta_r, torque over spin: a sphere's, zeta d^2/3.
+inline double spin_drag(Parameters const& p, double diameter) {
+  return p.drag * diameter * diameter / 3.0;
+}
+
+/// Adds what acts on each disk alone: -zeta [v - u(r)], u = gammadot y x^, and on the spin
+/// -zeta_r (thetadot + gammadot/2), where u turns by -gammadot/2; and the push of the step.
+inline void add_drive(System const& system, State const& s,
+                      std::vector<std::array<double, 3>>& forces) {
+  Parameters const& p = system.p;
+  for (std::size_t i = 0; i < s.count(); ++i) {
+    forces[i][0] -= p.drag * (s.velocity[i][0] - p.strain_rate * s.position[i][1]);
+    forces[i][1] -= p.drag * s.velocity[i][1];
+    if (rotates(p)) forces[i][2] -= spin_drag(p, s.diameter[i]) * (s.spin[i] + p.strain_rate / 2.0);
+    if (!p.push) continue;
+    auto const push = p.push(i, system.step);
+    for (int a = 0; a < 3; ++a) forces[i][a] += push[a];
+  }
+}
+
 /// One step of the modified velocity Verlet scheme, P2 Eqs. (21)-(24), and the equivalent of Eqs.
 /// (21) and (23) for the spins. The trial state belongs to t + dt, and so does its strain.
 inline void step(System& system) {
@@ -56,7 +76,8 @@ inline void step(System& system) {
   State const before = system.s;
   State trial = before;
   State& after = system.s;
-  auto const f0 = forces_and_torques(p, before, strain(system));
+  auto f0 = forces_and_torques(p, before, strain(system));
+  add_drive(system, before, f0);
   for (std::size_t i = 0; i < before.count(); ++i) {
     double const m = mass(p, before.diameter[i]);
     for (int a = 0; a < 2; ++a) {
@@ -68,7 +89,8 @@ inline void step(System& system) {
       trial.spin[i] = before.spin[i] + f0[i][2] * dt / inertia;
     }
   }
-  auto const f1 = forces_and_torques(p, trial, strain(system, 1));
+  auto f1 = forces_and_torques(p, trial, strain(system, 1));
+  add_drive(system, trial, f1);
   for (std::size_t i = 0; i < before.count(); ++i) {
     double const m = mass(p, before.diameter[i]);
     for (int a = 0; a < 2; ++a) {

@@ -56,8 +56,8 @@ struct StepPower {
 };
 
 /// One step of the two-stage leapfrog: all forces with the velocities of half a step before, then
-/// the damping of the changes that they make, then positions. dissipative: out, sum f_a r_b of
-/// both.
+/// the damping of the changes that they make, drag included, then positions. dissipative: out, sum
+/// f_a r_b of both.
 inline StepPower two_stage_step(System& system, double (&dissipative)[2][2]) {
   Parameters const& p = system.p;
   State& s = system.s;
@@ -92,7 +92,21 @@ inline StepPower two_stage_step(System& system, double (&dissipative)[2][2]) {
     ++count[c.i];
     ++count[c.j];
   }
+  std::vector<std::array<double, 3>> alone(s.count(), {0.0, 0.0, 0.0});
+  add_drive(system, s, alone);
+  for (std::size_t i = 0; i < s.count(); ++i) {
+    double const m = mass(p, s.diameter[i]);
+    for (int a = 0; a < 2; ++a) change.velocity[i][a] += alone[i][a] * dt / m;
+    if (rotates(p)) change.spin[i] += alone[i][2] * dt / moment_of_inertia(p, s.diameter[i]);
+  }
   all = change;
+  for (std::size_t i = 0; i < s.count(); ++i) {  // the drag of the changes, each disk's own alpha
+    double const z = p.drag * dt / mass(p, s.diameter[i]);
+    for (int a = 0; a < 2; ++a) all.velocity[i][a] -= second_share(z) * z * change.velocity[i][a];
+    if (!rotates(p)) continue;
+    double const z_r = spin_drag(p, s.diameter[i]) * dt / moment_of_inertia(p, s.diameter[i]);
+    all.spin[i] -= second_share(z_r) * z_r * change.spin[i];
+  }
   std::vector<PairForce> second;
   for (Contact const& contact : found) {
     Contact const c = changed(contact, change);

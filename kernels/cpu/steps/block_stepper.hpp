@@ -8,6 +8,7 @@
 #include "kernels/cpu/islands/flight_sums.hpp"
 #include "kernels/cpu/steps/active_disks.hpp"
 #include "kernels/cpu/steps/speed_watch.hpp"
+#include "kernels/physics/drives/drive_power.hpp"
 #include "kernels/physics/laws/contact.hpp"
 #include "kernels/physics/sums/sums.hpp"
 
@@ -31,6 +32,7 @@ struct StepNeeds {
   int observed_forces;      ///< arrays of forces that measure() fills
   std::size_t force_bytes;  ///< of a disk's force
   StepCosts costs;
+  bool driven = false;  ///< by a one-body force: disks that touch nothing do not fly straight
 };
 
 /// The step of a scheme on a block of disks, by its form; StepperOf shows it.
@@ -71,6 +73,10 @@ class BlockStepper {
   /// and it has not been through the second. force: [observed_forces][most_local].
   virtual BlockSums measure(BlockSystem const& system, std::uint32_t b, Real strain_rate,
                             void* force) const = 0;
+
+  /// Powers of the one-body force on a block, if there is one, after measure() with its force.
+  virtual DrivePower drive_power(BlockSystem const& system, std::uint32_t b, Real strain_rate,
+                                 void* force) const = 0;
 
   /// Brings `count` pairs of disks that meet no one else through steps; see BinaryCollisions.
   virtual BinaryOutcome collide(BinaryDisk* a, BinaryDisk* b, int count, std::int64_t steps,

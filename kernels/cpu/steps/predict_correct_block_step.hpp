@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
+#include <utility>
+
+#include "kernels/cpu/steps/block_drive.hpp"
 #include "kernels/cpu/steps/block_forces.hpp"
 #include "kernels/cpu/steps/block_stepper.hpp"
 #include "kernels/cpu/steps/kick.hpp"
@@ -30,10 +34,12 @@ struct BlockStep<L, R, S> {
                                    .costs = {.by_itself = 7, .contact = 39, .few_below = 0.3}};
 
   Forces forces;
-  Real time_step;  ///< dt, [tau_e]
+  Real time_step;                                           ///< dt, [tau_e]
+  std::unique_ptr<BlockDrive<Force, rotates> const> drive;  ///< null: none
 
-  BlockStep(Law const& law, Repulsion const& repulsion, SpeciesTable const&, Real dt)
-      : forces{law, repulsion}, time_step(dt) {}
+  BlockStep(Law const& law, Repulsion const& repulsion, SpeciesTable const&, Real dt,
+            std::unique_ptr<BlockDrive<Force, rotates> const> one_body)
+      : forces{law, repulsion}, time_step(dt), drive(std::move(one_body)) {}
 
   SecondStage const* second_stage() const { return nullptr; }
 
@@ -43,6 +49,7 @@ struct BlockStep<L, R, S> {
     Block const& block = s.blocks.block(b);
     refresh_halo(s.blocks, block, s.now, box);
     forces.evaluate(s, block, s.now, force, NoPackObserver{});
+    if (drive) drive->add(s, block, s.now, box.strain_rate, force);
     Kick const kick(s.table, time_step);
     for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
       auto const slot = block.first + i;
@@ -67,6 +74,7 @@ struct BlockStep<L, R, S> {
     refresh_halo(s.blocks, block, s.trial, box);
     OverlapWatch overlaps;
     forces.evaluate(s, block, s.trial, force, overlaps);
+    if (drive) drive->add(s, block, s.trial, box.strain_rate, force);
     Kick const kick(s.table, time_step / 2);
     SpeedWatch speeds{box.strain_rate};
     for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
@@ -158,6 +166,12 @@ struct BlockStep<L, R, S> {
   template <class Observer>
   void observe(BlockSystem const& s, Block const& block, Force* force, Observer&& observer) const {
     forces.evaluate(s, block, s.now, force, observer);
+  }
+
+  /// Powers of the drive.
+  DrivePower drive_power(BlockSystem const& s, Block const& block, Real strain_rate,
+                         Force const*) const {
+    return drive->power(s, block, strain_rate);
   }
 
   /// Of eight disks from i on, after observe(). spin: theirs.

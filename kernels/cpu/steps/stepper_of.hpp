@@ -13,8 +13,14 @@ class StepperOf final : public BlockStepper {
   using Law = typename Step::Law;
   using Repulsion = typename Step::Repulsion;
 
-  StepperOf(Law const& law, Repulsion const& repulsion, SpeciesTable const& table, Real time_step)
-      : BlockStepper(Step::needs), step_(law, repulsion, table, time_step), table_(table) {}
+  using Drive = BlockDrive<typename Step::Force, Step::rotates>;
+
+  /// drive: null where none acts.
+  StepperOf(Law const& law, Repulsion const& repulsion, SpeciesTable const& table, Real time_step,
+            std::unique_ptr<Drive const> drive)
+      : BlockStepper(needs_of(drive != nullptr)),
+        step_(law, repulsion, table, time_step, std::move(drive)),
+        table_(table) {}
 
   BlockReport predict(BlockSystem const& s, std::uint32_t b, ShearedBox const& box,
                       void* force) const override {
@@ -43,6 +49,11 @@ class StepperOf final : public BlockStepper {
     return measure_block(step_, s, b, strain_rate, forces(force));
   }
 
+  DrivePower drive_power(BlockSystem const& s, std::uint32_t b, Real strain_rate,
+                         void* force) const override {
+    return step_.drive_power(s, s.blocks.block(b), strain_rate, forces(force));
+  }
+
   BinaryOutcome collide(BinaryDisk* a, BinaryDisk* b, int count, std::int64_t steps,
                         Real strain_rate, SampleTimes const& times, BlockSums* sums,
                         LaneWatch* watch) const override {
@@ -54,6 +65,12 @@ class StepperOf final : public BlockStepper {
   }
 
  private:
+  static StepNeeds needs_of(bool driven) {
+    StepNeeds needs = Step::needs;
+    needs.driven = driven;
+    return needs;
+  }
+
   static typename Step::Force* forces(void* scratch) {
     return static_cast<typename Step::Force*>(scratch);
   }

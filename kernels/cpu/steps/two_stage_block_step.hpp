@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
+#include <utility>
+
+#include "kernels/cpu/steps/block_drive.hpp"
 #include "kernels/cpu/steps/block_forces.hpp"
 #include "kernels/cpu/steps/block_stepper.hpp"
 #include "kernels/cpu/steps/kick.hpp"
@@ -34,9 +38,14 @@ struct BlockStep<L, R, S> {
   Forces forces;
   Real time_step;  ///< dt, [tau_e]
   SecondStage shares;
+  std::unique_ptr<BlockDrive<Force, rotates> const> drive;  ///< null: none
 
-  BlockStep(Law const& law, Repulsion const& repulsion, SpeciesTable const& table, Real dt)
-      : forces{law, repulsion}, time_step(dt), shares(SecondStage::of<Scheme>(law, table, dt)) {}
+  BlockStep(Law const& law, Repulsion const& repulsion, SpeciesTable const& table, Real dt,
+            std::unique_ptr<BlockDrive<Force, rotates> const> one_body)
+      : forces{law, repulsion},
+        time_step(dt),
+        shares(SecondStage::of<Scheme>(law, table, dt)),
+        drive(std::move(one_body)) {}
 
   SecondStage const* second_stage() const { return &shares; }
 
@@ -55,6 +64,7 @@ struct BlockStep<L, R, S> {
       report.largest_overlap =
           std::max(report.largest_overlap, simd::largest(lister.largest_overlap));
     }
+    if (drive) drive->add(s, block, s.now, box.strain_rate, force);
     Kick const kick(s.table, time_step);
     for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
       auto const f = simd::load_forces(force + i);
@@ -75,6 +85,7 @@ struct BlockStep<L, R, S> {
     } else {
       Forces::clear(block, force);
       add_second(s, block, force);
+      if (drive) drive->add_second(s, block, force);
     }
     Kick const kick(s.table, time_step);
     SpeedWatch speeds{box.strain_rate};
@@ -161,6 +172,13 @@ struct BlockStep<L, R, S> {
     Forces::clear(block, force);
     Forces::clear(block, force + s.blocks.most_local);
     look<true>(s, block, force, observer);
+    if (drive) drive->add_second(s, block, force + s.blocks.most_local);
+  }
+
+  /// Powers of the drive, after observe().
+  DrivePower drive_power(BlockSystem const& s, Block const& block, Real strain_rate,
+                         Force const* force) const {
+    return drive->power(s, block, strain_rate, force + s.blocks.most_local);
   }
 
   /// Of eight disks from i on, after observe(), as ChangeForces has it. spin: theirs.

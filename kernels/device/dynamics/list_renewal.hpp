@@ -40,4 +40,31 @@ struct NextStep {
   }
 };
 
+/// Keeps the largest |w|^2 of a disk now and a step later; infinity where it is no number, or not
+/// sound.
+KOKKOS_INLINE_FUNCTION void keep_largest(Real& largest, Real now2, Real next2, bool sound) {
+  Real value = now2 > next2 ? now2 : next2;
+  if (!(sound && value < Kokkos::reduction_identity<Real>::min() && now2 == now2))
+    value = Kokkos::reduction_identity<Real>::min();
+  if (value > largest) largest = value;
+}
+
+/// Reduces (Max) the largest |w|^2 now and a step later, as steps do on their way.
+template <bool Rotates, class Space>
+struct Farthest {
+  Kokkos::View<Vec2<Real>*, Space> position;
+  Kokkos::View<Motion<Rotates>*, Space> motion;
+  Kokkos::View<Vec2<Real>*, Space> at_build;
+  Real time_step;                ///< dt, [tau_e]
+  Real strain_since_build;       ///< now
+  Real next_strain_since_build;  ///< a step later
+
+  KOKKOS_FUNCTION void operator()(std::int64_t i, Real& largest) const {
+    keep_largest(largest, excursion2(position(i), at_build(i), strain_since_build),
+                 excursion2(flown(position(i), motion(i).velocity, time_step), at_build(i),
+                            next_strain_since_build),
+                 true);
+  }
+};
+
 }  // namespace bagnold

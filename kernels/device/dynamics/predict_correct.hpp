@@ -3,7 +3,7 @@
 
 #include "kernels/device/dynamics/contact_forces.hpp"
 #include "kernels/device/dynamics/device_step.hpp"
-#include "kernels/physics/box/list_criterion.hpp"
+#include "kernels/device/dynamics/list_renewal.hpp"
 #include "kernels/physics/schemes/flight_and_kick.hpp"
 #include "kernels/physics/schemes/forms.hpp"
 
@@ -45,15 +45,6 @@ struct OverlapLimit {
     exceeded = exceeded || pair.relative_overlap > largest_relative_overlap;
   }
 };
-
-/// Keeps the largest |w|^2 of a disk now and a step later; infinity where it is no number, or not
-/// sound.
-KOKKOS_INLINE_FUNCTION void keep_largest(Real& largest, Real now2, Real next2, bool sound) {
-  Real value = now2 > next2 ? now2 : next2;
-  if (!(sound && value < Kokkos::reduction_identity<Real>::min() && now2 == now2))
-    value = Kokkos::reduction_identity<Real>::min();
-  if (value > largest) largest = value;
-}
 
 /// Second half of its step. Reduces (Max) the largest |w|^2 of r_1 and of the next
 /// trial position r_1 + v_1 dt, so that the list can be renewed before it is outrun; infinity where
@@ -97,20 +88,22 @@ struct DeviceStep<Scheme> {
     return system.forces(box);
   }
 
-  template <class System, class Loops>
-  KOKKOS_FUNCTION static bool begin(System const&, Loops const&, ShearedBox const&) {
+  template <class Law, class Repulsion, class Space, class Loops>
+  KOKKOS_FUNCTION static bool begin(SteppedSystem<Law, Repulsion, Space, Scheme> const& system,
+                                    Loops const& loops, ShearedBox const& box) {
+    auto const& disks = system.disks;
+    loops.for_all("dynamics::Predict", disks.count(),
+                  Predict<Law, Repulsion, Space, Scheme>{system.forces(box), system.time_step,
+                                                         disks.trial_position, disks.trial_motion});
     return true;
   }
 
   template <class Law, class Repulsion, class Space, class Loops>
   KOKKOS_FUNCTION static Real end(SteppedSystem<Law, Repulsion, Space, Scheme>& system,
-                                  Loops const& loops, ShearedBox const& box,
-                                  ShearedBox const& next_box, Real strain, Real next_strain) {
+                                  Loops const& loops, ShearedBox const&, ShearedBox const& next_box,
+                                  Real strain, Real next_strain) {
     auto const& disks = system.disks;
     Real largest2 = 0;
-    loops.for_all("dynamics::Predict", disks.count(),
-                  Predict<Law, Repulsion, Space, Scheme>{system.forces(box), system.time_step,
-                                                         disks.trial_position, disks.trial_motion});
     loops.reduce(
         "dynamics::Correct", disks.count(),
         Correct<Law, Repulsion, Space, Scheme>{

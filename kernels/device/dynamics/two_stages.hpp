@@ -4,9 +4,9 @@
 #include "kernels/device/dynamics/contact_forces.hpp"
 #include "kernels/device/dynamics/device_step.hpp"
 #include "kernels/device/dynamics/disk_views.hpp"
+#include "kernels/device/dynamics/list_renewal.hpp"
 #include "kernels/device/dynamics/predict_correct.hpp"
 #include "kernels/device/system_table.hpp"
-#include "kernels/physics/box/list_criterion.hpp"
 #include "kernels/physics/schemes/second_stage.hpp"
 
 namespace bagnold {

@@ -8,6 +8,7 @@
 #include "kernels/cpu/steps/block_stepper.hpp"
 #include "src/engine/blocks/block_loop.hpp"
 #include "src/engine/clock.hpp"
+#include "src/engine/drive_columns.hpp"
 #include "src/state/state.hpp"
 
 namespace bagnold {
@@ -32,9 +33,8 @@ struct BlockDisks {
   ShearedBox box_at(std::int64_t at) const { return clock.box(at, list_step); }
 
   /// Those of SumColumns that there are.
-  int columns() const { return system.rotates ? SumColumns::count_rotating : SumColumns::count; }
   std::span<Real const> columns_of(BlockSums const& sums) const {
-    return {sums.value, static_cast<std::size_t>(columns())};
+    return {sums.value, static_cast<std::size_t>(engine_columns(system.rotates, false))};
   }
 
   /// Largest |v - gammadot y x^|, [d_s/tau_e], and a disk that has it.

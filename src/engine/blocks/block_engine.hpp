@@ -17,7 +17,10 @@ class BlockEngine final : public Simulation {
               Stepping stepping, SpeciesTable const& table, double strain_rate, double time_step,
               double skin, Snapshot& snapshot);
 
-  int columns() const override { return disks_.columns(); }
+  int columns() const override {
+    auto const& needs = disks_.stepper->needs;
+    return engine_columns(needs.rotates, needs.driven);
+  }
   std::int64_t step() const override { return disks_.step; }
   void advance(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) override;
   Snapshot snapshot() const override;

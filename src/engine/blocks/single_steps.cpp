@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/engine/drive_columns.hpp"
 #include "src/engine/failure.hpp"
 
 namespace bagnold {
@@ -13,6 +14,7 @@ void SingleSteps::advance(Sampling const& sampling, OpenWindows& windows) {
   make_room();
   auto const step = disks_.step;
   bool const sampled = sampling.sampled(step);
+  disks_.system.step = step;
   if (windows.contacts) {  // they are looked for in all blocks, between the halves of the step
     auto const count = disks_.system.blocks.count;
     first_half(0, count);
@@ -27,8 +29,8 @@ void SingleSteps::advance(Sampling const& sampling, OpenWindows& windows) {
     }
   }
   if (sampled) {
-    auto const total = sums();
-    windows.add(sampling.window(step), disks_.columns_of(total), 1);
+    add_up();
+    windows.add(sampling.window(step), columns_, 1);
   }
   count_step();
 }
@@ -83,6 +85,7 @@ void SingleSteps::make_room() {
   if (arrangement_ != system.arrangement) {
     reports_ = loop.zeros<BlockReport>("dynamics::reports", system.blocks.count);
     sums_ = loop.zeros<BlockSums>("observables::block_sums", system.blocks.count);
+    if (disks_.stepper->needs.driven) make_room_for_drive();
     arrangement_ = system.arrangement;
   }
   if (!few || listing_ == system.listing) return;
@@ -126,6 +129,8 @@ void SingleSteps::second_half(std::uint32_t begin, std::uint32_t end, bool sampl
         auto const b = lists_.wavefront().second_half[begin + k];
         auto* const force = scratch + moved;
         if (sampled) sums_(b) = stepper.measure(system, b, rate, force);
+        if (sampled && stepper.needs.driven)
+          drive_powers_(b) = stepper.drive_power(system, b, rate, force);
         reports_(b) += few ? stepper.correct_few(system, active_, b, box, force, sampled,
                                                  reinterpret_cast<simd::Record*>(scratch))
                            : stepper.correct(system, b, box, force, sampled, nullptr);
@@ -157,10 +162,25 @@ void SingleSteps::count_step() {
       disks_.stepper->needs.evaluations * static_cast<std::int64_t>(lists_.near_pairs);
 }
 
-BlockSums SingleSteps::sums() const {
+/// Powers of the drive, and which disk is in which slot.
+void SingleSteps::make_room_for_drive() {
+  auto& system = disks_.system;
+  drive_powers_ = disks_.loop->zeros<DrivePower>("observables::drive_powers", system.blocks.count);
+  system.disk_of = disks_.loop->zeros<std::uint32_t>("dynamics::disk_of", system.blocks.slots);
+  for (std::uint32_t i = 0; i < disks_.count(); ++i) system.disk_of(system.blocks.slot_of(i)) = i;
+}
+
+/// The columns of the configuration that was measured.
+void SingleSteps::add_up() {
+  auto const count = disks_.system.blocks.count;
   BlockSums total;
-  for (std::uint32_t b = 0; b < disks_.system.blocks.count; ++b) total += sums_(b);
-  return total;
+  for (std::uint32_t b = 0; b < count; ++b) total += sums_(b);
+  auto const sums = disks_.columns_of(total);
+  columns_.assign(sums.begin(), sums.end());
+  if (!disks_.stepper->needs.driven) return;
+  DrivePower power;
+  for (std::uint32_t b = 0; b < count; ++b) power += drive_powers_(b);
+  append(columns_, power);
 }
 
 }  // namespace bagnold

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 #include "src/engine/blocks/block_lists.hpp"
 #include "src/engine/contacts/contact_watch.hpp"
 #include "src/engine/sampling.hpp"
@@ -54,7 +56,8 @@ class SingleSteps {
   void second_half(std::uint32_t begin, std::uint32_t end, bool sampled);
   void count_step();
   ListUse use_of_inner() const;
-  BlockSums sums() const;
+  void make_room_for_drive();
+  void add_up();
 
   BlockDisks& disks_;
   BlockLists& lists_;
@@ -64,6 +67,8 @@ class SingleSteps {
   std::int64_t arrangement_ = 0, listing_ = 0;  ///< of the system, that there is room for
   Blocks::Array<BlockReport> reports_;          ///< by block
   Blocks::Array<BlockSums> sums_;               ///< by block
+  Blocks::Array<DrivePower> drive_powers_;      ///< by block, if there is a drive
+  std::vector<Real> columns_;
 };
 
 }  // namespace bagnold

@@ -2,10 +2,15 @@
 #pragma once
 
 #include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
 
+#include "kernels/device/dynamics/device_drive.hpp"
 #include "kernels/device/dynamics/stepped_system.hpp"
 #include "kernels/device/neighbors/verlet_list.hpp"
 #include "kernels/device/sums/measure.hpp"
+#include "src/engine/drive_columns.hpp"
 #include "src/engine/in_box.hpp"
 #include "src/engine/reference/row_contacts.hpp"
 #include "src/engine/simulation.hpp"
@@ -23,8 +28,10 @@ class ReferenceEngine final : public Simulation {
 
   /// A start: `snapshot.list_position` empty means no list yet.
   ReferenceEngine(Law law, SpeciesTable table, double strain_rate, double time_step, double skin,
-                  Snapshot const& snapshot)
-      : skin_(skin),
+                  Snapshot const& snapshot,
+                  std::unique_ptr<DeviceDrive<rotates, Space> const> drive)
+      : drive_(std::move(drive)),
+        skin_(skin),
         clock_{strain_rate,
                time_step,
                snapshot.state.box_length,
@@ -58,16 +65,21 @@ class ReferenceEngine final : public Simulation {
     }
   }
 
-  int columns() const override { return Sums<rotates>::columns; }
+  int columns() const override { return engine_columns(rotates, drive_ != nullptr); }
   std::int64_t step() const override { return step_; }
 
   void advance(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) override {
     for (auto const end = std::min(step_ + steps, sampling.last_step); step_ < end;) {
       if (!system_.begin_step(loops_, box_at(step_))) stop_unsound();
-      if (sampling.sampled(step_)) windows.add(sampling.window(step_), measure().value, 1);
-      if (windows.contacts)
-        look_along_rows(system_.forces(box_at(step_)), step_, sampling, windows);
-      do_step();
+      if (drive_) drive_->kick(loops_.space, driven(), system_.disks.trial_motion);
+      auto const step = step_;
+      bool const sampled = sampling.sampled(step);
+      Sums<rotates> sums;
+      if (sampled) sums = measure();
+      if (windows.contacts) look_along_rows(system_.forces(box_at(step)), step, sampling, windows);
+      if (sampled && !drive_) windows.add(sampling.window(step), sums.value, 1);
+      auto const power = do_step(sampled && drive_);
+      if (sampled && drive_) add_driven(sums, power, sampling.window(step), windows);
     }
   }
 
@@ -86,6 +98,7 @@ class ReferenceEngine final : public Simulation {
   State state() const override { return in_box(raw_state()); }
 
  private:
+  static constexpr bool trial_is_change = TwoStageScheme<Scheme>;
   using Positions = Kokkos::View<Vec2<Real>*, Space>;
   using Motions = Kokkos::View<Motion<rotates>*, Space>;
 
@@ -99,15 +112,75 @@ class ReferenceEngine final : public Simulation {
     why_unsound(loops_.space, system_.forces(box_at(step_)), clock_, step_, raw_state());
   }
 
-  void do_step() {
+  /// The disks as the drive sees them where the step begins.
+  DrivenViews<rotates, Space> driven() const {
+    auto const& disks = system_.disks;
+    return {disks.position, disks.motion, disks.species, clock_.strain_rate, step_};
+  }
+
+  /// The drive's powers, if they are asked for.
+  DrivePower do_step(bool powers) {
     double const strain = clock_.strain_between(list_step_, step_ + 1);
     double const next_strain = clock_.strain_between(list_step_, step_ + 2);
-    Real const largest2 =
-        system_.end_step(loops_, box_at(step_), box_at(step_ + 1), strain, next_strain);
+    DrivePower power;
+    Motions before;
+    if (drive_) before = drive_before_end(powers, power);
+    Real largest2 = system_.end_step(loops_, box_at(step_), box_at(step_ + 1), strain, next_strain);
+    if (drive_) drive_after_end(before, power, largest2, strain, next_strain);
     ++step_;
     if (largest2 == std::numeric_limits<Real>::max()) stop_unsound();
     double const widest = std::max(std::abs(strain), std::abs(next_strain));
     if (!list_holds(widest, largest2, skin_)) renew_list();
+    return power;
+  }
+
+  /// The second stage, or where powers are asked for of a trial state these. What it returns is the
+  /// motion that powers of both stages start from.
+  Motions drive_before_end(bool powers, DrivePower& power) {
+    auto& disks = system_.disks;
+    auto const& space = loops_.space;
+    Motions before;
+    if constexpr (trial_is_change) {
+      if (powers) {
+        before = Motions("observables::motion_before", disks.motion.extent(0));
+        Kokkos::deep_copy(before, disks.motion);
+      }
+      drive_->kick_changes(space, driven(), disks.trial_motion, disks.motion);
+    } else if (powers) {
+      power = drive_->power(space, driven(), disks.trial_motion, Motions{});
+    }
+    return before;
+  }
+
+  void drive_after_end(Motions const& before, DrivePower& power, Real& largest2, double strain,
+                       double next_strain) {
+    auto& disks = system_.disks;
+    auto const& space = loops_.space;
+    auto const seen = [&](auto const& position, auto const& motion) {
+      return DrivenViews<rotates, Space>{position, motion, disks.species, clock_.strain_rate,
+                                         step_};
+    };
+    if constexpr (trial_is_change) {
+      if (before.extent(0) != 0)  // trial_position: where the step began
+        power = drive_->power(space, seen(disks.trial_position, before), disks.motion,
+                              disks.trial_motion);
+    } else {
+      drive_->kick_correction(space, seen(disks.trial_position, disks.trial_motion), disks.motion,
+                              disks.position);
+      Real farthest2 = 0;
+      loops_.reduce("dynamics::Farthest", disks.count(),
+                    Farthest<rotates, Space>{disks.position, disks.motion, disks.at_build,
+                                             system_.time_step, strain, next_strain},
+                    Kokkos::Max<Real>(farthest2));
+      largest2 = std::max(largest2, farthest2);
+    }
+  }
+
+  static void add_driven(Sums<rotates> const& sums, DrivePower const& power, std::int64_t window,
+                         OpenWindows& windows) {
+    std::vector<Real> columns(std::begin(sums.value), std::end(sums.value));
+    append(columns, power);
+    windows.add(window, columns, 1);
   }
 
   /// Take the disks into the box, build the list, and see that the next step stays within it.
@@ -147,7 +220,8 @@ class ReferenceEngine final : public Simulation {
 
   Launches<Space> loops_{};
   SteppedSystem<Law, Repulsion, Space, Scheme> system_;
-  double skin_;  ///< [d_s]
+  std::unique_ptr<DeviceDrive<rotates, Space> const> drive_;  ///< null: none
+  double skin_;                                               ///< [d_s]
   Clock clock_;
   std::int64_t step_ = 0;
   std::int64_t list_step_ = 0;
