@@ -39,31 +39,13 @@ std::size_t BlockDisks::fastest_disk() const {
 
 DiskList BlockDisks::disks() const {
   DiskList list;
-  list.position.resize(count());
-  list.velocity.resize(count());
-  if (system.rotates) list.spin.resize(count());
-  for (std::size_t i = 0; i < count(); ++i) {
-    auto const slot = system.blocks.slot_of(i);
-    auto const& r = system.now.record(slot);
-    list.position[i] = {r.x, r.y};
-    list.velocity[i] = {r.vx, r.vy};
-    if (system.rotates) list.spin[i] = system.now.spin(slot);
-  }
+  gather(list.position, list.velocity, list.spin);
   return list;
 }
 
 State BlockDisks::state() const {
   State state;
-  state.position.resize(count());
-  state.velocity.resize(count());
-  if (system.rotates) state.spin.resize(count());
-  for (std::size_t i = 0; i < count(); ++i) {
-    auto const slot = system.blocks.slot_of(i);
-    auto const& r = system.now.record(slot);
-    state.position[i] = {r.x, r.y};
-    state.velocity[i] = {r.vx, r.vy};
-    if (system.rotates) state.spin[i] = system.now.spin(slot);
-  }
+  gather(state.position, state.velocity, state.spin);
   state.diameter = diameter;
   state.box_length = clock.box_length;
   state.box_aspect = clock.box_aspect;
@@ -71,6 +53,22 @@ State BlockDisks::state() const {
   state.time = clock.time(step);
   state.strain_rate = clock.strain_rate;
   return state;
+}
+
+/// All disks in the order of the start. Vector: of two numbers.
+template <class Vector>
+void BlockDisks::gather(std::vector<Vector>& position, std::vector<Vector>& velocity,
+                        std::vector<double>& spin) const {
+  position.resize(count());
+  velocity.resize(count());
+  if (system.rotates) spin.resize(count());
+  for (std::size_t i = 0; i < count(); ++i) {
+    auto const slot = system.blocks.slot_of(i);
+    auto const& r = system.now.record(slot);
+    position[i] = {r.x, r.y};
+    velocity[i] = {r.vx, r.vy};
+    if (system.rotates) spin[i] = system.now.spin(slot);
+  }
 }
 
 void BlockDisks::fail() const {

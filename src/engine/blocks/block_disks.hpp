@@ -51,6 +51,10 @@ struct BlockDisks {
 
  private:
   std::pair<Real, std::size_t> deepest() const;
+
+  template <class Vector>
+  void gather(std::vector<Vector>& position, std::vector<Vector>& velocity,
+              std::vector<double>& spin) const;
 };
 
 /// Takes a state's arrays.
