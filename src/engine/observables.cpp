@@ -43,7 +43,7 @@ template <class Sum>
 void add_rotation_in_contact(std::vector<Observable>& list, Sum const& sum) {
   using M = ContactMotion;
   auto const mean = [sum](Averages a, int column) {
-    return sum(a, ContactColumns::motion + column) / sum(a, ContactColumns::motion + M::contacts);
+    return sum(a, ContactColumns::motion + column) / sum(a, int{ContactColumns::motion} + M::contacts);
   };
   auto const at_contact2 = [mean](Averages a) {
     return mean(a, M::tangential2) + 2 * mean(a, M::tangential_rotational) +
@@ -81,8 +81,8 @@ void add_contacts(Scene const& scene, std::vector<Observable>& list) {
   list.push_back({"nu_coll", "1/tau_e", "contacts begun per disk and time",
                   [=](Averages a) { return sum(a, K::begun) / (n * dt * sum(a, K::steps)); }});
   list.push_back({"v_N_rms", "d_s/tau_e", "relative velocity in contact, along the line of centres",
-                  rms(K::motion + M::normal2)});
-  list.push_back({"v_T_rms", "d_s/tau_e", "across it", rms(K::motion + M::tangential2)});
+                  rms(int{K::motion} + M::normal2)});
+  list.push_back({"v_T_rms", "d_s/tau_e", "across it", rms(int{K::motion} + M::tangential2)});
   if (scene.rotates()) add_rotation_in_contact(list, sum);
   list.push_back({"cluster_binary_share", "1",
                   "share of contacts in which neither disk ever touched a third one",
