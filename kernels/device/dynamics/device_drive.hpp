@@ -104,9 +104,9 @@ class DriveOnDevice final : public DeviceDrive<Rotates, Space> {
 
   DrivePower power(Space const& space, Disks const& disks, Motions const& after,
                    Motions const& change) const override {
-    Kokkos::View<DrivePower*, Space> const of_disk("observables::drive_power",
+    Kokkos::View<DrivePower*, Space> const of_disk("dynamics::drive_power",
                                                    disks.species.extent(0));
-    for_all(space, "observables::DrivePower", disks,
+    for_all(space, "dynamics::DrivePower", disks,
             PowerOfDisk{disks, force_, second_, after, change, of_disk});
     auto const on_host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), of_disk);
     DrivePower total;
