@@ -5,6 +5,7 @@
 #include <sstream>
 #include <tuple>
 
+#include "kernels/physics/laws/laws.hpp"
 #include "src/config/plan.hpp"
 #include "src/engine/laws.hpp"
 #include "src/sweep/sweep.hpp"
