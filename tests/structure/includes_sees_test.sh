@@ -11,8 +11,11 @@ expect() {
   local status="$1" file="$2" found=0
   rm -rf "$folder"
   mkdir -p "$folder/kernels/physics" "$folder/src/config" "$folder/$(dirname "$file")"
-  printf '%s\n' '#pragma once' >"$folder/kernels/physics/a.hpp"
-  printf '%s\n' "${@:3}" >"$folder/$file"
+  printf '%s\n' '#pragma once' | tee "$folder/kernels/physics/a.hpp" >"$folder/src/config/own.hpp"
+  case "$file" in
+    *.hpp) printf '%s\n' '#pragma once' "${@:3}" >"$folder/$file" ;;
+    *) printf '%s\n' "${@:3}" >"$folder/$file" ;;
+  esac
   bash "$test" "$folder" >/dev/null || found=$?
   [ "$found" = "$status" ] && return 0
   echo "expected status $status, found $found, for $file: ${*:3}"
@@ -37,4 +40,14 @@ expect 1 src/io/b.cpp '#include "src/cli/a.hpp"'
 expect 1 src/run/b.cpp '#include "src/cli/a.hpp"'
 expect 1 src/run/b.cpp '#include <CLI/CLI.hpp>'
 expect 1 src/unheard/b.cpp '#include <vector>'
+expect 0 src/config/own.cpp '#include "src/config/own.hpp"' '#include <vector>'
+expect 1 src/config/own.cpp '#include <vector>' '#include "src/config/own.hpp"'
+expect 1 src/config/own.cpp '#include <vector>'
+rm -rf "$folder"
+mkdir -p "$folder/kernels" "$folder/src/config"
+printf '%s\n' '#include <vector>' >"$folder/src/config/twice.hpp"
+if bash "$test" "$folder" >/dev/null; then
+  echo "a header without #pragma once was not seen"
+  failed=1
+fi
 exit "$failed"

@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # includes_test.sh ROOT: do includes in ROOT/kernels and ROOT/src point one way, are they written from
-# the root, and do kernel labels carry their module? Prints what does not; exits 1 if anything does not.
+# the root, does a source include its own header first (which so is seen to compile alone), has every
+# header its #pragma once, and do kernel labels carry their module? Prints what does not; exits 1 if
+# anything does not.
 set -euo pipefail
 cd "$1"
 export LC_ALL=C
@@ -47,8 +49,11 @@ awk -v allowed="$allowed" -v forbidden="$forbidden" '
   BEGIN {
     rules = split(allowed, rule, "\n")
     bans = split(forbidden, ban, "\n")
+    for (k = 1; k < ARGC; ++k) is_file[ARGV[k]] = 1
   }
   FNR == 1 {
+    own = FILENAME; first_include = sub(/\.cpp$/, ".hpp", own) && own in is_file
+    if (FILENAME ~ /\.hpp$/) headers[FILENAME] = 1
     match(FILENAME, /^[a-z]+\/[a-z_]+/)
     here = substr(FILENAME, RSTART, RLENGTH)
     module = FILENAME; sub(/\/[^\/]*$/, "", module); sub(/.*\//, "", module)
@@ -63,6 +68,11 @@ awk -v allowed="$allowed" -v forbidden="$forbidden" '
       split(ban[b], word, " ")
       if (word[1] != "" && inside(FILENAME, word[1])) banned = word[2]
     }
+  }
+  /^#pragma once$/ { once[FILENAME] = 1 }
+  first_include && /^[ \t]*#[ \t]*include/ {
+    if ($0 != "#include \"" own "\"") complain("does not include " own " first")
+    first_include = 0
   }
   /^[ \t]*#[ \t]*include[ \t]*"/ {
     split($0, part, "\""); path = part[2]
@@ -87,4 +97,7 @@ awk -v allowed="$allowed" -v forbidden="$forbidden" '
     launch = first ~ /^[ \t]*$/
     if (!launch && first !~ /^[ \t]*("[a-z_]+::|label,|std::string const& label,|Kokkos::TeamThreadRange\()/) complain("a kernel needs a label, \"module::What\"")
   }
-  END { exit wrong }' "${files[@]}"
+  END {
+    for (header in headers) if (!(header in once)) { print header ": no #pragma once"; wrong = 1 }
+    exit wrong
+  }' "${files[@]}"
