@@ -9,6 +9,7 @@
 #include "bench/accuracy/schemes/pairwise_sweep.hpp"
 #include "bench/accuracy/schemes/two_stage.hpp"
 #include "bench/accuracy/system.hpp"
+#include "kernels/physics/laws/laws.hpp"
 #include "kernels/physics/repulsion/repulsion.hpp"
 #include "src/engine/laws.hpp"
 

@@ -43,7 +43,8 @@ template <class Sum>
 void add_rotation_in_contact(std::vector<Observable>& list, Sum const& sum) {
   using M = ContactMotion;
   auto const mean = [sum](Averages a, int column) {
-    return sum(a, ContactColumns::motion + column) / sum(a, int{ContactColumns::motion} + M::contacts);
+    return sum(a, ContactColumns::motion + column) /
+           sum(a, int{ContactColumns::motion} + M::contacts);
   };
   auto const at_contact2 = [mean](Averages a) {
     return mean(a, M::tangential2) + 2 * mean(a, M::tangential_rotational) +
