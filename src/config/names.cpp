@@ -19,8 +19,8 @@ namespace {
 
 /// Names of the laws of which something holds.
 template <class Holds>
-Words laws_where(Holds const& holds) {
-  Words names;
+Names laws_where(Holds const& holds) {
+  Names names;
   for (auto const& law : known_laws())
     if (holds(law)) names.push_back(law.name);
   return names;
@@ -37,36 +37,36 @@ std::string damping_meaning(std::string_view constant) {
 
 }  // namespace
 
-Words model_names() {
+Names model_names() {
   return laws_where([](LawFacts const&) { return true; });
 }
 
-Words rotating_models() {
+Names rotating_models() {
   return laws_where([](LawFacts const& law) { return law.rotates; });
 }
 
-Words separate_models() {
+Names separate_models() {
   return laws_where([](LawFacts const& law) { return law.separate_constants; });
 }
 
-Words acting_drives() { return names_of<Drives>(); }
+Names acting_drives() { return names_of<Drives>(); }
 
-Words drive_words() {
-  Words words = acting_drives();
+Names drive_words() {
+  Names words = acting_drives();
   words.insert(words.begin(), no_drive);
   return words;
 }
 
-Words thermal_drives() {
-  Words names;
+Names thermal_drives() {
+  Names names;
   for_each_type<Drives>([&]<class D>(std::type_identity<D>) {
     if (D::random) names.push_back(D::name);
   });
   return names;
 }
 
-Words scheme_words() {
-  Words words = names_of<Schemes>();
+Names scheme_words() {
+  Names words = names_of<Schemes>();
   words.insert(words.begin(), automatic);
   return words;
 }
@@ -105,7 +105,7 @@ std::string const& tangential_damping_meaning() {
   return meaning;
 }
 
-std::string choice(Words const& words) {
+std::string choice(Names const& words) {
   std::vector<std::string> parts;
   for (auto const word : words) parts.push_back(fmt::format("\"{}\"", word));
   return either(parts);

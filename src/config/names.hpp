@@ -5,19 +5,19 @@
 #include <string_view>
 #include <vector>
 
-/// Words of the lists of laws, repulsions and schemes in kernels/physics, for those who need no
+/// Names in the lists of laws, repulsions and schemes in kernels/physics, for those who need no
 /// formulas.
 namespace bagnold {
 
-using Words = std::vector<std::string_view>;
+using Names = std::vector<std::string_view>;
 
-Words model_names();      ///< of all laws
-Words rotating_models();  ///< of laws with spins
-Words separate_models();  ///< of laws with a damping constant of their own in either direction
-Words acting_drives();    ///< names of all drives but "none"
-Words drive_words();      ///< "none", and these
-Words thermal_drives();   ///< of drives that have a temperature
-Words scheme_words();     ///< "auto", and the names of all schemes
+Names model_names();      ///< of all laws
+Names rotating_models();  ///< of laws with spins
+Names separate_models();  ///< of laws with a damping constant of their own in either direction
+Names acting_drives();    ///< names of all drives but "none"
+Names drive_words();      ///< "none", and these
+Names thermal_drives();   ///< of drives that have a temperature
+Names scheme_words();     ///< "auto", and the names of all schemes
 
 /// What a word of before is called now; "" of any other.
 std::string_view renamed(std::string_view word);
@@ -30,7 +30,7 @@ std::string const& normal_damping_meaning();
 std::string const& tangential_damping_meaning();
 
 /// "a" or "b", as messages name choices.
-std::string choice(Words const& words);
+std::string choice(Names const& words);
 std::string exponent_choice();  ///< 2 (harmonic) or 2.5 (Hertz)
 
 }  // namespace bagnold

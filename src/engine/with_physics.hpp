@@ -15,8 +15,8 @@ namespace bagnold {
 
 /// Names of the schemes that can step a law.
 template <ContactLaw Law>
-Words schemes_for() {
-  Words names;
+Names schemes_for() {
+  Names names;
   for_each_type<Schemes>([&]<class S>(std::type_identity<S>) {
     if (S::template can_step<Law>) names.push_back(S::name);
   });

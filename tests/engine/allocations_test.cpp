@@ -130,7 +130,7 @@ std::set<std::string> labels(Bytes const& bytes, std::string const& part = "") {
   return found;
 }
 
-bool rotates(std::string const& law) { return law == "CD_rot" || law == "CD_nt"; }
+bool rotates(std::string const& law) { return small_scene(law).rotates(); }
 
 TEST(Allocations, SpinsAreOnlyWhereTheLawRotates) {
   for (auto const& law : law_names())

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "kernels/physics/type_list.hpp"
 #include "tests/support/contacts.hpp"
 
 namespace bagnold::test {
@@ -11,7 +12,7 @@ class Bits : public EverySimulation {
   /// test(scene) with either scheme.
   template <class Test>
   void for_schemes(Scene scene, Test const& test) const {
-    for (auto const scheme : {papers_scheme, two_stage_scheme}) {
+    for (auto const scheme : names_of<Schemes>()) {
       SCOPED_TRACE(scheme);
       scene.integration.scheme = scheme;
       test(scene);
@@ -119,7 +120,7 @@ BAGNOLD_FOR_EVERY_SIMULATION(Bits);
 class DenseBits : public testing::TestWithParam<std::string> {};
 
 TEST_P(DenseBits, AreThoseOfContactRichSteps) {
-  for (auto const scheme : {papers_scheme, two_stage_scheme})
+  for (auto const scheme : names_of<Schemes>())
     for (double packing_fraction : {0.60, 0.82}) {
       Scene scene = small_scene(GetParam(), packing_fraction, 3000);
       scene.shear.strain_rate = 1e-3;
@@ -173,7 +174,7 @@ TEST(LargeBits, DependNeitherOnTheOrderOfBlocksNorOnTheBackend) {
   scene.integration.skin = 0.35;
   State const state = shaken_lattice(scene);
   for (auto const engine : {"many-contacts", "few-contacts"})
-    for (auto const scheme : {papers_scheme, two_stage_scheme}) {
+    for (auto const scheme : names_of<Schemes>()) {
       SCOPED_TRACE(std::string(engine) + ", " + std::string(scheme));
       scene.integration.engine = engine;
       scene.integration.scheme = scheme;

@@ -22,7 +22,7 @@ class Collision : public EverySimulation {
     state.box_length = 10.0;
     state.position = {{4.0, 5.0}, {5.0 + gap, 5.0}};
     state.velocity = {{approach / 2, 0.0}, {-approach / 2, 0.0}};
-    if (law() == "CD_rot" || law() == "CD_nt") state.spin = {0.0, 0.0};
+    if (small_scene().rotates()) state.spin = {0.0, 0.0};
     state.diameter = {1.0, 1.0};
     return state;
   }

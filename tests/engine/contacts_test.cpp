@@ -107,7 +107,7 @@ TEST_P(Contacts, AreOfferedOnceForEachEvaluatedConfiguration) {
 /// takes k_t v^C_T v^R of it in a unit of time: in a steady state <V^C_T V^R> = 0 over contacts in
 /// time. With the velocities of every step, up to its square.
 TEST_P(Contacts, VelocitiesAtTheContactTakeFromTheRotationWhatItLoses) {
-  if (law() != "CD_rot" && law() != "CD_nt") GTEST_SKIP() << "has no rotation";
+  if (!small_scene().rotates()) GTEST_SKIP() << "has no rotation";
   Scene scene = small_scene(0.84, 64);
   State const start = shaken_start(scene);
   auto const energy = [&](State const& state) {
@@ -250,7 +250,7 @@ TEST_P(Contacts, OfTwoDisksLastAsLongAsTheClosedFormSays) {
     double const approach = 1e-3, gap = 0.3 * approach * 0.01 + 1e-6;
     state.position = {{4.0, 5.0}, {5.0 + gap, 5.0}};
     state.velocity = {{approach / 2, 0.0}, {-approach / 2, 0.0}};
-    if (law() == "CD_rot" || law() == "CD_nt") state.spin = {0.0, 0.0};
+    if (scene.rotates()) state.spin = {0.0, 0.0};
     auto const simulation = simulate(scene, state, backend());
     Watched watched(*simulation, 2);
     Sampling sampling;

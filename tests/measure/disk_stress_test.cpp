@@ -3,6 +3,7 @@
 
 #include <numeric>
 
+#include "kernels/physics/type_list.hpp"
 #include "src/config/schemes.hpp"
 #include "src/measure/profiles.hpp"
 #include "tests/measure/states.hpp"
@@ -51,7 +52,7 @@ void expect_the_boxs(Scene const& scene) {
 
 TEST(DiskStress, AddsUpToThatOfTheBox) {
   for (auto const& law : law_names())
-    for (auto const scheme : {papers_scheme, two_stage_scheme})
+    for (auto const scheme : names_of<Schemes>())
       for (char const* engine : {"reference", "many-contacts"}) {
         SCOPED_TRACE(law + " " + std::string(scheme) + " " + engine);
         Scene scene = small_scene(law, 0.84, 200);

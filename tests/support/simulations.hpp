@@ -10,6 +10,7 @@
 
 #include "kernels/physics/laws/laws.hpp"
 #include "kernels/physics/sums/sums.hpp"
+#include "src/config/laws.hpp"
 #include "src/config/time_step.hpp"
 #include "src/engine/laws.hpp"
 #include "src/engine/make_simulation.hpp"
@@ -114,6 +115,11 @@ inline WindowSums advance(Simulation& simulation, std::int64_t steps,
   return windows.take_first();
 }
 
+inline bool of_papers(std::string_view law) {
+  return law == CD::name || law == CDn::name || law == CDrot::name || law == CDnt::name;
+}
+
+/// A law of the papers by its name; another one that is linear by its constants.
 inline reference::Parameters reference_parameters(Scene const& scene) {
   using Model = reference::Parameters::Model;
   reference::Parameters p;
@@ -125,6 +131,13 @@ inline reference::Parameters reference_parameters(Scene const& scene) {
   p.elasticity = scene.disks.elasticity;
   p.damping_normal = scene.disks.damping_normal;
   p.damping_tangential = scene.disks.damping_tangential;
+  if (!of_papers(name)) {
+    auto const& facts = law_of(scene.disks);
+    auto const constants = facts.constants(scene.disks);
+    p.damping_normal = constants.normal * p.elasticity;
+    p.damping_tangential = constants.tangential * p.elasticity;
+    if (!facts.rotates) p.model = constants.tangential == 0 ? Model::CD_n : Model::CD;
+  }
   p.force_exponent = scene.disks.force_exponent;
   p.area_mass = scene.mass_by_area();
   p.strain_rate = scene.shear.strain_rate;

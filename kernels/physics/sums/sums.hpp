@@ -46,8 +46,8 @@ struct Sums {
   }
 };
 
-/// What one pair adds to the columns elastic_xx .. dissipation.
-inline constexpr int pair_columns = SumColumns::dissipation + 1;
+/// What one pair adds to the columns before kinetic_xx.
+inline constexpr int pair_columns = SumColumns::kinetic_xx;
 
 template <class T>
 struct PairColumns {
