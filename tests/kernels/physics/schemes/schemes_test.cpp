@@ -134,7 +134,8 @@ TEST(TypeList, FindsByName) {
   EXPECT_TRUE(is_papers("modified-velocity-verlet"));
   EXPECT_FALSE(is_papers("two-stage-leapfrog"));
   EXPECT_FALSE(is_papers("no such scheme"));
-  EXPECT_EQ(names_of<Schemes>(), (std::vector<std::string_view>{papers_scheme, two_stage_scheme}));
+  EXPECT_EQ((names_of<std::tuple<Papers, TwoStage>>()),
+            (std::vector<std::string_view>{papers_scheme, two_stage_scheme}));
 }
 
 }  // namespace
