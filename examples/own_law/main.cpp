@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A contact law of one's own, run as `bagnold run` runs those of the list: own_law SCENE FOLDER
-// runs a scene into a folder, or goes on with the run that is there.
+// A contact law and a drive of one's own, run as `bagnold run` runs those of the lists: own_law
+// SCENE FOLDER runs a scene into a folder, or goes on with the run that is there.
 #include <csignal>
 #include <iostream>
 
@@ -9,6 +9,7 @@
 #include "kernels/physics/laws/dense_flow.hpp"
 #include "kernels/physics/laws/paper_time_step.hpp"
 #include "src/config/scene_file.hpp"
+#include "src/engine/register_drive.hpp"
 #include "src/engine/register_law.hpp"
 #include "src/run/run.hpp"
 
@@ -39,6 +40,25 @@ struct CDt {
 };
 static_assert(bagnold::is_contact_law<CDt>());
 
+/// A fluid that drags fast disks more than slow ones: -zeta (1 + v^2/v_0^2) v, v beyond the mean
+/// flow. Engines exert the drag, the push adds the rest.
+struct CubicDrag {
+  static constexpr std::string_view name = "cubic";  ///< as in the scene
+  static constexpr bool random = false;              ///< asks for random numbers
+  static constexpr bool thermal = false;             ///< has a temperature
+  static constexpr Real speed = 0.01;                ///< v_0, [d_s / tau_e]
+  Real drag;                                         ///< zeta, [m / tau_e]
+
+  static CubicDrag make(bagnold::DriveInput const& input) { return {input.drag}; }
+
+  template <class T>
+  KOKKOS_FUNCTION bagnold::Push<T> push(bagnold::DrivenDisk<T> const& disk) const {
+    T const excess = T(drag / (speed * speed)) * dot(disk.velocity, disk.velocity);
+    return {-excess * disk.velocity, T(0)};
+  }
+};
+static_assert(bagnold::OneBodyDrive<CubicDrag>);
+
 volatile std::sig_atomic_t interrupted = 0;
 
 struct Monitor : bagnold::RunMonitor {
@@ -51,6 +71,7 @@ int main(int count, char** words) try {
   std::filesystem::path const folder = words[2];
   std::signal(SIGINT, [](int) { interrupted = 1; });
   bagnold::register_law<CDt>();
+  bagnold::register_drive<CubicDrag>();
   Monitor monitor;
   auto const end = std::filesystem::exists(folder)
                        ? bagnold::resume(folder, {.monitor = &monitor})

@@ -122,8 +122,9 @@ void look_at_drive(Scene const& scene, Refusals const& refuse) {
   bool const thermal = std::ranges::count(thermal_drives(), drive.kind) > 0;
   if (thermal && drive.temperature == 0)
     refuse({"drive.kind", "drive.temperature"},
-           "drive.temperature = 0 (drive.kind = \"thermal\" needs one above 0); give it, or set "
-           "drive.kind = \"stokes\"");
+           fmt::format("drive.temperature = 0 (drive.kind = \"{}\" needs one above 0); give it, or "
+                       "set another drive.kind",
+                       drive.kind));
   if (!thermal && drive.temperature != 0)
     refuse({"drive.kind", "drive.temperature"},
            fmt::format("drive.temperature is not used by drive.kind = \"{}\"; leave it out or set "

@@ -10,6 +10,7 @@
 #include "kernels/physics/repulsion/repulsion.hpp"
 #include "kernels/physics/schemes/schemes.hpp"
 #include "kernels/physics/type_list.hpp"
+#include "src/config/drives.hpp"
 #include "src/config/laws.hpp"
 #include "src/config/schemes.hpp"
 
@@ -49,7 +50,11 @@ Names separate_models() {
   return laws_where([](LawFacts const& law) { return law.separate_constants; });
 }
 
-Names acting_drives() { return names_of<Drives>(); }
+Names acting_drives() {
+  Names names;
+  for (auto const& drive : known_drives()) names.push_back(drive.name);
+  return names;
+}
 
 Names drive_words() {
   Names words = acting_drives();
@@ -59,9 +64,8 @@ Names drive_words() {
 
 Names thermal_drives() {
   Names names;
-  for_each_type<Drives>([&]<class D>(std::type_identity<D>) {
-    if (D::random) names.push_back(D::name);
-  });
+  for (auto const& drive : known_drives())
+    if (drive.thermal) names.push_back(drive.name);
   return names;
 }
 

@@ -7,7 +7,7 @@
 #include "src/engine/backends.hpp"
 #include "src/engine/compiled_once.hpp"
 #include "src/engine/disk_sums.hpp"
-#include "src/engine/drives/make_drive.hpp"
+#include "src/engine/drives/drive_engines.hpp"
 #include "src/engine/ensemble/ensemble_engine.hpp"
 #include "src/engine/law_engines.hpp"
 #include "src/engine/reference/reference_engine.hpp"

@@ -2,16 +2,24 @@
 #include "src/start/relax_overlaps.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "kernels/device/dynamics/relaxation.hpp"
 #include "kernels/device/side_by_side.hpp"
+#include "src/config/scene.hpp"
+#include "src/engine/backends.hpp"
 #include "src/engine/device_copy.hpp"
+#include "src/engine/make_simulation.hpp"
+#include "src/start/deep_overlaps.hpp"
 
 namespace bagnold {
 
 namespace {
 
-/// Disks at rest that push each other apart.
+/// Above it disks are pushed apart one iteration at a time: engines refuse such overlaps.
+constexpr double deep = 0.15;
+
+/// Disks at rest that push each other apart, however much they overlap.
 template <class Space>
 class Relaxer {
  public:
@@ -82,13 +90,17 @@ class Relaxer {
   VerletList<Space> list_;
 };
 
+constexpr std::int64_t between_checks = 10;
+
+/// One iteration at a time.
 template <class Space>
-Relaxation relax_on(State& state, double overlap, std::int64_t iterations, double skin) {
-  constexpr std::int64_t between_checks = 10;
+Relaxation push_apart(State& state, double overlap, std::int64_t iterations, double skin,
+                      std::function<bool()> const& go_on) {
   Relaxer<Space> relaxer(state, skin);
   std::int64_t done = 0;
   double left = relaxer.largest_overlap();
   while (left > overlap && done < iterations) {
+    if (!go_on()) throw StartStopped{};
     std::int64_t const more = std::min(between_checks, iterations - done);
     for (std::int64_t k = 0; k < more; ++k) relaxer.iterate();
     done += more;
@@ -98,16 +110,56 @@ Relaxation relax_on(State& state, double overlap, std::int64_t iterations, doubl
   return {done, left};
 }
 
+/// Undamped disks in a fluid at rest: gradient descent with momentum on the elastic energy, a step
+/// an iteration.
+Scene relaxing_scene(State const& state, double skin) {
+  constexpr double keep = 0.985;  // share of the velocity kept: waves as long as the box die out
+  Scene scene;
+  scene.disks.model = "CD_n";
+  scene.disks.count = static_cast<std::int64_t>(state.count());
+  scene.disks.elasticity = 1e6;
+  scene.disks.mass = "equal";
+  scene.integration.engine = "many-contacts";
+  scene.integration.time_step = 0.3;  // below 2/omega_max, omega_max^2 about 10 at Z = 5
+  scene.integration.skin = skin;
+  scene.drive = {"stokes", -std::log(keep) / 0.3, 0};
+  return scene;
+}
+
+/// Threads where they are worth waiting for each other.
+std::string backend(State const& state) {
+  using Host = Kokkos::DefaultHostExecutionSpace;
+  if (state.count() >= 8192 && Host().concurrency() > 1) return std::string(backend_name<Host>);
+  return backend_names().front();
+}
+
 }  // namespace
 
-Relaxation relax_overlaps(State& state, double overlap, std::int64_t iterations, double skin) {
-#ifdef KOKKOS_ENABLE_SERIAL
-  constexpr std::size_t worth_threads =
-      8192;  // fewer disks wait for each other more than they move
-  if (state.count() < worth_threads || Kokkos::DefaultHostExecutionSpace().concurrency() == 1)
-    return relax_on<Kokkos::Serial>(state, overlap, iterations, skin);
-#endif
-  return relax_on<Kokkos::DefaultHostExecutionSpace>(state, overlap, iterations, skin);
+Relaxation relax_overlaps(State& state, double overlap, std::int64_t iterations, double skin,
+                          std::function<bool()> const& go_on) {
+  auto relaxed = push_apart<Kokkos::DefaultHostExecutionSpace>(state, std::max(deep, overlap),
+                                                               iterations, skin, go_on);
+  if (relaxed.largest_overlap <= overlap || relaxed.iterations == iterations) return relaxed;
+  State resting = state;
+  resting.velocity.assign(state.count(), {0.0, 0.0});
+  resting.spin.clear();
+  auto const simulation = make_simulation(relaxing_scene(state, skin),
+                                          first_snapshot(std::move(resting)), backend(state));
+  OpenWindows windows;
+  while (relaxed.largest_overlap > overlap && relaxed.iterations < iterations) {
+    auto const next =
+        std::min(iterations, relaxed.iterations + std::max(between_checks, relaxed.iterations / 8));
+    while (relaxed.iterations < next) {
+      if (!go_on()) throw StartStopped{};
+      auto const more = std::min(between_checks, next - relaxed.iterations);
+      simulation->advance(more, Sampling{}, windows);
+      relaxed.iterations += more;
+    }
+    resting = simulation->state();
+    relaxed.largest_overlap = deep_overlaps(resting, 0).deepest;
+  }
+  state.position = std::move(resting.position);
+  return relaxed;
 }
 
 }  // namespace bagnold

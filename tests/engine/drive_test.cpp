@@ -173,6 +173,8 @@ TEST_P(Driven, PowersAreWhatTheMotionGains) {
     scene.integration.time_step = 0.05;
     State state = random_start(scene).state;
     for (std::size_t i = 0; i < state.count(); ++i) {
+      double const apart = state.box_length / 8;
+      state.position[i] = {apart * static_cast<double>(i % 8), apart * static_cast<double>(i / 8)};
       state.velocity[i] = {0.02 * std::sin(12.9898 * static_cast<double>(i)),
                            0.02 * std::cos(78.233 * static_cast<double>(i))};
       if (scene.rotates()) state.spin[i] = 0.02 * std::sin(4.1 * static_cast<double>(i));

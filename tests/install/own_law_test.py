@@ -60,5 +60,14 @@ expect_same(numbers(work / "cut"), whole)
 subprocess.run([bagnold, "run", work / "listed.toml", "--out", work / "listed", "--quiet"], check=True)
 expect_same(numbers(work / "listed"), whole)
 
+# The drive: what it gives and takes is all that is missing, and it takes more than the drag alone.
+driven = text + '\n[drive]\nkind = "cubic"\ndrag = 0.02\n[output]\nplot = false\n'
+(work / "driven.toml").write_text(driven)
+subprocess.run([own_law, work / "driven.toml", work / "driven"], check=True)
+powers = json.loads((work / "driven/summary.json").read_text())["observables"]
+assert powers["drag_power"]["mean"] > 0.01 and powers["push_power"]["mean"] < 0, powers
+gap = powers["energy_gap"]
+assert abs(gap["mean"]) < 0.02 + 4 * (gap["error"] or 0), gap
+
 refused = subprocess.run([bagnold, "run", work / "own.toml", "--out", work / "none"], stderr=subprocess.PIPE, text=True)
 assert refused.returncode == 2 and "CD_t" in refused.stderr, refused

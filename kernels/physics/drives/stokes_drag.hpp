@@ -9,6 +9,7 @@ namespace bagnold {
 struct StokesDrag {
   static constexpr std::string_view name = "stokes";
   static constexpr bool random = false;
+  static constexpr bool thermal = false;
   Real drag;  ///< zeta, [m / tau_e]
 
   static StokesDrag make(DriveInput const& input) { return {input.drag}; }

@@ -22,6 +22,7 @@ namespace bagnold {
 struct ThermalBath {
   static constexpr std::string_view name = "thermal";
   static constexpr bool random = true;
+  static constexpr bool thermal = true;
   Real drag;          ///< zeta, [m / tau_e]
   PerSpecies force;   ///< width of the interval, [m d_s / tau_e^2]
   PerSpecies torque;  ///< [m d_s^2 / tau_e^2]
