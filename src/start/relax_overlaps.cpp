@@ -94,8 +94,8 @@ constexpr std::int64_t between_checks = 10;
 
 /// One iteration at a time.
 template <class Space>
-Relaxation push_apart(State& state, double overlap, std::int64_t iterations, double skin,
-                      std::function<bool()> const& go_on) {
+Relaxation push_apart_on(State& state, double overlap, std::int64_t iterations, double skin,
+                         std::function<bool()> const& go_on) {
   Relaxer<Space> relaxer(state, skin);
   std::int64_t done = 0;
   double left = relaxer.largest_overlap();
@@ -126,25 +126,41 @@ Scene relaxing_scene(State const& state, double skin) {
   return scene;
 }
 
-/// Threads where they are worth waiting for each other.
-std::string backend(State const& state) {
-  using Host = Kokkos::DefaultHostExecutionSpace;
-  if (state.count() >= 8192 && Host().concurrency() > 1) return std::string(backend_name<Host>);
-  return backend_names().front();
+using Host = Kokkos::DefaultHostExecutionSpace;
+
+/// Fewer disks wait for each other more than they move, and replicas have a thread each.
+bool worth_threads(State const& state) {
+#ifdef KOKKOS_ENABLE_SERIAL
+  return state.count() >= 8192 && Host().concurrency() > 1;
+#else
+  return true;
+#endif
+}
+
+/// Until overlaps are no longer deep.
+Relaxation push_apart(State& state, double overlap, std::int64_t iterations, double skin,
+                      std::function<bool()> const& go_on) {
+  auto const limit = std::max(deep, overlap);
+#ifdef KOKKOS_ENABLE_SERIAL
+  if (!worth_threads(state))
+    return push_apart_on<Kokkos::Serial>(state, limit, iterations, skin, go_on);
+#endif
+  return push_apart_on<Host>(state, limit, iterations, skin, go_on);
 }
 
 }  // namespace
 
 Relaxation relax_overlaps(State& state, double overlap, std::int64_t iterations, double skin,
                           std::function<bool()> const& go_on) {
-  auto relaxed = push_apart<Kokkos::DefaultHostExecutionSpace>(state, std::max(deep, overlap),
-                                                               iterations, skin, go_on);
+  auto relaxed = push_apart(state, overlap, iterations, skin, go_on);
   if (relaxed.largest_overlap <= overlap || relaxed.iterations == iterations) return relaxed;
   State resting = state;
   resting.velocity.assign(state.count(), {0.0, 0.0});
   resting.spin.clear();
-  auto const simulation = make_simulation(relaxing_scene(state, skin),
-                                          first_snapshot(std::move(resting)), backend(state));
+  std::string const backend =
+      worth_threads(state) ? std::string(backend_name<Host>) : backend_names().front();
+  auto const simulation =
+      make_simulation(relaxing_scene(state, skin), first_snapshot(std::move(resting)), backend);
   OpenWindows windows;
   while (relaxed.largest_overlap > overlap && relaxed.iterations < iterations) {
     auto const next =
