@@ -18,7 +18,7 @@ struct Collisions {
   int phases = 32;
 };
 
-/// Slow: the disks do not turn about one another, and overlaps are small.
+/// Slow: the disks do not torque_per_diameter about one another, and overlaps are small.
 constexpr double speed = 1e-6;
 
 struct Collision {

@@ -39,8 +39,8 @@ double elastic_energy(World const& world, Touch<typename World::Pair> const& t) 
   return std::pow(static_cast<double>(t.relative_overlap), alpha) / alpha;
 }
 
-/// An impulse on i, at the point of contact: the opposite one on j, and the turn that P2 Eq. (7)
-/// gives both where the law rotates and the force is dissipative.
+/// An impulse on i, at the point of contact: the opposite one on j, and the torque_per_diameter
+/// that P2 Eq. (7) gives both where the law rotates and the force is dissipative.
 template <class World>
 void exert(World const& world, Touch<typename World::Pair> const& t,
            Vec2<typename World::Pair> const& impulse, typename World::Motions& motion) {
@@ -50,18 +50,19 @@ void exert(World const& world, Touch<typename World::Pair> const& t,
   motion[t.i].velocity += static_cast<Kept>(world.table.inverse_mass[si]) * j;
   motion[t.j].velocity += static_cast<Kept>(-world.table.inverse_mass[sj]) * j;
   if constexpr (World::rotates) {
-    auto const turn = static_cast<Kept>(-0.5) * static_cast<Kept>(t.inverse_distance) *
-                      static_cast<Kept>(cross(t.separation, impulse));
+    auto const torque_per_diameter = static_cast<Kept>(-0.5) *
+                                     static_cast<Kept>(t.inverse_distance) *
+                                     static_cast<Kept>(cross(t.separation, impulse));
     auto const to_spin = [&](Species s) {
       return static_cast<Kept>(world.table.diameter[s] * world.table.inverse_inertia[s]);
     };
-    motion[t.i].spin += to_spin(si) * turn;
-    motion[t.j].spin += to_spin(sj) * turn;
+    motion[t.i].spin += to_spin(si) * torque_per_diameter;
+    motion[t.j].spin += to_spin(sj) * torque_per_diameter;
   }
 }
 
-/// Elastic impulses of all contacts, forces times `time`. A central one does not turn, and the
-/// rounding of r x n must not either.
+/// Elastic impulses of all contacts, forces times `time`. A central one does not
+/// torque_per_diameter, and the rounding of r x n must not either.
 template <class World>
 void kick_elastic(World const& world, typename World::Touches const& touches, double time,
                   typename World::Motions& motion) {

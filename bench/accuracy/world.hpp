@@ -158,8 +158,8 @@ class World {
     for (std::size_t i = 0; i < size(); ++i) {
       Vec2<Real> const r{position[i].x, position[i].y};
       Vec2<Real> const v{motion[i].velocity.x, motion[i].velocity.y};
-      Real const now2 = excursion2(r, at_build_[i], strain);
-      Real const next2 = excursion2(flown(r, v, clock.time_step), at_build_[i], next);
+      Real const now2 = nonaffine2(r, at_build_[i], strain);
+      Real const next2 = nonaffine2(flown(r, v, clock.time_step), at_build_[i], next);
       if (!(next2 < 1e6))
         throw NumericalError("a disk has left reason: the time step is too large");
       largest2 = std::max({largest2, now2, next2});

@@ -19,12 +19,12 @@ struct Motion<true> {
 
 /// What acts on one disk.
 template <bool Rotates>
-struct Action {
+struct Load {
   Vec2<Real> force{};  ///< [m d_s / tau_e^2]
 };
 
 template <>
-struct Action<true> {
+struct Load<true> {
   Vec2<Real> force{};
   Real torque{};  ///< [m d_s^2 / tau_e^2]
 };

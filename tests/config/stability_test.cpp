@@ -70,8 +70,8 @@ struct TwoDisks {
     return q1;
   }
 
-  /// Leapfrog with a second look at the damping of the change, as docs/accuracy.md has it: impulses
-  /// of the first look times a share, along and across the contact.
+  /// Leapfrog with a second stage of the damping of the change, as docs/accuracy.md has it:
+  /// impulses of the first stage times a share, along and across the contact.
   Vector two_stage(Vector const& q0, double dt) const {
     Vector const change = dt * acceleration(q0);
     TwoDisks without = *this;

@@ -106,7 +106,7 @@ struct BinaryCollisions {
  private:
   struct PairConstants {
     Pack reach2, inverse_distance, diameter_a, diameter_b;
-    Pack share_normal, share_tangential;  ///< of a lone pair, in the second look
+    Pack share_normal, share_tangential;  ///< of a lone pair, in the second stage
 
     PairConstants(BinaryCollisions const& c, Disk const* a, Disk const* b, int count) {
       Pack distance;
@@ -129,16 +129,16 @@ struct BinaryCollisions {
   /// What a pair exerts, zero where it does not touch.
   struct PairContact {
     simd::Mask touching;
-    Vec2<Pack> total;  ///< elastic and dissipative, on a from b
-    Pack turn;         ///< torque over diameter
+    Vec2<Pack> total;          ///< elastic and dissipative, on a from b
+    Pack torque_per_diameter;  ///< torque over diameter
     PairForce<Pack> force;
   };
 
   /// One disk of each pair.
   struct Lanes {
     Pack x, y, vx, vy, spin;
-    Pack x0, y0, vx0, vy0, spin0;     ///< at the start of the window
-    Pack inverse_mass, turn_to_spin;  ///< 1/m, d/I
+    Pack x0, y0, vx0, vy0, spin0;       ///< at the start of the window
+    Pack inverse_mass, torque_to_spin;  ///< 1/m, d/I
     Pack stray2 = 0.0;
 
     Lanes(BinaryCollisions const& c, Disk const* disks, int count) {
@@ -150,7 +150,7 @@ struct BinaryCollisions {
         vy.v[k] = d.record.vy;
         spin.v[k] = d.spin;
         inverse_mass.v[k] = c.table.inverse_mass[d.species];
-        turn_to_spin.v[k] = c.table.diameter[d.species] * c.table.inverse_inertia[d.species];
+        torque_to_spin.v[k] = c.table.diameter[d.species] * c.table.inverse_inertia[d.species];
       }
       x0 = x, y0 = y, vx0 = vx, vy0 = vy, spin0 = spin;
     }
@@ -166,7 +166,8 @@ struct BinaryCollisions {
       Lanes t = *this;
       t.set(Scheme::trial_position(position(), velocity(), dt),
             Scheme::trial_velocity(velocity(), f.total, sign * dt * inverse_mass));
-      if constexpr (rotates) t.spin = Scheme::trial_velocity(spin, f.turn, dt * turn_to_spin);
+      if constexpr (rotates)
+        t.spin = Scheme::trial_velocity(spin, f.torque_per_diameter, dt * torque_to_spin);
       return t;
     }
 
@@ -174,13 +175,15 @@ struct BinaryCollisions {
       auto const after =
           Scheme::velocity(velocity(), t.velocity(), f.total, 0.5 * sign * dt * inverse_mass);
       set(Scheme::position(position(), velocity(), after, 0.5 * dt), after);
-      if constexpr (rotates) spin = Scheme::velocity(spin, t.spin, f.turn, 0.5 * dt * turn_to_spin);
+      if constexpr (rotates)
+        spin = Scheme::velocity(spin, t.spin, f.torque_per_diameter, 0.5 * dt * torque_to_spin);
     }
 
     void leap(PairContact const& f, Pack dt, Real sign) {
       auto const after = Scheme::velocity_of_pair(velocity(), f.total, sign * dt * inverse_mass);
       set(Scheme::position(position(), after, dt), after);
-      if constexpr (rotates) spin = Scheme::velocity_of_pair(spin, f.turn, dt * turn_to_spin);
+      if constexpr (rotates)
+        spin = Scheme::velocity_of_pair(spin, f.torque_per_diameter, dt * torque_to_spin);
     }
 
     void watch(Pack time, Real time_step) {
@@ -261,7 +264,8 @@ struct BinaryCollisions {
                                          p.velocity() - q.velocity(), pair.inverse_distance, spins);
     f.total = zero_unless(f.touching, f.force.elastic + f.force.dissipative);
     if constexpr (rotates)
-      f.turn = simd::zero_unless(f.touching, f.force.turn(pair.inverse_distance));
+      f.torque_per_diameter =
+          simd::zero_unless(f.touching, f.force.torque_per_diameter(pair.inverse_distance));
     return f;
   }
 
@@ -289,24 +293,25 @@ struct BinaryCollisions {
         make_contact(separation, fma(separation.x, separation.x, separation.y * separation.y),
                      pair.inverse_distance);
     Pack const per_force = dt * (p.inverse_mass + q.inverse_mass);
-    Pack const per_turn =
-        dt * fma(pair.diameter_a, p.turn_to_spin, pair.diameter_b * q.turn_to_spin);
-    auto const change_by = [&](Vec2<Pack> const& force, Pack const& turn) {
-      return change_of_pair<Law>(force, turn, separation, pair.inverse_distance, per_force,
-                                 per_turn);
+    Pack const per_torque =
+        dt * fma(pair.diameter_a, p.torque_to_spin, pair.diameter_b * q.torque_to_spin);
+    auto const change_by = [&](Vec2<Pack> const& force, Pack const& torque_per_diameter) {
+      return change_of_pair<Law>(force, torque_per_diameter, separation, pair.inverse_distance,
+                                 per_force, per_torque);
     };
-    auto const change = change_by(f.total, f.turn);
+    auto const change = change_by(f.total, f.torque_per_diameter);
     contact.velocity = second_stage_velocity<Law>(change, contact.normal, pair.share_normal,
                                                   pair.share_tangential);
     PairForce<Pack> const second{separation, {}, law.dissipative_force(contact), {}, {}};
-    Pack turn = 0.0;
-    if constexpr (rotates) turn = second.turn(pair.inverse_distance);
+    Pack torque_per_diameter = 0.0;
+    if constexpr (rotates) torque_per_diameter = second.torque_per_diameter(pair.inverse_distance);
     f.force.dissipative = f.force.dissipative + second.dissipative;
-    f.force.velocity =
-        f.force.velocity + Pack(0.5) * (change + change_by(second.dissipative, turn));
+    f.force.velocity = f.force.velocity +
+                       Pack(0.5) * (change + change_by(second.dissipative, torque_per_diameter));
     f.total += zero_unless(f.touching, second.dissipative);
     if constexpr (rotates)
-      f.turn = simd::zero_unless(f.touching, f.force.turn(pair.inverse_distance));
+      f.torque_per_diameter =
+          simd::zero_unless(f.touching, f.force.torque_per_diameter(pair.inverse_distance));
   }
 
   /// One evaluated configuration of one pair, less that of its straight flights.
@@ -315,10 +320,13 @@ struct BinaryCollisions {
     if (f.touching.lanes() >> k & 1) {
       add_pair(sums.value, lane(f.force, k), 1);
       if constexpr (rotates) {
-        Real const turn = f.turn.v[k], half = two_stage ? time_step / 2 : 0;
+        Real const torque_per_diameter = f.torque_per_diameter.v[k],
+                   half = two_stage ? time_step / 2 : 0;
         sums.value[SumColumns::torque_power] +=
-            pair.diameter_a.v[k] * turn * (p.spin.v[k] + half * p.turn_to_spin.v[k] * turn) +
-            pair.diameter_b.v[k] * turn * (q.spin.v[k] + half * q.turn_to_spin.v[k] * turn);
+            pair.diameter_a.v[k] * torque_per_diameter *
+                (p.spin.v[k] + half * p.torque_to_spin.v[k] * torque_per_diameter) +
+            pair.diameter_b.v[k] * torque_per_diameter *
+                (q.spin.v[k] + half * q.torque_to_spin.v[k] * torque_per_diameter);
       }
     }
     Real const time = time_step * step;

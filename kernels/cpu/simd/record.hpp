@@ -55,15 +55,15 @@ struct alignas(16) Force {
   double x, y;  ///< [m d_s / tau_e^2]
 };
 
-/// With rotation: `turn` times the diameter is the torque. The order suits addsub: what is opposite
+/// With rotation: `torque` is over the diameter. The order suits addsub: what is opposite
 /// on the partner sits in even places.
 struct alignas(32) TurningForce {
-  double x, count, y, turn;  ///< count: of contacts, if asked for
+  double x, count, y, torque_per_diameter;  ///< count: of contacts, if asked for
 };
 
 /// The forces on eight disks, component by component.
 struct ForceComponents {
-  Pack x, y, turn, count;
+  Pack x, y, torque_per_diameter, count;
 
   Vec2<Pack> force() const { return {x, y}; }
 };

@@ -13,7 +13,7 @@ BAGNOLD_INLINE ForceComponents load_forces(Force const* f, std::uint16_t const* 
     s.x.v[k] = at(f, index4[k]).x;
     s.y.v[k] = at(f, index4[k]).y;
   }
-  s.turn = s.count = 0.0;
+  s.torque_per_diameter = s.count = 0.0;
   return s;
 }
 

@@ -156,13 +156,13 @@ BAGNOLD_INLINE void scatter(Force* force, LocalPair const* pairs, Pack x, Pack y
   add(7, _mm512_extractf64x2_pd(odd, 3));
 }
 
-/// The turn and the count are the same for both.
-BAGNOLD_INLINE void scatter(TurningForce* force, LocalPair const* pairs, Pack x, Pack y, Pack turn,
-                            Pack count = 0.0) {
+/// The torque and the count are the same for both.
+BAGNOLD_INLINE void scatter(TurningForce* force, LocalPair const* pairs, Pack x, Pack y,
+                            Pack torque_per_diameter, Pack count = 0.0) {
   __m512d const x0 = _mm512_unpacklo_pd((__m512d)x.v, (__m512d)count.v);
   __m512d const x1 = _mm512_unpackhi_pd((__m512d)x.v, (__m512d)count.v);
-  __m512d const y0 = _mm512_unpacklo_pd((__m512d)y.v, (__m512d)turn.v);
-  __m512d const y1 = _mm512_unpackhi_pd((__m512d)y.v, (__m512d)turn.v);
+  __m512d const y0 = _mm512_unpacklo_pd((__m512d)y.v, (__m512d)torque_per_diameter.v);
+  __m512d const y1 = _mm512_unpackhi_pd((__m512d)y.v, (__m512d)torque_per_diameter.v);
   __m512i const low = _mm512_setr_epi64(0, 1, 8, 9, 2, 3, 10, 11);
   __m512i const high = _mm512_setr_epi64(4, 5, 12, 13, 6, 7, 14, 15);
   __m512d const f02 = _mm512_permutex2var_pd(x0, low, y0),

@@ -58,7 +58,7 @@ BAGNOLD_INLINE ForceComponents load_turning(Row const& row) {
     TurningForce const& from = row(k);
     s.x.v[k] = from.x;
     s.y.v[k] = from.y;
-    s.turn.v[k] = from.turn;
+    s.torque_per_diameter.v[k] = from.torque_per_diameter;
     s.count.v[k] = from.count;
   }
   return s;
@@ -99,7 +99,7 @@ BAGNOLD_INLINE ForceComponents load_forces(Force const* f) {
     s.x.v[k] = f[k].x;
     s.y.v[k] = f[k].y;
   }
-  s.turn = s.count = 0.0;
+  s.torque_per_diameter = s.count = 0.0;
   return s;
 }
 
@@ -122,13 +122,15 @@ BAGNOLD_INLINE void scatter(Force* force, LocalPair const* pairs, Pack x, Pack y
   }
 }
 
-BAGNOLD_INLINE void scatter(TurningForce* force, LocalPair const* pairs, Pack x, Pack y, Pack turn,
-                            Pack count = 0.0) {
+BAGNOLD_INLINE void scatter(TurningForce* force, LocalPair const* pairs, Pack x, Pack y,
+                            Pack torque_per_diameter, Pack count = 0.0) {
   for (int k = 0; k < width; ++k) {
     TurningForce& a = force[pairs[k].a()];
-    a = {a.x + x.v[k], a.count + count.v[k], a.y + y.v[k], a.turn + turn.v[k]};
+    a = {a.x + x.v[k], a.count + count.v[k], a.y + y.v[k],
+         a.torque_per_diameter + torque_per_diameter.v[k]};
     TurningForce& b = force[pairs[k].b()];
-    b = {b.x - x.v[k], b.count + count.v[k], b.y - y.v[k], b.turn + turn.v[k]};
+    b = {b.x - x.v[k], b.count + count.v[k], b.y - y.v[k],
+         b.torque_per_diameter + torque_per_diameter.v[k]};
   }
 }
 

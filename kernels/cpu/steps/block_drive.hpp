@@ -80,7 +80,7 @@ class DriveOnBlocks final : public BlockDrive<Force, Rotates> {
       auto halfway = disk;
       halfway.velocity =
           disk.velocity + Pack(0.5) * change.velocity + half.per_mass(big) * f.force();
-      halfway.spin = disk.spin + 0.5 * change.spin + half.per_inertia(big) * f.turn;
+      halfway.spin = disk.spin + 0.5 * change.spin + half.per_inertia(big) * f.torque_per_diameter;
       auto drag = drag_force(drive_.drag, disk);
       drag += second_(change);
       return Acting{drag, drive_.push(disk), halfway};
@@ -152,12 +152,13 @@ class DriveOnBlocks final : public BlockDrive<Force, Rotates> {
 
   static void add_to(Force* force, std::uint32_t count, Push<Pack> const& push,
                      DrivenDisk<Pack> const& disk) {
-    Pack turn = 0.0;
-    if constexpr (Rotates) turn = push.torque / disk.of({small_diameter, big_diameter});
+    Pack torque_per_diameter = 0.0;
+    if constexpr (Rotates)
+      torque_per_diameter = push.torque / disk.of({small_diameter, big_diameter});
     for (std::uint32_t k = 0; k < std::min<std::uint32_t>(count, simd::width); ++k) {
       force[k].x += push.force.x.v[k];
       force[k].y += push.force.y.v[k];
-      if constexpr (Rotates) force[k].turn += turn.v[k];
+      if constexpr (Rotates) force[k].torque_per_diameter += torque_per_diameter.v[k];
     }
   }
 

@@ -118,12 +118,13 @@ struct BlockForces {
                                            inverse_distance, diameter_a * now.spins);
       Pack const x = zero_unless(touching, f.elastic.x + f.dissipative.x);
       Pack const y = zero_unless(touching, f.elastic.y + f.dissipative.y);
-      Pack turn = 0.0;
-      if constexpr (rotates) turn = zero_unless(touching, f.turn(inverse_distance));
+      Pack torque_per_diameter = 0.0;
+      if constexpr (rotates)
+        torque_per_diameter = zero_unless(touching, f.torque_per_diameter(inverse_distance));
       if constexpr (Counting)
-        simd::scatter(force, pairs + k, x, y, turn, zero_unless(touching, 1.0));
+        simd::scatter(force, pairs + k, x, y, torque_per_diameter, zero_unless(touching, 1.0));
       else if constexpr (rotates)
-        simd::scatter(force, pairs + k, x, y, turn);
+        simd::scatter(force, pairs + k, x, y, torque_per_diameter);
       else
         simd::scatter(force, pairs + k, x, y);
       observe(PackOfPairs{pairs + k, touching, f});

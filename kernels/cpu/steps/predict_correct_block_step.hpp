@@ -59,7 +59,8 @@ struct BlockStep<L, R, S> {
       predict(r, f, kick.per_mass(big));
       simd::store_records(s.trial.record.data() + slot, r);
       if constexpr (rotates)
-        Scheme::trial_velocity(Pack::load(s.now.spin.data() + slot), f.turn, kick.per_inertia(big))
+        Scheme::trial_velocity(Pack::load(s.now.spin.data() + slot), f.torque_per_diameter,
+                               kick.per_inertia(big))
             .store(s.trial.spin.data() + slot);
     }
     return {};
@@ -89,7 +90,8 @@ struct BlockStep<L, R, S> {
       if constexpr (rotates) {
         auto* const spin = s.now.spin.data() + slot;
         auto const trial = Pack::load(s.trial.spin.data() + slot);
-        Scheme::velocity(Pack::load(spin), trial, f.turn, kick.per_inertia(big)).store(spin);
+        Scheme::velocity(Pack::load(spin), trial, f.torque_per_diameter, kick.per_inertia(big))
+            .store(spin);
       }
       speeds(r, r.y);
     }
@@ -109,17 +111,17 @@ struct BlockStep<L, R, S> {
     simd::fly(trial, now, block.padded, time_step);
     if constexpr (rotates) std::copy_n(spins(s.now, block), block.padded, spins(s.trial, block));
     Kick const kick(s.table, time_step);
-    active.each_pack(block, active.count(b), s.species.data(),
-                     [&](std::uint16_t const* at, simd::Mask big) {
-                       auto r = simd::load_records(now, at);
-                       auto const f = simd::load_forces(force, at);
-                       predict(r, f, kick.per_mass(big));
-                       simd::store_records(trial, at, r);
-                       if constexpr (rotates)
-                         simd::store(spins(s.trial, block), at,
-                                     Scheme::trial_velocity(simd::load(spins(s.now, block), at),
-                                                            f.turn, kick.per_inertia(big)));
-                     });
+    active.each_pack(
+        block, active.count(b), s.species.data(), [&](std::uint16_t const* at, simd::Mask big) {
+          auto r = simd::load_records(now, at);
+          auto const f = simd::load_forces(force, at);
+          predict(r, f, kick.per_mass(big));
+          simd::store_records(trial, at, r);
+          if constexpr (rotates)
+            simd::store(spins(s.trial, block), at,
+                        Scheme::trial_velocity(simd::load(spins(s.now, block), at),
+                                               f.torque_per_diameter, kick.per_inertia(big)));
+        });
     return {};
   }
 
@@ -146,9 +148,9 @@ struct BlockStep<L, R, S> {
           if constexpr (rotates) {
             auto* const spin = spins(s.now, block);
             auto const trial_spin = simd::load(spins(s.trial, block), at);
-            simd::store(
-                spin, at,
-                Scheme::velocity(simd::load(spin, at), trial_spin, f.turn, kick.per_inertia(big)));
+            simd::store(spin, at,
+                        Scheme::velocity(simd::load(spin, at), trial_spin, f.torque_per_diameter,
+                                         kick.per_inertia(big)));
           }
           speeds(r, r.y);
         });
@@ -179,7 +181,7 @@ struct BlockStep<L, R, S> {
                            simd::Pack spin) const {
     PackPower power;
     if constexpr (rotates)
-      power.torque = diameter_of(big) * simd::load_forces(force + i).turn * spin;
+      power.torque = diameter_of(big) * simd::load_forces(force + i).torque_per_diameter * spin;
     return power;
   }
 

@@ -13,9 +13,9 @@
 
 namespace bagnold {
 
-/// The step of a TwoStageScheme on a block. `trial` holds what the first look changes:
-/// as a record {v_x, v_y, thetadot, contacts} a disk. The first look lists the pairs that touch for
-/// the second one.
+/// The step of a TwoStageScheme on a block. `trial` holds what the first stage changes:
+/// as a record {v_x, v_y, thetadot, contacts} a disk. The first stage lists the pairs that touch
+/// for the second one.
 template <TwoStageLaw L, class R, TwoStageScheme S>
 struct BlockStep<L, R, S> {
   using Law = L;
@@ -164,14 +164,14 @@ struct BlockStep<L, R, S> {
     return {simd::largest(speeds.fastest2), 0, 0, simd::sum(speeds.nan_flag)};
   }
 
-  /// Sees the pairs that touch, both looks together; between the two halves of a step. force:
-  /// [2][most_local], out: the damping of both looks, and that of the second one.
+  /// Sees the pairs that touch, both stages together; between the two halves of a step. force:
+  /// [2][most_local], out: the damping of both stages, and that of the second one.
   template <class Observer>
   void observe(BlockSystem const& s, Block const& block, Force* force, Observer&& observer) const {
     copy_halo(s, block);
     Forces::clear(block, force);
     Forces::clear(block, force + s.blocks.most_local);
-    look<true>(s, block, force, observer);
+    add_stage<true>(s, block, force, observer);
     if (drive) drive->add_second(s, block, force + s.blocks.most_local);
   }
 
@@ -190,9 +190,10 @@ struct BlockStep<L, R, S> {
     PackPower power;
     power.dissipation = -(half.per_mass(big) * fma(both.x, second.x, both.y * second.y));
     if constexpr (rotates) {
-      Pack const torque = diameter_of(big) * both.turn, per_inertia = half.per_inertia(big);
-      power.dissipation = fnma(per_inertia * second.turn, torque, power.dissipation);
-      power.torque = torque * fma(per_inertia, both.turn, spin);
+      Pack const torque = diameter_of(big) * both.torque_per_diameter,
+                 per_inertia = half.per_inertia(big);
+      power.dissipation = fnma(per_inertia * second.torque_per_diameter, torque, power.dissipation);
+      power.torque = torque * fma(per_inertia, both.torque_per_diameter, spin);
     }
     return power;
   }
@@ -200,12 +201,12 @@ struct BlockStep<L, R, S> {
  private:
   using Pack = simd::Pack;
 
-  /// What the first look changes, as in `trial`.
+  /// What the first stage changes, as in `trial`.
   BAGNOLD_INLINE static simd::Records change_of(Kick const& kick, simd::ForceComponents const& f,
                                                 simd::Mask big) {
     Pack const most = SecondStage::most;
     auto const v = Scheme::change(f.force(), kick.per_mass(big));
-    return {v.x, v.y, Scheme::change(f.turn, kick.per_inertia(big)),
+    return {v.x, v.y, Scheme::change(f.torque_per_diameter, kick.per_inertia(big)),
             select(most < f.count, most, f.count)};
   }
 
@@ -216,13 +217,13 @@ struct BlockStep<L, R, S> {
 
   BAGNOLD_INLINE static Pack spun(Pack spin, simd::Records const& change,
                                   simd::ForceComponents const& second, Pack per_inertia) {
-    return Scheme::velocity(spin, change.vx, second.turn, per_inertia);
+    return Scheme::velocity(spin, change.vx, second.torque_per_diameter, per_inertia);
   }
 
-  /// Adds what the second look exerts to force, which is cleared where pairs touch.
+  /// Adds what the second stage exerts to force, which is cleared where pairs touch.
   void add_second(BlockSystem const& s, Block const& block, Force* force) const {
     copy_halo(s, block);
-    look<false>(s, block, force, NoPackObserver{});
+    add_stage<false>(s, block, force, NoPackObserver{});
   }
 
   static void clear_touching(BlockSystem const& s, Block const& block, Force* force) {
@@ -261,10 +262,10 @@ struct BlockStep<L, R, S> {
   }
 
   template <bool Whole, class Observer>
-  void look(BlockSystem const& s, Block const& block, Force* force, Observer&& observe) const {
+  void add_stage(BlockSystem const& s, Block const& block, Force* force, Observer&& observe) const {
     for (int c = 0; c < pair_classes; ++c)
-      look_at_class<Whole>(c, s, block, s.blocks.near[contact_list].data() + block.pairs[c],
-                           block.near[contact_list][c], force, observe);
+      add_class<Whole>(c, s, block, s.blocks.near[contact_list].data() + block.pairs[c],
+                       block.near[contact_list][c], force, observe);
   }
 
   /// What a pack of pairs needs of memory, loaded before the pack before it is worked on.
@@ -279,17 +280,18 @@ struct BlockStep<L, R, S> {
   BAGNOLD_INLINE static void scatter(Force* force, simd::LocalPair const* pairs,
                                      simd::Mask touching, PairForce<Pack> const& f,
                                      Pack const& inverse_distance) {
-    Pack turn = 0.0;
-    if constexpr (rotates) turn = zero_unless(touching, f.turn(inverse_distance));
+    Pack torque_per_diameter = 0.0;
+    if constexpr (rotates)
+      torque_per_diameter = zero_unless(touching, f.torque_per_diameter(inverse_distance));
     simd::scatter(force, pairs, zero_unless(touching, f.dissipative.x),
-                  zero_unless(touching, f.dissipative.y), turn);
+                  zero_unless(touching, f.dissipative.y), torque_per_diameter);
   }
 
-  /// Adds the forces of the second look, or shows those of both looks together and adds both.
+  /// Adds the forces of the second stage, or shows those of both stages together and adds both.
   template <bool Whole, class Observer>
-  void look_at_class(int pair_class, BlockSystem const& s, Block const& block,
-                     simd::LocalPair const* pairs, std::uint32_t count, Force* force,
-                     Observer& observe) const {
+  void add_class(int pair_class, BlockSystem const& s, Block const& block,
+                 simd::LocalPair const* pairs, std::uint32_t count, Force* force,
+                 Observer& observe) const {
     Pack const share_normal = Pack::load(shares.normal[pair_class]);
     Pack const share_tangential = Pack::load(shares.tangential[pair_class]);
     Pack const inverse_distance = 1 / class_distance(pair_class);

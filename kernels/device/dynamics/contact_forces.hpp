@@ -43,15 +43,16 @@ struct ContactForces {
   Repulsion repulsion;
 
   template <class Observer>
-  KOKKOS_FUNCTION Action<rotates> operator()(std::uint32_t i, Observer&& observe) const {
-    Action<rotates> total;
+  KOKKOS_FUNCTION Load<rotates> operator()(std::uint32_t i, Observer&& observe) const {
+    Load<rotates> total;
     Real const diameter_i = table.diameter[species(i)];
     each_contact(i, [&](std::uint32_t, Vec2<Real> const& separation, Real distance2,
                         Real inverse_distance, Vec2<Real> const& velocity, Real spins) {
       auto const pair =
           pair_force(law, repulsion, separation, distance2, velocity, inverse_distance, spins);
       total.force += pair.elastic + pair.dissipative;
-      if constexpr (rotates) total.torque += diameter_i * pair.turn(inverse_distance);
+      if constexpr (rotates)
+        total.torque += diameter_i * pair.torque_per_diameter(inverse_distance);
       observe(pair);
     });
     return total;
@@ -60,9 +61,9 @@ struct ContactForces {
   /// Of i, whose pairs the observer sees.
   template <class Observer>
   KOKKOS_FUNCTION DiskPower power(std::uint32_t i, Observer&& observe) const {
-    auto const action = (*this)(i, observe);
+    auto const load = (*this)(i, observe);
     DiskPower power;
-    if constexpr (rotates) power.torque = action.torque * motion(i).spin;
+    if constexpr (rotates) power.torque = load.torque * motion(i).spin;
     return power;
   }
 

@@ -35,7 +35,7 @@ struct NextStep {
   KOKKOS_FUNCTION void operator()(std::int64_t i,
                                   Kokkos::ValLocScalar<Real, std::int64_t>& farthest) const {
     Real const moved2 =
-        excursion2(flown(position(i), motion(i).velocity, time_step), position(i), strain);
+        nonaffine2(flown(position(i), motion(i).velocity, time_step), position(i), strain);
     if (moved2 > farthest.val) farthest = {moved2, i};
   }
 };
@@ -60,8 +60,8 @@ struct Farthest {
   Real next_strain_since_build;  ///< a step later
 
   KOKKOS_FUNCTION void operator()(std::int64_t i, Real& largest) const {
-    keep_largest(largest, excursion2(position(i), at_build(i), strain_since_build),
-                 excursion2(flown(position(i), motion(i).velocity, time_step), at_build(i),
+    keep_largest(largest, nonaffine2(position(i), at_build(i), strain_since_build),
+                 nonaffine2(flown(position(i), motion(i).velocity, time_step), at_build(i),
                             next_strain_since_build),
                  true);
   }

@@ -27,12 +27,12 @@ struct Predict {
 
   KOKKOS_FUNCTION void operator()(std::uint32_t i) const {
     auto const before = forces.motion(i);
-    auto const action = forces(i, NoObserver{});
+    auto const load = forces(i, NoObserver{});
     TimePerMass const per(time_step, forces.table, forces.species(i));
     Motion<Law::rotates> trial;
-    trial.velocity = Scheme::trial_velocity(before.velocity, action.force, per.mass);
+    trial.velocity = Scheme::trial_velocity(before.velocity, load.force, per.mass);
     if constexpr (Law::rotates)
-      trial.spin = Scheme::trial_velocity(before.spin, action.torque, per.inertia);
+      trial.spin = Scheme::trial_velocity(before.spin, load.torque, per.inertia);
     trial_position(i) = Scheme::trial_position(forces.position(i), before.velocity, time_step);
     trial_motion(i) = trial;
   }
@@ -61,21 +61,21 @@ struct Correct {
 
   KOKKOS_FUNCTION void operator()(std::uint32_t i, Real& largest) const {
     OverlapLimit limit;
-    auto const action = forces(i, limit);
+    auto const load = forces(i, limit);
     auto const before = motion(i), trial = forces.motion(i);
     TimePerMass const half(time_step / 2, forces.table, forces.species(i));
     Motion<Law::rotates> after;
-    after.velocity = Scheme::velocity(before.velocity, trial.velocity, action.force, half.mass);
+    after.velocity = Scheme::velocity(before.velocity, trial.velocity, load.force, half.mass);
     if constexpr (Law::rotates)
-      after.spin = Scheme::velocity(before.spin, trial.spin, action.torque, half.inertia);
+      after.spin = Scheme::velocity(before.spin, trial.spin, load.torque, half.inertia);
     auto const moved =
         Scheme::position(position(i), before.velocity, after.velocity, time_step / 2);
     motion(i) = after;
     position(i) = moved;
 
     keep_largest(
-        largest, excursion2(moved, at_build(i), strain_since_build),
-        excursion2(flown(moved, after.velocity, time_step), at_build(i), next_strain_since_build),
+        largest, nonaffine2(moved, at_build(i), strain_since_build),
+        nonaffine2(flown(moved, after.velocity, time_step), at_build(i), next_strain_since_build),
         !limit.exceeded);
   }
 };

@@ -31,12 +31,12 @@ struct Relax {
   KOKKOS_FUNCTION void operator()(std::uint32_t i, Real& largest) const {
     constexpr Real time_step = 0.3;  // below 2/omega_max, omega_max^2 about 10 at Z = 5
     constexpr Real keep = 0.9;       // share of the velocity kept
-    auto const action = forces(i, NoObserver{});
-    Vec2<Real> const velocity = keep * motion(i).velocity + time_step * action.force;
+    auto const load = forces(i, NoObserver{});
+    Vec2<Real> const velocity = keep * motion(i).velocity + time_step * load.force;
     Vec2<Real> const moved = forces.position(i) + time_step * velocity;
     motion(i).velocity = velocity;
     next_position(i) = moved;
-    Real const moved2 = excursion2(moved, at_build(i), 0);
+    Real const moved2 = nonaffine2(moved, at_build(i), 0);
     if (!(moved2 <= largest)) largest = moved2;
   }
 };

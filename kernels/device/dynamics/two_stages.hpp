@@ -32,11 +32,11 @@ struct FirstStage {
   KOKKOS_FUNCTION void operator()(std::uint32_t i, Real& failed) const {
     int count = 0;
     bool too_deep = false;
-    auto const action = forces(i, Counter{count, too_deep});
+    auto const load = forces(i, Counter{count, too_deep});
     TimePerMass const per(time_step, forces.table, forces.species(i));
     Motion<Law::rotates> changed;
-    changed.velocity = Scheme::change(action.force, per.mass);
-    if constexpr (Law::rotates) changed.spin = Scheme::change(action.torque, per.inertia);
+    changed.velocity = Scheme::change(load.force, per.mass);
+    if constexpr (Law::rotates) changed.spin = Scheme::change(load.torque, per.inertia);
     change(i) = changed;
     contacts(i) = count < SecondStage::most ? count : SecondStage::most;
     if (too_deep) failed = 1;
@@ -62,7 +62,7 @@ struct ChangeForces {
   KOKKOS_FUNCTION ContactForces<Law, Repulsion, Space> const& now() const { return forces; }
 
   template <class Observer>
-  KOKKOS_FUNCTION Action<rotates> operator()(std::uint32_t i, Observer&& observe) const {
+  KOKKOS_FUNCTION Load<rotates> operator()(std::uint32_t i, Observer&& observe) const {
     return damping(i, observe).second;
   }
 
@@ -84,7 +84,7 @@ struct ChangeForces {
  private:
   /// On one disk, of the second stage and of both.
   struct Damping {
-    Action<rotates> second, both;
+    Load<rotates> second, both;
   };
 
   template <class Observer>
@@ -112,9 +112,9 @@ struct ChangeForces {
       PairForce<Real> pair{separation, forces.repulsion.magnitude(contact) * contact.normal,
                            forces.law.dissipative_force(contact), contact.relative_overlap,
                            before + Real(0.5) * changed};
-      auto const add = [&](Action<rotates>& to) {
+      auto const add = [&](Load<rotates>& to) {
         to.force += pair.dissipative;
-        if constexpr (rotates) to.torque += diameter_i * pair.turn(inverse_distance);
+        if constexpr (rotates) to.torque += diameter_i * pair.torque_per_diameter(inverse_distance);
       };
       add(total.second);
       contact.velocity = contact.velocity + before;
@@ -151,8 +151,8 @@ struct LeapOn {
     motion(i) = after;
     next_position(i) = moved;
     keep_largest(
-        largest, excursion2(moved, at_build(i), strain_since_build),
-        excursion2(flown(moved, after.velocity, time_step), at_build(i), next_strain_since_build),
+        largest, nonaffine2(moved, at_build(i), strain_since_build),
+        nonaffine2(flown(moved, after.velocity, time_step), at_build(i), next_strain_since_build),
         true);
   }
 };

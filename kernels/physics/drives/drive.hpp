@@ -101,6 +101,7 @@ concept OneBodyDrive = requires(D const& drive, DriveInput const& input,
                                 DrivenDisk<Real> const& disk) {
   { D::name } -> std::convertible_to<std::string_view>;  // as in input and output
   { D::random } -> std::convertible_to<bool>;            // asks for random numbers
+  { D::thermal } -> std::convertible_to<bool>;           // has a temperature
   { D::make(input) } -> std::same_as<D>;
   { drive.drag } -> std::convertible_to<Real>;  // zeta, [m / tau_e]
   { drive.push(disk) } -> std::same_as<Push<Real>>;

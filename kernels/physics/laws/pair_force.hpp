@@ -20,7 +20,7 @@ struct PairForce {
 
   /// Torque on i over d_i, and on j over d_j, [m d_s / tau_e^2]:
   /// -1/(d_i + d_j) r_ij x f_dis, P2 Eq. (7).
-  KOKKOS_FUNCTION T turn(T const& inverse_distance) const {
+  KOKKOS_FUNCTION T torque_per_diameter(T const& inverse_distance) const {
     return T(-0.5) * inverse_distance * cross(separation, dissipative);
   }
 };

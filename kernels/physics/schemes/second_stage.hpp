@@ -53,15 +53,18 @@ KOKKOS_FORCEINLINE_FUNCTION Vec2<T> second_stage_velocity(Vec2<T> const& change,
 /// What a force on i and its opposite on j, with their torques, change in a step of the velocity at
 /// the contact of a lone pair.
 ///
-/// turn: torque over diameter; per_force: dt (1/m_i + 1/m_j); per_turn: dt (d_i^2/I_i + d_j^2/I_j).
+/// torque: over the diameter; per_force: dt (1/m_i + 1/m_j); per_torque: dt (d_i^2/I_i +
+/// d_j^2/I_j).
 template <ContactLaw Law, class T>
-KOKKOS_FORCEINLINE_FUNCTION Vec2<T> change_of_pair(Vec2<T> const& force, T const& turn,
+KOKKOS_FORCEINLINE_FUNCTION Vec2<T> change_of_pair(Vec2<T> const& force,
+                                                   T const& torque_per_diameter,
                                                    Vec2<T> const& separation,
                                                    T const& inverse_distance, T const& per_force,
-                                                   T const& per_turn) {
+                                                   T const& per_torque) {
   Vec2<T> change = per_force * force;
   if constexpr (Law::rotates)
-    change = change - (T(0.5) * inverse_distance * per_turn * turn) * perpendicular(separation);
+    change = change - (T(0.5) * inverse_distance * per_torque * torque_per_diameter) *
+                          perpendicular(separation);
   return change;
 }
 

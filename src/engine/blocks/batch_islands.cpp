@@ -92,8 +92,8 @@ void BatchIslands::run_batch(std::uint32_t b, BlockDisks const& disks,
     report += stepper.correct(system, b, box, force, sampled, &watch);
     idle = report.touching == 0;
     outcome_[b].touching += report.touching;
-    outcome_[b].bad =
-        outcome_[b].bad || report.poison != 0 || report.largest_overlap > largest_relative_overlap;
+    outcome_[b].bad = outcome_[b].bad || report.nan_flag != 0 ||
+                      report.largest_overlap > largest_relative_overlap;
   }
 }
 

@@ -81,9 +81,9 @@ State BlockEngine::state() const { return in_box(disks_.state()); }
 template <class Visit>
 void BlockEngine::for_each_memory(Visit const& visit) {
   visit("fastest", lists_.fastest);  // with few contacts a bound that depends on the steps before
-  visit("outer_drift", lists_.outer_drift);
+  visit("outer_drift", lists_.outer_nonaffine_bound);
   visit("prune_step", lists_.inner.step);
-  visit("inner_drift", lists_.inner.drift);
+  visit("inner_drift", lists_.inner.nonaffine_bound);
   visit("inner_margin", lists_.inner.margin);
   visit("near_pairs", lists_.near_pairs);
   visit("touching", single_.touching);
@@ -138,7 +138,7 @@ void BlockEngine::advance_window(Sampling const& sampling, OpenWindows& windows)
                       stepping_ == Stepping::lookahead ? 1 : most_active))
     return step_through(window, sampling, windows);
   disks_.step = end;
-  lists_.outer_drift = farthest + window.deviation;
+  lists_.outer_nonaffine_bound = farthest + window.deviation;
   if (window.steps() != length) return;
   tuning_.done(cost_of(window) / static_cast<Real>(length));
   weigh(window, 2 * window.contacts / static_cast<Real>(disks_.count()), 0);
@@ -165,7 +165,7 @@ void BlockEngine::step_through(LookaheadWindow const& window, Sampling const& sa
   ++windows_refused_;
   lookahead_.allowance /= 2;
   lists_.fastest = disks_.fastest();
-  lists_.outer_drift = lists_.farthest();
+  lists_.outer_nonaffine_bound = lists_.farthest();
   single_.prune();
   while (disks_.step < window.end) single_.advance(sampling, windows);
   auto const contacts = single_.contacts_per_disk();

@@ -26,7 +26,7 @@ void BlockLists::build(DiskList list) {
   for (std::size_t i = 0; i < disks_.count(); ++i) wrap(box, list.position[i], list.velocity[i].x);
   arrange(std::move(list));
   ++builds;
-  outer_drift = 0;
+  outer_nonaffine_bound = 0;
   fastest = disks_.fastest();
 }
 
@@ -70,12 +70,13 @@ std::vector<std::array<double, 2>> BlockLists::at_build() const {
   return list;
 }
 
-bool BlockLists::holds_next(std::int64_t since, Real drift, Real skin) const {
+bool BlockLists::holds_next(std::int64_t since, Real nonaffine_bound, Real skin) const {
   Real const strain = std::abs(disks_.clock.strain_between(since, disks_.step + 1));
   if (strain > 0.5) return false;
-  // drift adds up |v - gammadot y x^|; w is taken about the flow at the place of the build, which
-  // differs by gammadot w_y.
-  Real const w = (drift + disks_.clock.time_step * fastest * step_strain_factor()) / (1 - strain);
+  // nonaffine_bound adds up |v - gammadot y x^|; w is taken about the flow at the place of the
+  // build, which differs by gammadot w_y.
+  Real const w =
+      (nonaffine_bound + disks_.clock.time_step * fastest * step_strain_factor()) / (1 - strain);
   return list_holds(strain, w * w, skin);
 }
 
@@ -89,7 +90,7 @@ void BlockLists::prune(ListUse use) {
   use.per_step = 2 * disks_.clock.time_step * fastest;
   inner.margin = best_margin(use, inner.margin, skin_);
   inner.step = disks_.step;
-  inner.drift = 0;
+  inner.nonaffine_bound = 0;
   if (!inner_holds()) inner.margin = skin_;
   fill_inner();
   near_pairs = 0;
@@ -115,7 +116,7 @@ Real BlockLists::farthest() const {
   for (std::size_t i = 0; i < disks_.count(); ++i) {
     auto const slot = disks_.system.blocks.slot_of(i);
     auto const& r = disks_.system.now.record(slot);
-    largest2 = std::max(largest2, excursion2({r.x, r.y}, at_build_(slot), strain));
+    largest2 = std::max(largest2, nonaffine2({r.x, r.y}, at_build_(slot), strain));
   }
   return std::sqrt(largest2);
 }

@@ -11,8 +11,8 @@ namespace bagnold {
 /// from it; and how long they hold.
 class BlockLists {
  public:
-  Real fastest = 0;      ///< largest peculiar speed now, or a bound, [d_s/tau_e]
-  Real outer_drift = 0;  ///< at least the largest |w| since the build, [d_s]
+  Real fastest = 0;                ///< largest peculiar speed now, or a bound, [d_s/tau_e]
+  Real outer_nonaffine_bound = 0;  ///< at least the largest |w| since the build, [d_s]
   PrunedList inner;
   std::uint64_t near_pairs = 0;  ///< in the inner list when it was pruned
   std::int64_t builds = 0;
@@ -33,10 +33,12 @@ class BlockLists {
   std::vector<std::array<double, 2>> at_build() const;
 
   /// Whether a list from `since` still holds for the next trial positions, if no disk has moved
-  /// more than `drift` beyond the mean flow.
-  bool holds_next(std::int64_t since, Real drift, Real skin) const;
-  bool outer_holds(Real drift) const { return holds_next(disks_.list_step, drift, skin_); }
-  bool inner_holds() const { return holds_next(inner.step, inner.drift, inner.margin); }
+  /// more than `nonaffine_bound` beyond the mean flow.
+  bool holds_next(std::int64_t since, Real nonaffine_bound, Real skin) const;
+  bool outer_holds(Real nonaffine_bound) const {
+    return holds_next(disks_.list_step, nonaffine_bound, skin_);
+  }
+  bool inner_holds() const { return holds_next(inner.step, inner.nonaffine_bound, inner.margin); }
 
   /// Takes the inner list anew, with the margin that suits its use best.
   void prune(ListUse use);

@@ -37,11 +37,11 @@ void SingleSteps::advance(Sampling const& sampling, OpenWindows& windows) {
 
 /// Renews what would not hold through the next step.
 void SingleSteps::keep_lists() {
-  if (!lists_.outer_holds(lists_.outer_drift)) {
-    lists_.outer_drift = lists_.farthest();
-    if (!lists_.outer_holds(1.25 * lists_.outer_drift)) {
+  if (!lists_.outer_holds(lists_.outer_nonaffine_bound)) {
+    lists_.outer_nonaffine_bound = lists_.farthest();
+    if (!lists_.outer_holds(1.25 * lists_.outer_nonaffine_bound)) {
       rebuild();
-      if (!lists_.outer_holds(lists_.outer_drift))
+      if (!lists_.outer_holds(lists_.outer_nonaffine_bound))
         failure::too_fast(disks_.clock, disks_.step, disks_.fastest_disk(),
                           lists_.fastest * disks_.clock.time_step, lists_.skin());
     }
@@ -148,7 +148,7 @@ void SingleSteps::count_step() {
     total += reports_(b);
   }
   touching = pairs;
-  if (total.poison != 0 || total.largest_overlap > largest_relative_overlap) disks_.fail();
+  if (total.nan_flag != 0 || total.largest_overlap > largest_relative_overlap) disks_.fail();
   Real const before = lists_.fastest;
   lists_.fastest = std::sqrt(total.fastest2);
   if (few)  // of those in flight
@@ -156,8 +156,8 @@ void SingleSteps::count_step() {
   // |dw| of a step; the last factor: the mean flow at the new place, not the old one.
   Real const moved =
       disks_.clock.time_step * (before + lists_.fastest) / 2 * lists_.step_strain_factor();
-  lists_.outer_drift += moved;
-  lists_.inner.drift += moved;
+  lists_.outer_nonaffine_bound += moved;
+  lists_.inner.nonaffine_bound += moved;
   counters.pairs_evaluated +=
       disks_.stepper->needs.evaluations * static_cast<std::int64_t>(lists_.near_pairs);
 }

@@ -61,7 +61,7 @@ TEST(Records, AreMovedAsByPlainLoops) {
     for (auto& pair : pairs) pair = LocalPair::make(disk(random), disk(random));
     auto const d = load_differences(records.data(), pairs);
     auto const s = load_sums(values.data(), pairs, 1.4);
-    Pack x, y, turn;
+    Pack x, y, torque_per_diameter;
     for (int k = 0; k < width; ++k) {
       Record const &a = records[pairs[k].a()], &b = records[pairs[k].b()];
       EXPECT_EQ(d.x.v[k], a.x - b.x);
@@ -71,27 +71,27 @@ TEST(Records, AreMovedAsByPlainLoops) {
       EXPECT_NEAR(s.v[k], values[pairs[k].a()] + 1.4 * values[pairs[k].b()], 1e-15);
       x.v[k] = number(random);
       y.v[k] = number(random);
-      turn.v[k] = number(random);
+      torque_per_diameter.v[k] = number(random);
     }
     force_before = force;
     turning_before = turning;
     scatter(force.data(), pairs, x, y);
-    scatter(turning.data(), pairs, x, y, turn);
+    scatter(turning.data(), pairs, x, y, torque_per_diameter);
     for (int k = 0; k < width; ++k) {
       auto const a = pairs[k].a(), b = pairs[k].b();
       force_before[a] = {force_before[a].x + x.v[k], force_before[a].y + y.v[k]};
       force_before[b] = {force_before[b].x - x.v[k], force_before[b].y - y.v[k]};
       auto& p = turning_before[a];
-      p = {p.x + x.v[k], 0, p.y + y.v[k], p.turn + turn.v[k]};
+      p = {p.x + x.v[k], 0, p.y + y.v[k], p.torque_per_diameter + torque_per_diameter.v[k]};
       auto& q = turning_before[b];
-      q = {q.x - x.v[k], 0, q.y - y.v[k], q.turn + turn.v[k]};
+      q = {q.x - x.v[k], 0, q.y - y.v[k], q.torque_per_diameter + torque_per_diameter.v[k]};
     }
     for (int i = 0; i < disks; ++i) {
       EXPECT_EQ(force[i].x, force_before[i].x);
       EXPECT_EQ(force[i].y, force_before[i].y);
       EXPECT_EQ(turning[i].x, turning_before[i].x);
       EXPECT_EQ(turning[i].y, turning_before[i].y);
-      EXPECT_EQ(turning[i].turn, turning_before[i].turn);
+      EXPECT_EQ(turning[i].torque_per_diameter, turning_before[i].torque_per_diameter);
     }
     auto const in_a_row = load_records(records.data() + 16);
     std::vector<Record> back(width);
@@ -106,7 +106,7 @@ TEST(Records, AreMovedAsByPlainLoops) {
       EXPECT_EQ(forces.x.v[k], force[8 + k].x);
       EXPECT_EQ(forces.y.v[k], force[8 + k].y);
       EXPECT_EQ(turnings.y.v[k], turning[8 + k].y);
-      EXPECT_EQ(turnings.turn.v[k], turning[8 + k].turn);
+      EXPECT_EQ(turnings.torque_per_diameter.v[k], turning[8 + k].torque_per_diameter);
     }
   }
 }

@@ -34,7 +34,7 @@ constexpr Model model_of<CDnt>() {
 /// What one disk feels, and what its pairs add up to.
 template <bool Rotates>
 struct Felt {
-  Action<Rotates> action;
+  Load<Rotates> action;
   Vec2<Real> elastic{};
   Vec2<Real> dissipative{};
   Real moment = 0;  ///< sum of r_ij x f_ij

@@ -30,14 +30,14 @@ TEST(ListCriterion, IsGivenUpNoSoonerThanItMustBe) {
 
         Vec2<Real> const r{2 * half.x + strain * 2 * half.y, 2 * half.y};
         double const distance = std::hypot(r.x, r.y);
-        auto const closing = [&](double excursion) {
-          Vec2<Real> const w = excursion / distance * r;
+        auto const closing = [&](double nonaffine) {
+          Vec2<Real> const w = nonaffine / distance * r;
           return listed.moved(strain, {Real(-1) * w, w});
         };
         double const touch = (distance - diameter) / 2;
         ASSERT_EQ(listed.missed(closing(touch + 1e-9), strain), 2u);  // in neither row
 
-        double holds = 0.0, fails = skin;  // the excursion at which the list's word changes
+        double holds = 0.0, fails = skin;  // the displacement at which the list's word changes
         for (int k = 0; k < 50; ++k) {
           double const between = (holds + fails) / 2;
           (listed.holds(closing(between), strain) ? holds : fails) = between;
@@ -79,9 +79,9 @@ TEST(ListCriterion, DoesNotHoldForWhatIsNoNumber) {
 TEST(ListCriterion, ExcursionsAreBeyondTheMeanFlow) {
   Vec2<Real> const at_build{3.0, 2.0};
   // r = r_0 + 0.1 * 2 x^ + (0.03, 0.04): |w| = 0.05.
-  EXPECT_NEAR(excursion2({3.0 + 0.2 + 0.03, 2.04}, at_build, 0.1), 0.0025, 1e-15);
-  EXPECT_NEAR(excursion2({3.0 - 0.2 + 0.03, 2.04}, at_build, -0.1), 0.0025, 1e-15);
-  EXPECT_NEAR(excursion2({3.2, 2.0}, at_build, 0.1), 0.0, 1e-30);
+  EXPECT_NEAR(nonaffine2({3.0 + 0.2 + 0.03, 2.04}, at_build, 0.1), 0.0025, 1e-15);
+  EXPECT_NEAR(nonaffine2({3.0 - 0.2 + 0.03, 2.04}, at_build, -0.1), 0.0025, 1e-15);
+  EXPECT_NEAR(nonaffine2({3.2, 2.0}, at_build, 0.1), 0.0, 1e-30);
 }
 
 }  // namespace bagnold::test

@@ -22,7 +22,7 @@ struct Listed {
     rows = rows_of(list.rows);
   }
 
-  /// The disks carried on by the mean flow, and each by its own excursion w besides.
+  /// The disks carried on by the mean flow, and each by its own non-affine displacement w besides.
   Disks moved(double strain, std::vector<Vec2<Real>> const& w) const {
     Disks now = at_build;
     for (std::size_t i = 0; i < now.count(); ++i) {
@@ -35,7 +35,7 @@ struct Listed {
   bool holds(Disks const& now, double strain) const {
     double largest2 = 0.0;
     for (std::size_t i = 0; i < now.count(); ++i)
-      largest2 = std::max(largest2, excursion2(now.position[i], at_build.position[i], strain));
+      largest2 = std::max(largest2, nonaffine2(now.position[i], at_build.position[i], strain));
     return list_holds(strain, largest2, skin);
   }
 
@@ -61,8 +61,9 @@ Listed<Space> random_list(double skin, std::mt19937_64& random) {
   return {anywhere(60, length, random), length, offset, skin};
 }
 
-/// The largest common excursion that list_holds allows at this strain, by bisection; 0 if none.
-inline double allowed_excursion(double strain, double skin) {
+/// The largest common non-affine displacement that list_holds allows at this strain, by bisection;
+/// 0 if none.
+inline double allowed_nonaffine(double strain, double skin) {
   double low = 0.0, high = skin;
   for (int k = 0; k < 60; ++k) {
     double const middle = (low + high) / 2;

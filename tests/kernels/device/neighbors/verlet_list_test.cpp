@@ -13,13 +13,13 @@ namespace {
 struct Question {
   Vec2<Real> position, at_build;
   Real strain, skin;
-  Real excursion2 = 0;
+  Real nonaffine2 = 0;
   bool holds = false;
 };
 
 KOKKOS_INLINE_FUNCTION void answer(Question& q) {
-  q.excursion2 = excursion2(q.position, q.at_build, q.strain);
-  q.holds = list_holds(q.strain, q.excursion2, q.skin);
+  q.nonaffine2 = nonaffine2(q.position, q.at_build, q.strain);
+  q.holds = list_holds(q.strain, q.nonaffine2, q.skin);
 }
 
 template <class Space>
@@ -95,11 +95,11 @@ TYPED_TEST(VerletListOn, HasEveryContactOfRandomWalkers) {
       double const step = 0.3 * unit(random) * skin / 4;
       std::vector<Vec2<Real>> w(listed.at_build.count());
       for (int k = 1; k <= 16; ++k) {
-        for (auto& excursion : w) excursion += {step * normal(random), step * normal(random)};
+        for (auto& nonaffine : w) nonaffine += {step * normal(random), step * normal(random)};
         Disks const now = listed.moved(k * rate, w);
         double widest = 0.0;
-        for (auto const& excursion : w)
-          widest = std::max(widest, std::hypot(excursion.x, excursion.y));
+        for (auto const& nonaffine : w)
+          widest = std::max(widest, std::hypot(nonaffine.x, nonaffine.y));
         if (listed.holds(now, k * rate)) {
           ++yes;
           ASSERT_LT(2 * widest, skin);  // two disks may each come half the skin closer
@@ -116,8 +116,8 @@ TYPED_TEST(VerletListOn, HasEveryContactOfRandomWalkers) {
   EXPECT_LT(share, 0.9);
 }
 
-/// Unlisted disks go straight for each other, each by the whole excursion allowed. At half as much
-/// again the list must say no, and does miss contacts.
+/// Unlisted disks go straight for each other, each by the whole non-affine displacement allowed. At
+/// half as much again the list must say no, and does miss contacts.
 TYPED_TEST(VerletListOn, HasEveryContactOfDisksThatConspire) {
   std::mt19937_64 random(6);
   int yes = 0, missed_later = 0;
@@ -127,13 +127,13 @@ TYPED_TEST(VerletListOn, HasEveryContactOfDisksThatConspire) {
       auto const listed = random_list<TypeParam>(skin, random);
       for (double share : {-0.9, -0.5, -0.1, -1e-6, 0.0, 1e-6, 0.1, 0.5, 0.9}) {
         double const strain = share * widest_strain(skin);
-        double const allowed = allowed_excursion(strain, skin);
+        double const allowed = allowed_nonaffine(strain, skin);
         ASSERT_GT(allowed, 0.0);
         Conspiracy const conspiracy = conspire(listed, strain);
         closest = std::min(closest, conspiracy.nearest_gap / (2 * allowed));
-        auto const by = [&](double excursion) {
+        auto const by = [&](double nonaffine) {
           auto w = conspiracy.toward;
-          for (auto& direction : w) direction = excursion * direction;
+          for (auto& direction : w) direction = nonaffine * direction;
           return listed.moved(strain, w);
         };
         Disks const before = by(0.999999 * allowed);
@@ -164,7 +164,7 @@ TYPED_TEST(VerletListOn, IsJudgedAlikeOnTheDevice) {
   int yes = 0;
   for (std::size_t k = 0; k < questions.size(); ++k) {
     answer(questions[k]);
-    EXPECT_NEAR(found[k].excursion2, questions[k].excursion2, 1e-14);
+    EXPECT_NEAR(found[k].nonaffine2, questions[k].nonaffine2, 1e-14);
     EXPECT_EQ(found[k].holds, questions[k].holds);
     yes += found[k].holds;
   }

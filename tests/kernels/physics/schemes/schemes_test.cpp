@@ -103,8 +103,8 @@ TEST(ContactMatrix, HoldsUpToTheLargestRateAndFrequency) {
   });
 }
 
-/// Without damping both turn by an angle with cos = 1 - (omega dt)^2/2 and keep the area: by hand
-/// xx + vv = 2 - w^2 and xx vv - xv vx = 1.
+/// Without damping both torque_per_diameter by an angle with cos = 1 - (omega dt)^2/2 and keep the
+/// area: by hand xx + vv = 2 - w^2 and xx vv - xv vx = 1.
 TEST(ContactMatrix, OfAnOscillationByHand) {
   for_each_type<Schemes>([]<class S>(std::type_identity<S>) {
     for (double const w : {0.1, 0.5, 1.3}) {
