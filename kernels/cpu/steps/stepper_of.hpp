@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
+#include <utility>
+
 #include "kernels/cpu/islands/binary_collisions.hpp"
+#include "kernels/cpu/steps/block_drive.hpp"
 #include "kernels/cpu/steps/block_sums.hpp"
 
 namespace bagnold {
