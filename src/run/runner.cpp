@@ -27,6 +27,9 @@ namespace bagnold {
 
 namespace {
 
+/// Disks from which on a start can take so long that a stop does not wait for its end.
+constexpr std::int64_t long_start = 8192;
+
 /// A NumericalError with the replica it came from, on its way to the thread that writes files.
 struct ReplicaFailure {
   std::size_t replica;
@@ -52,10 +55,11 @@ bool Runner::start(std::vector<std::optional<Snapshot>> snapshots) {
   ReplicaScheduler all;
   all.systems = run_.replicas.size();
   all.turn = std::chrono::hours(24 * 365);  // a start is not taken up again
-  all.request = [&] {
-    return monitor_.stop_requested() ? ReplicaScheduler::Request::stop
-                                     : ReplicaScheduler::Request::go_on;
-  };
+  if (run_.scene.disks.count >= long_start)
+    all.request = [&] {
+      return monitor_.stop_requested() ? ReplicaScheduler::Request::stop
+                                       : ReplicaScheduler::Request::go_on;
+    };
   all.advance = [&](std::size_t r, auto const& go_on) {
     try {
       starts[r] = start_of(r, std::move(snapshots[r]), go_on);

@@ -6,6 +6,7 @@
 
 #include "kernels/device/dynamics/relaxation.hpp"
 #include "kernels/device/side_by_side.hpp"
+#include "src/config/errors.hpp"
 #include "src/config/scene.hpp"
 #include "src/engine/backends.hpp"
 #include "src/engine/device_copy.hpp"
@@ -17,7 +18,7 @@ namespace bagnold {
 namespace {
 
 /// Above it disks are pushed apart one iteration at a time: engines refuse such overlaps.
-constexpr double deep = 0.15;
+constexpr double deep = 0.1;
 
 /// Disks at rest that push each other apart, however much they overlap.
 template <class Space>
@@ -148,12 +149,10 @@ Relaxation push_apart(State& state, double overlap, std::int64_t iterations, dou
   return push_apart_on<Host>(state, limit, iterations, skin, go_on);
 }
 
-}  // namespace
-
-Relaxation relax_overlaps(State& state, double overlap, std::int64_t iterations, double skin,
-                          std::function<bool()> const& go_on) {
-  auto relaxed = push_apart(state, overlap, iterations, skin, go_on);
-  if (relaxed.largest_overlap <= overlap || relaxed.iterations == iterations) return relaxed;
+/// Goes on from a relaxation that is begun; false where disks came too close for an engine: then
+/// the state is that of some iterations before.
+bool relax_in_blocks(State& state, Relaxation& relaxed, double overlap, std::int64_t iterations,
+                     double skin, std::function<bool()> const& go_on) try {
   State resting = state;
   resting.velocity.assign(state.count(), {0.0, 0.0});
   resting.spin.clear();
@@ -171,10 +170,27 @@ Relaxation relax_overlaps(State& state, double overlap, std::int64_t iterations,
       simulation->advance(more, Sampling{}, windows);
       relaxed.iterations += more;
     }
-    resting = simulation->state();
-    relaxed.largest_overlap = deep_overlaps(resting, 0).deepest;
+    State reached = simulation->state();
+    relaxed.largest_overlap = deep_overlaps(reached, 0).deepest;
+    state.position = std::move(reached.position);
   }
-  state.position = std::move(resting.position);
+  return true;
+} catch (NumericalError const&) {
+  return false;
+}
+
+}  // namespace
+
+Relaxation relax_overlaps(State& state, double overlap, std::int64_t iterations, double skin,
+                          std::function<bool()> const& go_on) {
+  Relaxation relaxed{0, 0};
+  for (double limit = deep;; limit /= 2) {
+    auto const begun =
+        push_apart(state, std::max(limit, overlap), iterations - relaxed.iterations, skin, go_on);
+    relaxed = {relaxed.iterations + begun.iterations, begun.largest_overlap};
+    if (relaxed.largest_overlap <= overlap || relaxed.iterations >= iterations) break;
+    if (relax_in_blocks(state, relaxed, overlap, iterations, skin, go_on)) break;
+  }
   return relaxed;
 }
 
