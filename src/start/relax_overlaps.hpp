@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
-#include <functional>
-
+#include "kernels/physics/species.hpp"
 #include "src/state/state.hpp"
 
 namespace bagnold {
@@ -13,16 +11,8 @@ struct Relaxation {
   double largest_overlap;  ///< relative, what is left
 };
 
-/// Thrown where a start is stopped from outside.
-struct StartStopped {};
-
 /// Pushes overlapping disks apart at rest until the largest relative overlap is below `overlap` or
-/// the iterations are used up: gradient descent with momentum on the elastic energy. Deep overlaps
-/// one iteration at a time, all others by the block engine, as undamped disks in a fluid at rest.
-/// Runs on the host; the bits do not depend on which backend. Throws StartStopped where go_on,
-/// asked every ten iterations, says no.
-Relaxation relax_overlaps(
-    State& state, double overlap, std::int64_t iterations, double skin,
-    std::function<bool()> const& go_on = [] { return true; });
+/// the iterations are used up. Runs on the host; the bits do not depend on which backend.
+Relaxation relax_overlaps(State& state, double overlap, std::int64_t iterations, double skin);
 
 }  // namespace bagnold
