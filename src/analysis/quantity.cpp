@@ -5,17 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "src/analysis/fit/chance.hpp"
+#include "src/analysis/fit/fit.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/nearest_word.hpp"
 #include "src/statistics/student.hpp"
 
 namespace bagnold::analysis {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<double> at(std::vector<double> const& all, std::span<std::size_t const> rows) {
   std::vector<double> out;
@@ -44,7 +42,7 @@ Value merge_seeds(std::span<double const> means, std::span<double const> errors)
     sum += means[i];
     squares += errors[i] * errors[i];  // NaN where one is not known: then so is the sum
   }
-  if (count == 0) return {none, none};
+  if (count == 0) return {unknown, unknown};
   double const n = static_cast<double>(count), mean = sum / n;
   for (double const value : means)
     if (std::isfinite(value)) scatter += (value - mean) * (value - mean);
@@ -111,7 +109,7 @@ Value Quantity::of(std::span<std::size_t const> rows) const {
             pooled};
   }
   if (observable_) return measured(rows);
-  return {rows.empty() ? none : number_[rows.front()], 0.0};
+  return {rows.empty() ? unknown : number_[rows.front()], 0.0};
 }
 
 double Quantity::resampled(std::span<std::size_t const> rows, Draw const& draw) const {

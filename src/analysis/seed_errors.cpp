@@ -3,16 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "src/analysis/curves.hpp"
 #include "src/analysis/fit/chance.hpp"
+#include "src/analysis/fit/fit.hpp"
 #include "src/statistics/student.hpp"
 
 namespace bagnold::analysis {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr double least_freedom = 8.0;  ///< a scatter is then known to a quarter
 constexpr double known = 200.0;        ///< of so many Student's factor is 1.01
 
@@ -93,7 +92,7 @@ SeedErrors seed_errors(SweepTable const& table, Measured const& measured) {
     if (all.count > 1.0 && with_error.count < all.count && all.mean() != 0.0)
       untold.push_back({all.scatter() / (all.mean() * all.mean()), all.count - 1.0});
   }
-  SeedErrors out{1.0, none};
+  SeedErrors out{1.0, unknown};
   if (freedom_of(told) >= least_freedom) out.factor = std::max(1.0, widening(told));
   if (freedom_of(untold) >= least_freedom)
     out.relative = widening(untold);

@@ -2,7 +2,8 @@
 #pragma once
 
 #include <string_view>
-#include <vector>
+
+#include "kernels/physics/named_entries.hpp"
 
 namespace bagnold {
 
@@ -13,7 +14,7 @@ struct DriveFacts {
 };
 
 /// Of all drives: those of the list in kernels/physics/drives/drives.hpp, then those registered.
-std::vector<DriveFacts> const& known_drives();
+NamedEntries<DriveFacts> const& known_drives();
 
 /// Adds a drive (src/engine/register_drive.hpp). Throws InputError where the name is taken.
 void know_drive(DriveFacts const& drive);

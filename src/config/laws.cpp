@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "kernels/physics/laws/laws.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/facts_of.hpp"
@@ -14,34 +12,26 @@ namespace bagnold {
 
 namespace {
 
-std::vector<LawFacts>& all() {
-  static std::vector<LawFacts> laws = [] {
-    std::vector<LawFacts> listed;
-    for_each_type<Laws>(
-        [&]<class Law>(std::type_identity<Law>) { listed.push_back(facts_of<Law>()); });
-    return listed;
-  }();
-  return laws;
+NamedEntries<LawFacts>& laws() {
+  return NamedEntries<LawFacts>::of<Laws>([]<class Law>() { return facts_of<Law>(); });
 }
 
 }  // namespace
 
-std::vector<LawFacts> const& known_laws() { return all(); }
+NamedEntries<LawFacts> const& known_laws() { return laws(); }
 
 LawFacts const& law_of(Scene::Disks const& disks) {
-  auto const found = std::ranges::find(all(), disks.model, &LawFacts::name);
-  if (found == all().end())
-    throw InputError(fmt::format("disks.model = \"{}\" (is no contact law); use {}", disks.model,
-                                 choice(model_names())));
-  return *found;
+  if (auto const* law = laws().find(disks.model)) return *law;
+  throw InputError(fmt::format("disks.model = \"{}\" (is no contact law); use {}", disks.model,
+                               choice(model_names())));
 }
 
 void know_law(LawFacts const& law) {
-  if (std::ranges::count(all(), law.name, &LawFacts::name) != 0)
+  if (laws().find(law.name))
     throw InputError(fmt::format(
         "model \"{}\" (there is a law of this name already); give the new one another name",
         law.name));
-  all().push_back(law);
+  laws().add(law);
 }
 
 }  // namespace bagnold

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <string_view>
-#include <vector>
 
+#include "kernels/physics/named_entries.hpp"
 #include "src/config/scene.hpp"
 
 namespace bagnold {
@@ -31,7 +31,7 @@ struct LawFacts {
 };
 
 /// Of all laws: those of the list in kernels/physics/laws/laws.hpp, then those registered.
-std::vector<LawFacts> const& known_laws();
+NamedEntries<LawFacts> const& known_laws();
 
 /// The law of a scene. Throws InputError where there is no such law.
 LawFacts const& law_of(Scene::Disks const& disks);

@@ -10,17 +10,14 @@
 #include "kernels/physics/species.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/stability.hpp"
+#include "src/config/step_counts.hpp"
 #include "src/config/time_step.hpp"
 
 namespace bagnold {
 
 namespace {
 
-constexpr double most_steps = 4e15;  // counted exactly, with room to spare
 constexpr double most_windows = 1e6;
-
-/// A quotient rounded up, but not for the sake of the rounding of the quotient itself.
-double round_up(double quotient) { return std::ceil(quotient * (1 - 1e-12)); }
 
 /// What makes the box of a scene, and how large it is.
 std::string box_in_words(Scene const& scene) {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "src/config/errors.hpp"
+#include "src/config/step_counts.hpp"
 #include "src/config/time_step.hpp"
 
 namespace bagnold {
@@ -56,15 +57,11 @@ double Ramp::mean_rate(std::int64_t begin, std::int64_t end) const {
 
 namespace {
 
-constexpr double most_steps = 4e15;
-
 /// a / b where that is whole to rounding, else 0.
 double whole_quotient(double a, double b) {
   double const quotient = std::round(a / b);
   return std::abs(quotient * b - a) <= 1e-9 * a ? quotient : 0;
 }
-
-double round_up(double quotient) { return std::ceil(quotient * (1 - 1e-12)); }
 
 }  // namespace
 

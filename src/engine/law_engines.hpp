@@ -47,6 +47,6 @@ LawEngines engines_of();
 LawEngines const& engines_for(Scene const& scene);
 
 /// Adds a law (register_law.hpp), under a name that is not taken.
-void add_engines(LawEngines const& engines);
+void add_engines(LawEngines const& added);
 
 }  // namespace bagnold

@@ -36,7 +36,7 @@ void attribute(Handle const& at, char const* name, hid_t type, Handle const& spa
   require(made.valid() && H5Awrite(made.get(), type, value) >= 0 && made.close(), at);
 }
 
-void words(Handle const& at, char const* name, std::string const& value) {
+void write_words(Handle const& at, char const* name, std::string const& value) {
   auto const type = text_type(value.size() + 1);
   attribute(at, name, type.get(), Handle(H5Screate(H5S_SCALAR), H5Sclose), value.c_str());
 }
@@ -67,14 +67,14 @@ void describe(Handle const& file, std::string const& version) {
   int const form[2] = {1, 1};
   attribute(h5md, "version", H5T_NATIVE_INT, Handle(H5Screate_simple(1, &two, nullptr), H5Sclose),
             form);
-  words(make_group(file, "/h5md/author"), "name", "not stated");
+  write_words(make_group(file, "/h5md/author"), "name", "not stated");
   auto const creator = make_group(file, "/h5md/creator");
-  words(creator, "name", "Bagnold");
-  words(creator, "version", version);
+  write_words(creator, "name", "Bagnold");
+  write_words(creator, "version", version);
   auto const parameters = make_group(file, "/parameters");
-  words(parameters, "length_unit", "d_s");
-  words(parameters, "time_unit", "tau_e");
-  words(parameters, "mass_unit", "m");
+  write_words(parameters, "length_unit", "d_s");
+  write_words(parameters, "time_unit", "tau_e");
+  write_words(parameters, "mass_unit", "m");
 }
 
 /// The third axis is there for readers that know three dimensions only: nothing moves along it.

@@ -9,7 +9,7 @@ namespace bagnold {
 namespace {
 
 /// Sizes stretches of steps to about 50 ms, so that signals and clocks are seen in time.
-class Stretch {
+class StretchSize {
  public:
   std::int64_t steps() const { return steps_; }
 
@@ -47,7 +47,7 @@ std::int64_t step_of(std::span<MeasuredSystem const> systems) {
 
 bool run_measured(std::span<MeasuredSystem const> systems, Plan const& plan,
                   std::function<bool()> const& go_on) {
-  Stretch stretch;
+  StretchSize stretch;
   for (auto const& [simulation, measurement] : systems)
     if (simulation.step() == 0) measurement.frames.show(simulation, -1);
   for (auto from = step_of(systems); from < plan.steps; from = step_of(systems)) {

@@ -13,11 +13,11 @@ namespace bagnold::test {
 namespace {
 
 /// A bath under another name: must have its bits.
-struct Copy : ThermalBath {
+struct CopiedDrive : ThermalBath {
   static constexpr std::string_view name = "copy of thermal";
-  static Copy make(DriveInput const& input) { return {ThermalBath::make(input)}; }
+  static CopiedDrive make(DriveInput const& input) { return {ThermalBath::make(input)}; }
 };
-static_assert(OneBodyDrive<Copy>);
+static_assert(OneBodyDrive<CopiedDrive>);
 
 Scene parse(std::string_view kind) {
   return parse_scene(
@@ -29,11 +29,11 @@ Scene parse(std::string_view kind) {
 }
 
 TEST(OwnDrive, HasTheBitsOfTheProgramsDriveInEveryEngineByEveryScheme) {
-  EXPECT_THROW(parse(Copy::name), InputError);
-  register_drive<Copy>();
-  EXPECT_THROW(register_drive<Copy>(), InputError);
+  EXPECT_THROW(parse(CopiedDrive::name), InputError);
+  register_drive<CopiedDrive>();
+  EXPECT_THROW(register_drive<CopiedDrive>(), InputError);
   EXPECT_THROW(register_drive<ThermalBath>(), InputError);
-  Scene listed = parse("thermal"), own = parse(Copy::name);
+  Scene listed = parse("thermal"), own = parse(CopiedDrive::name);
   auto const start = shaken_start(listed);
   for (auto const scheme : names_of<Schemes>())
     for (std::string const engine : {"reference", "many-contacts"})

@@ -14,11 +14,11 @@ namespace bagnold::test {
 namespace {
 
 /// CD_rot under another name: must have its bits.
-struct Copy : CDrot {
+struct CopiedLaw : CDrot {
   static constexpr std::string_view name = "copy of CD_rot";
-  static Copy make(DampingInput const& input) { return {CDrot::make(input)}; }
+  static CopiedLaw make(DampingInput const& input) { return {CDrot::make(input)}; }
 };
-static_assert(is_contact_law<Copy>());
+static_assert(is_contact_law<CopiedLaw>());
 
 /// Drag by the square of the normal velocity: no constants, and no two stages.
 struct Quadratic {
@@ -41,8 +41,8 @@ struct Quadratic {
 class OwnLaw : public testing::Test {
  public:
   static void SetUpTestSuite() {
-    EXPECT_THROW(parse(Copy::name), InputError);
-    register_law<Copy>();
+    EXPECT_THROW(parse(CopiedLaw::name), InputError);
+    register_law<CopiedLaw>();
     register_law<Quadratic>();
   }
 
@@ -71,7 +71,7 @@ class OwnLaw : public testing::Test {
 
 TEST_F(OwnLaw, HasTheBitsOfTheProgramsLawInEveryEngineByEveryScheme) {
   for (auto const scheme : names_of<Schemes>()) {
-    Scene listed = parse("CD_rot"), own = parse(Copy::name);
+    Scene listed = parse("CD_rot"), own = parse(CopiedLaw::name);
     listed.integration.scheme = own.integration.scheme = scheme;
     EXPECT_EQ(time_step(own), time_step(listed)) << scheme;
     EXPECT_EQ(make_plan(own).steps, make_plan(listed).steps) << scheme;
@@ -82,8 +82,8 @@ TEST_F(OwnLaw, HasTheBitsOfTheProgramsLawInEveryEngineByEveryScheme) {
 
 /// Spins and separate constants are asked of the law, not looked up by name.
 TEST_F(OwnLaw, IsAskedWhatItIs) {
-  EXPECT_TRUE(parse(Copy::name).rotates());
-  EXPECT_THROW(parse(Copy::name, "damping_normal = 2"), InputError);
+  EXPECT_TRUE(parse(CopiedLaw::name).rotates());
+  EXPECT_THROW(parse(CopiedLaw::name, "damping_normal = 2"), InputError);
   EXPECT_FALSE(parse(Quadratic::name).rotates());
   EXPECT_EQ(parse(Quadratic::name, "damping_normal = 2").disks.damping_normal, 2);
   EXPECT_THROW(register_law<CDn>(), InputError);

@@ -13,16 +13,17 @@
 namespace bagnold::io {
 namespace {
 
-constexpr std::size_t disks = 5;
+constexpr std::size_t few_disks = 5;
 
 TrajectoryHeader header(double mass = 2.0) {
-  return {"1.2.3", std::vector(disks, 1.0), std::vector(disks, mass), true};
+  return {"1.2.3", std::vector(few_disks, 1.0), std::vector(few_disks, mass), true};
 }
 
 /// A part of frames first .. last - 1, each with velocities of its own.
 std::vector<std::byte> part(int first, int last, TrajectoryHeader const& header) {
   H5mdFile file(create_in_memory(), header);
-  for (int f = first; f < last; ++f) file.append(some_state(disks, static_cast<unsigned>(f)), f);
+  for (int f = first; f < last; ++f)
+    file.append(some_state(few_disks, static_cast<unsigned>(f)), f);
   auto const closed = file.close();
   return bytes_of(content_of(closed));
 }

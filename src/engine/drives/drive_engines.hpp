@@ -65,7 +65,7 @@ DriveEngines engines_of_drive() {
 DriveEngines const& drive_engines(std::string_view name);
 
 /// Adds a drive (register_drive.hpp), under a name that is not taken.
-void add_drive_engines(DriveEngines const& engines);
+void add_drive_engines(DriveEngines const& added);
 
 /// The drive of a scene for steps on blocks; null where none acts.
 template <class Force, bool Rotates>

@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# What spares the compiler reading the same headers for each source.
+# bagnold_precompile(TARGET HEADER...): headers that most sources of a target include are read once.
+# bagnold_join(TARGET): eight sources are compiled as one; names of their own must differ among them.
+# No source may need either: structure.headers compiles each header alone. Off where a compiler is
+# launched by another program, as ccache, which does better with small sources. No precompiled
+# headers for nvcc.
+
+if(CMAKE_CXX_COMPILER_LAUNCHER)
+  set(bagnold_quick OFF)
+else()
+  set(bagnold_quick ON)
+endif()
+option(BAGNOLD_QUICK_BUILD "Precompile headers of libraries, and compile small sources together" ${bagnold_quick})
+
+set(bagnold_standard_headers <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <map> <memory>
+  <optional> <string> <string_view> <tuple> <utility> <vector>)
+
+function(bagnold_precompile target)
+  if(BAGNOLD_QUICK_BUILD AND NOT CMAKE_CXX_COMPILER MATCHES "nvcc_wrapper$")
+    target_precompile_headers(${target} PRIVATE ${bagnold_standard_headers} ${ARGN})
+  endif()
+endfunction()
+
+function(bagnold_join target)
+  if(BAGNOLD_QUICK_BUILD)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  endif()
+endfunction()

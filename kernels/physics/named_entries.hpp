@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <list>
+#include <string_view>
+
+#include "kernels/physics/type_list.hpp"
+
+namespace bagnold {
+
+/// Entries with a `name`, what is known of the types of a list: one for each, then those that a
+/// program of its own adds. An entry stays where it is when another is added.
+template <class Entry>
+class NamedEntries {
+ public:
+  /// make.operator()<T>() for each type of a list.
+  template <class List, class Make>
+  static NamedEntries& of(Make const& make) {
+    static NamedEntries entries = [&] {
+      NamedEntries made;
+      for_each_type<List>([&]<class T>(std::type_identity<T>) {
+        made.entries_.push_back(make.template operator()<T>());
+      });
+      return made;
+    }();
+    return entries;
+  }
+
+  /// nullptr where there is none of that name.
+  Entry const* find(std::string_view name) const {
+    auto const found = std::ranges::find(entries_, name, &Entry::name);
+    return found == entries_.end() ? nullptr : &*found;
+  }
+
+  void add(Entry const& entry) { entries_.push_back(entry); }
+
+  auto begin() const { return entries_.begin(); }
+  auto end() const { return entries_.end(); }
+
+ private:
+  std::list<Entry> entries_;
+};
+
+}  // namespace bagnold
