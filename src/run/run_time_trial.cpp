@@ -207,7 +207,7 @@ double RunTimeTrial::start_takes(Scene const& run, double size, double slower) c
   if (run.start.kind != "random" || start_iterations_ == 0) return 0;
   // more disks need more iterations, and leave the cache in each (docs/run_time.md)
   double const iterations =
-      std::min(static_cast<double>(run.start.iterations), start_iterations_ * std::pow(size, 0.4));
+      std::min(static_cast<double>(run.start.iterations), start_iterations_ * std::pow(size, 0.15));
   return start_seconds_ * size * slower * slower * iterations / start_iterations_;
 }
 

@@ -19,12 +19,16 @@
 #include "src/run/run_measured.hpp"
 #include "src/run/target_error.hpp"
 #include "src/run/warnings/warning.hpp"
+#include "src/start/relax_overlaps.hpp"
 #include "src/start/start.hpp"
 #include "src/statistics/stopping.hpp"
 
 namespace bagnold {
 
 namespace {
+
+/// Disks from which on a start can take so long that a stop does not wait for its end.
+constexpr std::int64_t long_start = 8192;
 
 /// A NumericalError with the replica it came from, on its way to the thread that writes files.
 struct ReplicaFailure {
@@ -46,20 +50,36 @@ Runner::Runner(RunFolder const& folder, Run run, Machine const& machine, RunMoni
       steps_(run_.replicas.size()),
       wall_before_(run_.wall_seconds) {}
 
-void Runner::start(std::vector<std::optional<Snapshot>> snapshots) {
+bool Runner::start(std::vector<std::optional<Snapshot>> snapshots) {
   std::vector<Snapshot> starts(snapshots.size());
   ReplicaScheduler all;
   all.systems = run_.replicas.size();
-  all.advance = [&](std::size_t r, auto const&) {
-    starts[r] = start_of(r, std::move(snapshots[r]));
+  all.turn = std::chrono::hours(24 * 365);  // a start is not taken up again
+  if (run_.scene.disks.count >= long_start)
+    all.request = [&] {
+      return monitor_.stop_requested() ? ReplicaScheduler::Request::stop
+                                       : ReplicaScheduler::Request::go_on;
+    };
+  all.advance = [&](std::size_t r, auto const& go_on) {
+    try {
+      starts[r] = start_of(r, std::move(snapshots[r]), go_on);
+    } catch (StartStopped const&) {
+      return false;
+    }
     if (!together_) make(r, std::exchange(starts[r], {}));
     return true;
   };
-  work(all);
+  if (!work(all)) {
+    say(fmt::format("stopped before the first step; `bagnold resume {}` begins anew",
+                    folder_.path().string()));
+    return false;
+  }
   if (together_) make_all_together(starts);
+  return true;
 }
 
-Snapshot Runner::start_of(std::size_t r, std::optional<Snapshot> snapshot) {
+Snapshot Runner::start_of(std::size_t r, std::optional<Snapshot> snapshot,
+                          std::function<bool()> const& go_on) {
   Replica& replica = run_.replicas[r];
   if (!snapshot) {
     Scene scene = run_.scene;
@@ -67,7 +87,7 @@ Snapshot Runner::start_of(std::size_t r, std::optional<Snapshot> snapshot) {
     if (whole_.ramp) scene.shear.strain_rate = whole_.ramp->piece(0).rate;
     StartedState started;
     try {
-      started = random_start(scene);
+      started = random_start(scene, go_on);
     } catch (NumericalError const& error) {
       throw ReplicaFailure{r, error.what(), {}};
     }

@@ -29,13 +29,15 @@ class Runner {
 
   /// Simulations of these snapshots, [R]; an empty one is a random start yet to be made. All are
   /// made side by side. NumericalError names the replica and leaves its state in the folder.
-  void start(std::vector<std::optional<Snapshot>> snapshots);
+  /// False where the monitor stopped it.
+  bool start(std::vector<std::optional<Snapshot>> snapshots);
 
   /// Takes all replicas to the end, unless the monitor stops them.
   RunEnd run();
 
  private:
-  Snapshot start_of(std::size_t replica, std::optional<Snapshot> snapshot);
+  Snapshot start_of(std::size_t replica, std::optional<Snapshot> snapshot,
+                    std::function<bool()> const& go_on);
   void make(std::size_t replica, Snapshot snapshot);
   void make_all_together(std::vector<Snapshot> const& snapshots);
   std::unique_ptr<Simulation> simulation_of(std::size_t r, Snapshot&& snapshot) const;

@@ -59,7 +59,7 @@ RunEnd run_from_checkpoint(RunFolder const& folder, io::Checkpoint checkpoint, M
     snapshots.push_back(std::move(static_cast<Snapshot&>(system)));
   }
   Runner runner(folder, std::move(run), machine, monitor);
-  runner.start(std::move(snapshots));
+  if (!runner.start(std::move(snapshots))) return RunEnd::stopped;
   return runner.run();
 }
 
@@ -96,7 +96,7 @@ RunEnd run_from_start(RunFolder const& folder, Scene const& scene, Machine const
     monitor.status(fmt::format("relaxing the overlaps of {} random disks{}", scene.disks.count,
                                replicas > 1 ? fmt::format(", {} times", replicas) : ""));
   Runner runner(folder, std::move(run), machine, monitor);
-  runner.start(std::move(snapshots));
+  if (!runner.start(std::move(snapshots))) return RunEnd::stopped;
   return runner.run();
 }
 

@@ -4,6 +4,7 @@
 
 #include <Random123/uniform.hpp>
 
+#include "kernels/physics/species.hpp"
 #include "src/config/errors.hpp"
 #include "src/start/relax_overlaps.hpp"
 #include "src/start/start.hpp"
@@ -28,7 +29,7 @@ std::array<double, 2> random_point(std::int64_t seed, std::uint64_t disk, State 
 
 }  // namespace
 
-StartedState random_start(Scene const& scene) {
+StartedState random_start(Scene const& scene, std::function<bool()> const& go_on) {
   auto const count = static_cast<std::size_t>(scene.disks.count);
   StartedState started;
   State& state = started.state;
@@ -42,8 +43,8 @@ StartedState random_start(Scene const& scene) {
     state.diameter[i] = i < count / 2 ? small_diameter : big_diameter;
   }
 
-  Relaxation const done =
-      relax_overlaps(state, scene.start.overlap, scene.start.iterations, scene.integration.skin);
+  Relaxation const done = relax_overlaps(state, scene.start.overlap, scene.start.iterations,
+                                         scene.integration.skin, go_on);
   started.record = {{"start_iterations", static_cast<double>(done.iterations)},
                     {"start_overlap", done.largest_overlap}};
   if (done.largest_overlap > 0.05)

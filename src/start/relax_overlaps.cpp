@@ -2,16 +2,25 @@
 #include "src/start/relax_overlaps.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "kernels/device/dynamics/relaxation.hpp"
 #include "kernels/device/side_by_side.hpp"
+#include "src/config/errors.hpp"
+#include "src/config/scene.hpp"
+#include "src/engine/backends.hpp"
 #include "src/engine/device_copy.hpp"
+#include "src/engine/make_simulation.hpp"
+#include "src/start/deep_overlaps.hpp"
 
 namespace bagnold {
 
 namespace {
 
-/// Disks at rest that push each other apart.
+/// Above it disks are pushed apart one iteration at a time: engines refuse such overlaps.
+constexpr double deep = 0.1;
+
+/// Disks at rest that push each other apart, however much they overlap.
 template <class Space>
 class Relaxer {
  public:
@@ -82,13 +91,17 @@ class Relaxer {
   VerletList<Space> list_;
 };
 
+constexpr std::int64_t between_checks = 10;
+
+/// One iteration at a time.
 template <class Space>
-Relaxation relax_on(State& state, double overlap, std::int64_t iterations, double skin) {
-  constexpr std::int64_t between_checks = 10;
+Relaxation push_apart_on(State& state, double overlap, std::int64_t iterations, double skin,
+                         std::function<bool()> const& go_on) {
   Relaxer<Space> relaxer(state, skin);
   std::int64_t done = 0;
   double left = relaxer.largest_overlap();
   while (left > overlap && done < iterations) {
+    if (!go_on()) throw StartStopped{};
     std::int64_t const more = std::min(between_checks, iterations - done);
     for (std::int64_t k = 0; k < more; ++k) relaxer.iterate();
     done += more;
@@ -98,16 +111,87 @@ Relaxation relax_on(State& state, double overlap, std::int64_t iterations, doubl
   return {done, left};
 }
 
+/// Undamped disks in a fluid at rest: gradient descent with momentum on the elastic energy, a step
+/// an iteration.
+Scene relaxing_scene(State const& state, double skin) {
+  constexpr double keep = 0.985;  // share of the velocity kept: waves as long as the box die out
+  Scene scene;
+  scene.disks.model = "CD_n";
+  scene.disks.count = static_cast<std::int64_t>(state.count());
+  scene.disks.elasticity = 1e6;
+  scene.disks.mass = "equal";
+  scene.integration.engine = "many-contacts";
+  scene.integration.time_step = 0.3;  // below 2/omega_max, omega_max^2 about 10 at Z = 5
+  scene.integration.skin = skin;
+  scene.drive = {"stokes", -std::log(keep) / 0.3, 0};
+  return scene;
+}
+
+using Host = Kokkos::DefaultHostExecutionSpace;
+
+/// Fewer disks wait for each other more than they move, and replicas have a thread each.
+bool worth_threads(State const& state) {
+#ifdef KOKKOS_ENABLE_SERIAL
+  return state.count() >= 8192 && Host().concurrency() > 1;
+#else
+  return true;
+#endif
+}
+
+/// Until overlaps are no longer deep.
+Relaxation push_apart(State& state, double overlap, std::int64_t iterations, double skin,
+                      std::function<bool()> const& go_on) {
+  auto const limit = std::max(deep, overlap);
+#ifdef KOKKOS_ENABLE_SERIAL
+  if (!worth_threads(state))
+    return push_apart_on<Kokkos::Serial>(state, limit, iterations, skin, go_on);
+#endif
+  return push_apart_on<Host>(state, limit, iterations, skin, go_on);
+}
+
+/// Goes on from a relaxation that is begun; false where disks came too close for an engine: then
+/// the state is that of some iterations before.
+bool relax_in_blocks(State& state, Relaxation& relaxed, double overlap, std::int64_t iterations,
+                     double skin, std::function<bool()> const& go_on) try {
+  State resting = state;
+  resting.velocity.assign(state.count(), {0.0, 0.0});
+  resting.spin.clear();
+  std::string const backend =
+      worth_threads(state) ? std::string(backend_name<Host>) : backend_names().front();
+  auto const simulation =
+      make_simulation(relaxing_scene(state, skin), first_snapshot(std::move(resting)), backend);
+  OpenWindows windows;
+  while (relaxed.largest_overlap > overlap && relaxed.iterations < iterations) {
+    auto const next =
+        std::min(iterations, relaxed.iterations + std::max(between_checks, relaxed.iterations / 8));
+    while (relaxed.iterations < next) {
+      if (!go_on()) throw StartStopped{};
+      auto const more = std::min(between_checks, next - relaxed.iterations);
+      simulation->advance(more, Sampling{}, windows);
+      relaxed.iterations += more;
+    }
+    State reached = simulation->state();
+    relaxed.largest_overlap = deep_overlaps(reached, 0).deepest;
+    state.position = std::move(reached.position);
+  }
+  return true;
+} catch (NumericalError const&) {
+  return false;
+}
+
 }  // namespace
 
-Relaxation relax_overlaps(State& state, double overlap, std::int64_t iterations, double skin) {
-#ifdef KOKKOS_ENABLE_SERIAL
-  constexpr std::size_t worth_threads =
-      8192;  // fewer disks wait for each other more than they move
-  if (state.count() < worth_threads || Kokkos::DefaultHostExecutionSpace().concurrency() == 1)
-    return relax_on<Kokkos::Serial>(state, overlap, iterations, skin);
-#endif
-  return relax_on<Kokkos::DefaultHostExecutionSpace>(state, overlap, iterations, skin);
+Relaxation relax_overlaps(State& state, double overlap, std::int64_t iterations, double skin,
+                          std::function<bool()> const& go_on) {
+  Relaxation relaxed{0, 0};
+  for (double limit = deep;; limit /= 2) {
+    auto const begun =
+        push_apart(state, std::max(limit, overlap), iterations - relaxed.iterations, skin, go_on);
+    relaxed = {relaxed.iterations + begun.iterations, begun.largest_overlap};
+    if (relaxed.largest_overlap <= overlap || relaxed.iterations >= iterations) break;
+    if (relax_in_blocks(state, relaxed, overlap, iterations, skin, go_on)) break;
+  }
+  return relaxed;
 }
 
 }  // namespace bagnold

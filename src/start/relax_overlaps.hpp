@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "kernels/physics/species.hpp"
+#include <cstdint>
+#include <functional>
+
 #include "src/state/state.hpp"
 
 namespace bagnold {
@@ -11,8 +13,16 @@ struct Relaxation {
   double largest_overlap;  ///< relative, what is left
 };
 
+/// Thrown where a start is stopped from outside.
+struct StartStopped {};
+
 /// Pushes overlapping disks apart at rest until the largest relative overlap is below `overlap` or
-/// the iterations are used up. Runs on the host; the bits do not depend on which backend.
-Relaxation relax_overlaps(State& state, double overlap, std::int64_t iterations, double skin);
+/// the iterations are used up: gradient descent with momentum on the elastic energy. Deep overlaps
+/// one iteration at a time, all others by the block engine, as undamped disks in a fluid at rest.
+/// Runs on the host; the bits do not depend on which backend. Throws StartStopped where go_on,
+/// asked every ten iterations, says no.
+Relaxation relax_overlaps(
+    State& state, double overlap, std::int64_t iterations, double skin,
+    std::function<bool()> const& go_on = [] { return true; });
 
 }  // namespace bagnold

@@ -21,9 +21,10 @@ struct StartedState {
 /// overlaps relaxed, then v = gammadot y x^ and thetadot = -gammadot/2. Disks 0 .. N/2 - 1 are
 /// small.
 ///
-/// Above jamming overlaps remain: recorded as `start_overlap`. Throws NumericalError above 5%.
-/// Kokkos must run.
-StartedState random_start(Scene const& scene);
+/// Above jamming overlaps remain: recorded as `start_overlap`. Throws NumericalError above 5%, and
+/// StartStopped when go_on, asked now and then, says no. Kokkos must run.
+StartedState random_start(
+    Scene const& scene, std::function<bool()> const& go_on = [] { return true; });
 
 /// The states of a file, taken as they are, one for each of the scene's replicas; throws InputError
 /// where they disagree with the scene, are more or fewer than its replicas, or two are the same:

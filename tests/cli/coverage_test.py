@@ -21,7 +21,7 @@ class Coverage(CliTest):
         return out, result.stdout
 
     def test_counts_and_means_are_those_of_the_summaries(self):
-        scene = self.scene(shear__strain=8.0, output__sample_strain=2.0**-5,
+        scene = self.scene(shear__strain=24.0, output__sample_strain=2.0**-5,
                            shear__target_error=Raw("{ B_p = 0.3 }"))
         out, said = self.coverage(scene)
         truth = read_summary(out / "truth3")

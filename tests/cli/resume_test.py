@@ -61,6 +61,24 @@ class ResumeTest(CliTest):
         return out
 
 
+class Start(ResumeTest):
+    def test_stopped_while_random_disks_are_relaxed(self):
+        """Before there is a step to keep: the run begins anew, and ends as it would have."""
+        path = self.scene(disks__count=20000, disks__packing_fraction=0.83, shear__strain_rate=0.01,
+                          shear__strain=4e-3, output__sample_strain=2e-3)
+        out, whole = self.folder / "out", self.folder / "whole"
+        process = self.start("run", path, "--out", out)
+        self.assertTrue(self.wait_until((out / "scene.toml").exists, process))
+        process.send_signal(signal.SIGTERM)
+        status, output = self.finish(process)
+        self.assertEqual(status, 143, output)
+        self.assertIn("before the first step", output)
+        self.assertFalse((out / "checkpoint.h5").exists())
+        self.resume(out)
+        self.run_scene(path, whole, "--quiet")
+        self.assert_same_results(whole, out)
+
+
 class Chain(ResumeTest):
     def test_seven_resumes(self):
         for model in LAWS:

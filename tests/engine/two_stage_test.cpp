@@ -99,7 +99,7 @@ TEST_P(TwoStage, OfADiluteGas) {
   auto const simulation = simulate(scene, state, backend());
   scene.integration.engine = "reference";
   auto const oracle = simulate(scene, state, backend_names().front());
-  constexpr int steps = 800;
+  constexpr int steps = 700;
   auto const sums = advance(*simulation, steps, 1);
   auto const expected = advance(*oracle, steps, 1);
   EXPECT_LT(largest_difference(simulation->state(), oracle->state(), scene.shear.strain_rate),
