@@ -62,7 +62,7 @@ def commands(text):
 def cut(text):
     """A scene or sweep file that takes a second."""
     def number(match):
-        largest = {"strain": 0.25, "count": 64, "cycles": 1}[match[1]]
+        largest = {"strain": 0.5, "count": 64, "cycles": 1}[match[1]]
         return match[1] + match[2] + re.sub(
             r"[\d.]+(e-?\d+)?", lambda one: repr(min(type(largest)(float(one[0])), largest)), match[3])
 
