@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "kernels/cpu/simd/records_avx2.hpp"
 #include "kernels/cpu/simd/records_avx512.hpp"
 #include "kernels/cpu/simd/records_portable.hpp"
 

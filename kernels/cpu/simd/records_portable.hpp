@@ -4,7 +4,7 @@
 #include "kernels/cpu/simd/record.hpp"
 
 /// Eight disks in and out of packs, on any processor.
-#if !BAGNOLD_AVX512
+#if !BAGNOLD_AVX512 && !BAGNOLD_AVX2
 namespace bagnold::simd {
 
 BAGNOLD_INLINE Records load_combined(Record const* records, LocalPair const* pairs,

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+/// Which instructions packs are made of: those the compiler may use.
+#define BAGNOLD_AVX512 0
+#define BAGNOLD_AVX2 0
+#if !defined(__CUDA_ARCH__) && (defined(__AVX512F__) || defined(__AVX2__))
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+#undef BAGNOLD_AVX512
+#define BAGNOLD_AVX512 1
+#elif defined(__AVX2__) && defined(__FMA__)
+#undef BAGNOLD_AVX2
+#define BAGNOLD_AVX2 1
+#endif
+#endif
+
+/// A call in a pack loop costs more than the pack: registers go to memory and back.
+#define BAGNOLD_INLINE [[gnu::always_inline]] inline
+
+namespace bagnold::simd {
+
+inline constexpr int width = 8;  ///< doubles in a pack
+
+/// The next multiple of the width.
+constexpr std::uint32_t round_up(std::uint32_t n) { return (n + width - 1) / width * width; }
+
+}  // namespace bagnold::simd
