@@ -13,9 +13,10 @@ namespace {
 int info_command() {
   Provenance const made = provenance();
   fmt::print(
-      "bagnold   {}\ngit       {}\ncompiler  {}\nKokkos    {}\nbackends  {}\nCPU       {}, {} "
+      "bagnold   {}\ngit       {}\ncompiler  {}\nKokkos    {}\nbackends  {}\nSIMD      {}\nCPU     "
+      "  {}, {} "
       "threads\n",
-      made.version, made.git, made.compiler, made.kokkos, made.backends, made.cpu,
+      made.version, made.git, made.compiler, made.kokkos, made.backends, made.simd, made.cpu,
       std::thread::hardware_concurrency());
   return 0;
 }
@@ -23,7 +24,8 @@ int info_command() {
 }  // namespace
 
 Command add_info(Words program) {
-  return {add_command(program, "info", "version, git hash, Kokkos, backends, CPU"), info_command};
+  return {add_command(program, "info", "version, git hash, Kokkos, backends, SIMD, CPU"),
+          info_command};
 }
 
 }  // namespace bagnold

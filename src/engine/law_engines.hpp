@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "kernels/cpu/steps/block_stepper.hpp"
 #include "kernels/device/neighbors/neighbor_search.hpp"
 #include "kernels/physics/sums/sums.hpp"
 #include "src/config/scene.hpp"
+#include "src/engine/blocks/make_block_engine.hpp"
 #include "src/engine/drives/drive_setup.hpp"
 #include "src/engine/ensemble/ensemble.hpp"
 #include "src/engine/simulation.hpp"
@@ -24,7 +24,7 @@ struct LawEngines {
   std::string_view name;  ///< of the law
 
   /// The step on blocks of the scene's scheme.
-  std::unique_ptr<BlockStepper> (*stepper)(Scene const&, std::optional<DriveSetup> const&);
+  MakeStepper stepper;
 
   /// The plain engine; nullptr if the build has no such backend.
   std::unique_ptr<Simulation> (*reference)(Scene const&, Snapshot const&,

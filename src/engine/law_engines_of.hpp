@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "kernels/cpu/steps/predict_correct_block_step.hpp"
-#include "kernels/cpu/steps/stepper_of.hpp"
-#include "kernels/cpu/steps/two_stage_block_step.hpp"
 #include "src/engine/backends.hpp"
+#include "src/engine/blocks/make_stepper.hpp"
 #include "src/engine/compiled_once.hpp"
 #include "src/engine/disk_sums.hpp"
 #include "src/engine/drives/drive_engines.hpp"
@@ -16,20 +14,6 @@
 namespace bagnold {
 
 namespace detail {
-
-template <ContactLaw Law>
-std::unique_ptr<BlockStepper> make_stepper(Scene const& scene,
-                                           std::optional<DriveSetup> const& drive) {
-  return with_physics_of<Law>(scene,
-                              [&]<class R, class S>(Law const& law, R const& repulsion,
-                                                    S) -> std::unique_ptr<BlockStepper> {
-                                using Step = BlockStep<Law, R, S>;
-                                return std::make_unique<StepperOf<Step>>(
-                                    law, repulsion, make_species_table(scene.mass_by_area()),
-                                    time_step(scene),
-                                    make_block_drive<typename Step::Force, Law::rotates>(drive));
-                              });
-}
 
 template <ContactLaw Law>
 std::unique_ptr<Simulation> make_reference(Scene const& scene, Snapshot const& snapshot,
@@ -66,8 +50,8 @@ std::shared_ptr<Ensemble> make_ensemble(Scene const& scene, std::vector<Snapshot
 /// To be instantiated once for each law.
 template <class Law>
 LawEngines engines_of() {
-  return {Law::name, detail::make_stepper<Law>, detail::make_reference<Law>,
-          detail::make_ensemble<Law>, detail::disk_sums<Law>};
+  return {Law::name, make_stepper<Law>, detail::make_reference<Law>, detail::make_ensemble<Law>,
+          detail::disk_sums<Law>};
 }
 
 }  // namespace bagnold

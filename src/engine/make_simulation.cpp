@@ -5,38 +5,22 @@
 #include <fmt/ranges.h>
 
 #include "src/config/errors.hpp"
-#include "src/config/time_step.hpp"
 #include "src/engine/backends.hpp"
-#include "src/engine/blocks/block_engine.hpp"
 #include "src/engine/ensemble/ensemble.hpp"
 #include "src/engine/law_engines.hpp"
+#include "src/engine/levels/levels.hpp"
 
 namespace bagnold {
 
 namespace {
 
-Stepping stepping(Scene const& scene) {
-  auto const& engine = scene.integration.engine;
-  return scene.driven()              ? Stepping::many_contacts
-         : engine == "many-contacts" ? Stepping::many_contacts
-         : engine == "few-contacts"  ? Stepping::few_contacts
-         : engine == "lookahead"     ? Stepping::lookahead
-                                     : Stepping::automatic;
-}
-
 /// The engine of a scene on a backend; nullptr if the build has no such backend.
 std::unique_ptr<Simulation> make_engine(Scene const& scene, Snapshot& snapshot,
                                         std::string const& backend) {
-  auto const& integration = scene.integration;
-  auto const& engines = engines_for(scene);
   auto const drive = drive_setup(scene, snapshot.initial_time);
-  if (integration.engine != "reference")
-    if (auto loop = make_block_loop(backend))
-      return std::make_unique<BlockEngine>(
-          std::move(loop), engines.stepper(scene, drive), stepping(scene),
-          make_species_table(scene.mass_by_area()), scene.shear.strain_rate, time_step(scene),
-          integration.skin, snapshot);
-  return engines.reference(scene, snapshot, drive, backend);
+  if (scene.integration.engine != "reference")
+    if (auto made = level_of(scene).make(scene, snapshot, drive, backend)) return made;
+  return engines_for(scene).reference(scene, snapshot, drive, backend);
 }
 
 template <class... Spaces>

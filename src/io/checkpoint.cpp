@@ -159,6 +159,7 @@ std::vector<std::string> places(Hdf5Reader const& file) {
 Checkpoint get_checkpoint(Hdf5Reader const& file) {
   Checkpoint checkpoint;
   checkpoint.scene = file.text("/scene");
+  if (file.has("/simd")) checkpoint.simd = file.text("/simd");
   auto const all = places(file);
   for (auto const& at : all) checkpoint.systems.push_back(get_system(file, at));
   checkpoint.wall_seconds = file.number(all.front() + "/run", "wall_seconds");
@@ -180,6 +181,7 @@ Hdf5Writer checkpoint_file(Checkpoint checkpoint) {
   file.attribute("/", "schema", schema);
   if (count > 1) file.attribute("/", "replicas", static_cast<std::int64_t>(count));
   file.text("/scene", checkpoint.scene);
+  if (!checkpoint.simd.empty()) file.text("/simd", checkpoint.simd);
   if (count > 1) file.group("/replicas");
   for (std::size_t r = 0; r < count; ++r) {
     auto const at = place_of(r, count);

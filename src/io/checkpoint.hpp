@@ -27,6 +27,7 @@ struct SystemCheckpoint : Snapshot {
 /// All that a run needs to go on bit for bit. Form of the file: SCHEMA.md.
 struct Checkpoint {
   std::string scene;                      ///< resolved, TOML
+  std::string simd;                       ///< level of the engine, src/engine/levels; "" unknown
   double wall_seconds = 0.0;              ///< so far, [s]
   std::vector<SystemCheckpoint> systems;  ///< [R], one at least; each perhaps at a step of its own
 

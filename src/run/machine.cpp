@@ -12,6 +12,7 @@
 
 #include "kernels/device/initialize_kokkos.hpp"
 #include "src/config/errors.hpp"
+#include "src/engine/levels/levels.hpp"
 #include "src/engine/make_simulation.hpp"
 #include "src/run/messages.hpp"
 
@@ -97,6 +98,7 @@ Machine choose(Machine machine, Scene const& scene) {
   if (!machine.backend.empty() && !has(machine.backend))
     throw InputError(fmt::format("--backend {}: not in this build (has: {})", machine.backend,
                                  fmt::join(backend_names(), ", ")));
+  chosen_level();  // says early what is wrong with BAGNOLD_SIMD
   if (auto const why = why_no_start(); !why.empty())
     throw InputError(fmt::format(
         "no CUDA device ({}): this build needs one, also for --backend serial; run it where "

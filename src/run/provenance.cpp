@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "git_version.hpp"
+#include "src/engine/levels/levels.hpp"
 #include "src/engine/make_simulation.hpp"
 
 namespace bagnold {
@@ -31,6 +32,15 @@ std::string compiler() {
 #endif
 }
 
+std::string levels_in_words() {
+  auto const used = chosen_level().name;
+  std::vector<std::string_view> others;
+  for (auto const& level : levels())
+    if (level.here && level.name != used) others.push_back(level.name);
+  if (others.empty()) return std::string(used);
+  return fmt::format("{} (also: {})", used, fmt::join(others, ", "));
+}
+
 }  // namespace
 
 Provenance provenance() {
@@ -40,6 +50,7 @@ Provenance provenance() {
           fmt::format("{}.{}.{}", KOKKOS_VERSION / 10000, KOKKOS_VERSION / 100 % 100,
                       KOKKOS_VERSION % 100),
           fmt::format("{}", fmt::join(backend_names(), " ")),
+          levels_in_words(),
           cpu_model()};
 }
 

@@ -12,6 +12,7 @@ struct Provenance {
   std::string compiler;  ///< with its version
   std::string kokkos;    ///< version
   std::string backends;  ///< in this build
+  std::string simd;      ///< levels in this build that this processor has, the one in use first
   std::string cpu;       ///< model name
 };
 

@@ -8,6 +8,7 @@
 
 #include "src/config/keys.hpp"
 #include "src/config/scene_file.hpp"
+#include "src/engine/levels/levels.hpp"
 #include "src/io/atomic_file.hpp"
 #include "src/io/result_file.hpp"
 #include "src/run/protocols/ramp/hysteresis.hpp"
@@ -187,6 +188,7 @@ void write_result_file(RunFolder const& folder, Run const& run) {
                        {"compiler", made.compiler},
                        {"kokkos", made.kokkos},
                        {"backend", run.backend},
+                       {"simd", std::string(level_of(run.scene).name)},
                        {"scene", write_scene(run.scene)},
                        {"model", disks.model},
                        {"mass", disks.mass},

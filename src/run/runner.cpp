@@ -8,6 +8,7 @@
 
 #include "src/config/errors.hpp"
 #include "src/config/scene_file.hpp"
+#include "src/engine/levels/levels.hpp"
 #include "src/engine/make_simulation.hpp"
 #include "src/io/state_file.hpp"
 #include "src/measure/contacts.hpp"
@@ -270,6 +271,7 @@ void Runner::checkpoint() {
   run_.wall_seconds = wall_before_ + stepping.count();
   io::Checkpoint c;
   c.scene = write_scene(run_.scene);
+  c.simd = level_of(run_.scene).name;
   c.wall_seconds = run_.wall_seconds;
   for (std::size_t r = 0; r < simulations_.size(); ++r) c.systems.push_back(checkpoint_of(r));
   io::write_checkpoint(folder_.path(), std::move(c));

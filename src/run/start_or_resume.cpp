@@ -7,6 +7,7 @@
 #include "src/config/scene_file.hpp"
 #include "src/config/time_step.hpp"
 #include "src/config/toml_text.hpp"
+#include "src/engine/levels/levels.hpp"
 #include "src/io/atomic_file.hpp"
 #include "src/io/checkpoint.hpp"
 #include "src/io/state_file.hpp"
@@ -53,6 +54,11 @@ RunEnd run_from_checkpoint(RunFolder const& folder, io::Checkpoint checkpoint, M
   run.wall_seconds = checkpoint.wall_seconds;
   monitor.status(fmt::format("going on from step {} of {}", checkpoint.steps(),
                              plan.steps * scene.disks.replicas));
+  if (auto const now = level_of(scene).name; !checkpoint.simd.empty() && checkpoint.simd != now)
+    monitor.status(fmt::format(
+        "this run was begun with the instructions {} and goes on with {}: its bits will be others "
+        "than without the break, by rounding; where they must not, use BAGNOLD_SIMD={}",
+        checkpoint.simd, now, checkpoint.simd));
   std::vector<std::optional<Snapshot>> snapshots;
   for (auto& system : checkpoint.systems) {
     run.replicas.push_back(replica_of(system));

@@ -25,6 +25,11 @@ namespace bagnold::simd {
 
 inline constexpr int width = 8;  ///< doubles in a pack
 
+/// By which BAGNOLD_SIMD calls them.
+inline constexpr char const* level_name = BAGNOLD_AVX512 ? "avx512"
+                                          : BAGNOLD_AVX2 ? "avx2"
+                                                         : "baseline";
+
 /// The next multiple of the width.
 constexpr std::uint32_t round_up(std::uint32_t n) { return (n + width - 1) / width * width; }
 

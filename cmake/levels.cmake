@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# The engine on blocks once more for each level (src/engine/levels), with its instructions, joined to
+# one object that shows `make_block_engine` of its namespace and nothing else: a function of the
+# standard library compiled here must not be the one that the rest of the program calls.
+file(GLOB bagnold_level_sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/engine/blocks/*.cpp")
+list(APPEND bagnold_level_sources engine/contacts/contact_watch.cpp engine/drives/drive_engines.cpp
+  engine/levels/level_engine.cpp ${bagnold_stepper_sources})
+
+function(bagnold_level name architecture)
+  add_library(bagnold_${name} OBJECT ${bagnold_level_sources})
+  target_link_libraries(bagnold_${name} PRIVATE bagnold_kernels bagnold_config bagnold_statistics fmt::fmt)
+  target_compile_options(bagnold_${name} PRIVATE -march=${architecture} -Wno-maybe-uninitialized)
+  target_compile_definitions(bagnold_${name} PRIVATE BAGNOLD_LEVEL=${name}
+    $<TARGET_PROPERTY:bagnold_engine,INTERFACE_COMPILE_DEFINITIONS>)
+  bagnold_precompile(bagnold_${name} <fmt/format.h> <Kokkos_Core.hpp>)
+  set(joined "${CMAKE_CURRENT_BINARY_DIR}/${name}_joined.o")
+  set(object "${CMAKE_CURRENT_BINARY_DIR}/${name}.o")
+  add_custom_command(OUTPUT "${object}" DEPENDS bagnold_${name} $<TARGET_OBJECTS:bagnold_${name}>
+    COMMAND "${CMAKE_LINKER}" -r --force-group-allocation -o "${joined}" $<TARGET_OBJECTS:bagnold_${name}>
+    COMMAND "${CMAKE_OBJCOPY}" --wildcard "--keep-global-symbol=_ZN7bagnold*${name}*make_block_engine*"
+      "${joined}" "${object}"
+    COMMAND_EXPAND_LISTS VERBATIM)
+  set_source_files_properties("${object}" PROPERTIES EXTERNAL_OBJECT ON GENERATED ON)
+  target_sources(bagnold_engine PRIVATE "${object}")
+endfunction()
+
+bagnold_level(avx2 x86-64-v3)
+bagnold_level(avx512 x86-64-v4)
+target_compile_definitions(bagnold_engine PRIVATE BAGNOLD_LEVELS_X86)

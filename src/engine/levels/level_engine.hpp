@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "src/config/scene.hpp"
+#include "src/engine/drives/drive_setup.hpp"
+#include "src/engine/simulation.hpp"
+
+/// What one level shows: everything else of it keeps to itself, so that no function compiled for
+/// one kind of processor is called on another (src/engine/levels/level.cmake).
+#define BAGNOLD_LEVEL_ENGINE(level)                                               \
+  namespace bagnold::level {                                                      \
+  std::unique_ptr<Simulation> make_block_engine(Scene const&, Snapshot&,          \
+                                                std::optional<DriveSetup> const&, \
+                                                std::string const& backend);      \
+  }
+BAGNOLD_LEVEL_ENGINE(avx512)
+BAGNOLD_LEVEL_ENGINE(avx2)
+#undef BAGNOLD_LEVEL_ENGINE

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/engine/levels/levels.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "kernels/cpu/simd/level.hpp"
+#include "kernels/physics/drives/drives.hpp"
+#include "kernels/physics/laws/laws.hpp"
+#include "src/config/errors.hpp"
+#include "src/engine/blocks/make_block_engine.hpp"
+#include "src/engine/law_engines.hpp"
+#include "src/engine/levels/level_engine.hpp"
+
+namespace bagnold {
+
+namespace {
+
+std::unique_ptr<Simulation> make_for_all(Scene const& scene, Snapshot& snapshot,
+                                         std::optional<DriveSetup> const& drive,
+                                         std::string const& backend) {
+  return make_block_engine(scene, snapshot, drive, backend, engines_for(scene).stepper);
+}
+
+std::vector<Level> levels_of_build() {
+  std::vector<Level> all;
+#ifdef BAGNOLD_LEVELS_X86
+  bool const avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+                      __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw") &&
+                      __builtin_cpu_supports("avx512cd");
+  bool const avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+                    __builtin_cpu_supports("bmi2");
+  all.push_back({"avx512", avx512 && avx2, avx512::make_block_engine});
+  all.push_back({"avx2", avx2, avx2::make_block_engine});
+#endif
+  all.push_back({simd::level_name, true, make_for_all});
+  return all;
+}
+
+template <class List>
+bool lists(std::string_view name) {
+  return std::ranges::count(names_of<List>(), name) > 0;
+}
+
+}  // namespace
+
+std::vector<Level> const& levels() {
+  static std::vector<Level> const all = levels_of_build();
+  return all;
+}
+
+Level const& chosen_level() {
+  auto const& all = levels();
+  char const* const asked = std::getenv("BAGNOLD_SIMD");
+  if (asked == nullptr || *asked == '\0') return *std::ranges::find(all, true, &Level::here);
+  std::vector<std::string_view> usable;
+  for (auto const& level : all)
+    if (level.here) usable.push_back(level.name);
+  if (std::ranges::count(usable, asked) == 0)
+    throw InputError(
+        fmt::format("BAGNOLD_SIMD = \"{}\" (not in this build, or not for this processor); use {}",
+                    asked, fmt::join(usable, ", ")));
+  return *std::ranges::find(all, asked, &Level::name);
+}
+
+Level const& level_of(Scene const& scene) {
+  bool const listed =
+      lists<Laws>(scene.disks.model) && (!scene.driven() || lists<Drives>(scene.drive.kind));
+  return listed ? chosen_level() : levels().back();
+}
+
+}  // namespace bagnold
