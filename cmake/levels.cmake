@@ -10,14 +10,16 @@ list(APPEND bagnold_level_sources engine/contacts/contact_watch.cpp engine/drive
 function(bagnold_level name architecture)
   add_library(bagnold_${name} OBJECT ${bagnold_level_sources})
   target_link_libraries(bagnold_${name} PRIVATE bagnold_kernels bagnold_config bagnold_statistics fmt::fmt)
-  target_compile_options(bagnold_${name} PRIVATE -march=${architecture} -Wno-maybe-uninitialized)
+  target_compile_options(bagnold_${name} PRIVATE -march=${architecture} -fno-gnu-unique
+    -Wno-maybe-uninitialized)
   target_compile_definitions(bagnold_${name} PRIVATE BAGNOLD_LEVEL=${name}
     $<TARGET_PROPERTY:bagnold_engine,INTERFACE_COMPILE_DEFINITIONS>)
   bagnold_precompile(bagnold_${name} <fmt/format.h> <Kokkos_Core.hpp>)
+  set(objects "$<FILTER:$<TARGET_OBJECTS:bagnold_${name}>,EXCLUDE,[.]gch$>")
   set(joined "${CMAKE_CURRENT_BINARY_DIR}/${name}_joined.o")
   set(object "${CMAKE_CURRENT_BINARY_DIR}/${name}.o")
-  add_custom_command(OUTPUT "${object}" DEPENDS bagnold_${name} $<TARGET_OBJECTS:bagnold_${name}>
-    COMMAND "${CMAKE_LINKER}" -r --force-group-allocation -o "${joined}" $<TARGET_OBJECTS:bagnold_${name}>
+  add_custom_command(OUTPUT "${object}" DEPENDS bagnold_${name} "${objects}"
+    COMMAND "${CMAKE_LINKER}" -r --force-group-allocation -o "${joined}" "${objects}"
     COMMAND "${CMAKE_OBJCOPY}" --wildcard "--keep-global-symbol=_ZN7bagnold*${name}*make_block_engine*"
       "${joined}" "${object}"
     COMMAND_EXPAND_LISTS VERBATIM)

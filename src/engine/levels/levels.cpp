@@ -10,6 +10,7 @@
 #include "kernels/cpu/simd/level.hpp"
 #include "kernels/physics/drives/drives.hpp"
 #include "kernels/physics/laws/laws.hpp"
+#include "kernels/physics/type_list.hpp"
 #include "src/config/errors.hpp"
 #include "src/engine/blocks/make_block_engine.hpp"
 #include "src/engine/law_engines.hpp"
