@@ -122,14 +122,14 @@ class CliTest(unittest.TestCase):
             self.assertNotIn(word, result.stderr)
         return result
 
-    def start(self, *arguments):
+    def start(self, *arguments, env=None):
         """Starts the program and returns at once."""
         process = subprocess.Popen(
             [PROGRAM, *map(str, arguments)],
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             text=True,
-            env=environment(),
+            env=environment() if env is None else env,
             cwd=self.folder,
             stdin=subprocess.DEVNULL,
         )

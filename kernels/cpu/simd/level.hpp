@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <string_view>
 
 /// Which instructions packs are made of: those the compiler may use.
 #define BAGNOLD_AVX512 0
@@ -26,9 +27,9 @@ namespace bagnold::simd {
 inline constexpr int width = 8;  ///< doubles in a pack
 
 /// By which BAGNOLD_SIMD calls them.
-inline constexpr char const* level_name = BAGNOLD_AVX512 ? "avx512"
-                                          : BAGNOLD_AVX2 ? "avx2"
-                                                         : "baseline";
+inline constexpr std::string_view level_name = BAGNOLD_AVX512 ? "avx512"
+                                               : BAGNOLD_AVX2 ? "avx2"
+                                                              : "baseline";
 
 /// The next multiple of the width.
 constexpr std::uint32_t round_up(std::uint32_t n) { return (n + width - 1) / width * width; }

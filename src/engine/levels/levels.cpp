@@ -26,18 +26,26 @@ std::unique_ptr<Simulation> make_for_all(Scene const& scene, Snapshot& snapshot,
   return make_block_engine(scene, snapshot, drive, backend, engines_for(scene).stepper);
 }
 
+Level everything_else() { return {simd::level_name, true, make_for_all}; }
+
+/// Level avx512 is x86-64-v4, avx2 is x86-64-v3.
 std::vector<Level> levels_of_build() {
   std::vector<Level> all;
-#ifdef BAGNOLD_LEVELS_X86
-  bool const avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-                      __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw") &&
-                      __builtin_cpu_supports("avx512cd");
-  bool const avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
-                    __builtin_cpu_supports("bmi2");
-  all.push_back({"avx512", avx512 && avx2, avx512::make_block_engine});
-  all.push_back({"avx2", avx2, avx2::make_block_engine});
+#ifdef BAGNOLD_LEVEL_AVX512
+  all.push_back({"avx512",
+                 __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+                     __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw") &&
+                     __builtin_cpu_supports("avx512cd"),
+                 avx512::make_block_engine});
 #endif
-  all.push_back({simd::level_name, true, make_for_all});
+  if (simd::level_name == "avx512") all.push_back(everything_else());
+#ifdef BAGNOLD_LEVEL_AVX2
+  all.push_back({"avx2",
+                 __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+                     __builtin_cpu_supports("bmi2"),
+                 avx2::make_block_engine});
+#endif
+  if (simd::level_name != "avx512") all.push_back(everything_else());
   return all;
 }
 
@@ -70,7 +78,8 @@ Level const& chosen_level() {
 Level const& level_of(Scene const& scene) {
   bool const listed =
       lists<Laws>(scene.disks.model) && (!scene.driven() || lists<Drives>(scene.drive.kind));
-  return listed ? chosen_level() : levels().back();
+  static Level const plain = everything_else();
+  return listed ? chosen_level() : plain;
 }
 
 }  // namespace bagnold

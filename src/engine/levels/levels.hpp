@@ -23,7 +23,7 @@ struct Level {
                                       std::string const& backend);
 };
 
-/// Those of this build, the most able first; the last is what everything else is compiled for.
+/// Those of this build, the most able first. One is what everything else is compiled for.
 std::vector<Level> const& levels();
 
 /// That which runs: the first of the list that this processor has, or the one that BAGNOLD_SIMD in
@@ -31,7 +31,7 @@ std::vector<Level> const& levels();
 /// processor.
 Level const& chosen_level();
 
-/// That of a scene: laws and drives that a program registered are compiled for the last one only.
+/// That of a scene. Laws and drives that a program registered are compiled as everything else.
 Level const& level_of(Scene const& scene);
 
 }  // namespace bagnold

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/engine/levels/levels.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "kernels/cpu/simd/level.hpp"
+#include "src/config/errors.hpp"
+#include "tests/support/simulations.hpp"
+
+namespace bagnold::test {
+namespace {
+
+/// BAGNOLD_SIMD while a test lasts.
+class Asked {
+ public:
+  explicit Asked(char const* level) {
+    if (auto const* before = std::getenv(name)) before_ = before;
+    setenv(name, level, 1);
+  }
+  ~Asked() { before_.empty() ? unsetenv(name) : setenv(name, before_.c_str(), 1); }
+
+ private:
+  static constexpr char const* name = "BAGNOLD_SIMD";
+  std::string before_;
+};
+
+TEST(Levels, TheOneAskedForRuns) {
+  for (auto const& level : levels()) {
+    if (!level.here) continue;
+    Asked const asked(std::string(level.name).c_str());
+    EXPECT_EQ(chosen_level().name, level.name);
+    EXPECT_EQ(level_of(small_scene("CD_rot")).name, level.name);
+  }
+}
+
+TEST(Levels, TheFirstOfThisProcessorRunsWhereNoneIsAskedFor) {
+  Asked const asked("");
+  for (auto const& level : levels())
+    if (level.here) {
+      EXPECT_EQ(chosen_level().name, level.name);
+      break;
+    }
+}
+
+TEST(Levels, OthersAreRefused) {
+  Asked const asked("mmx");
+  EXPECT_THROW(chosen_level(), InputError);
+}
+
+/// Packs of different levels differ in size: what a program compiles itself goes with all else.
+TEST(Levels, RegisteredLawsAndDrivesGoWithEverythingElse) {
+  for (auto const& level : levels()) {
+    if (!level.here) continue;
+    Asked const asked(std::string(level.name).c_str());
+    Scene scene = small_scene("CD_rot");
+    scene.drive.kind = "wind";
+    EXPECT_EQ(level_of(scene).name, simd::level_name);
+    scene.drive.kind = "stokes";
+    EXPECT_EQ(level_of(scene).name, level.name);
+    scene.disks.model = "CD_x";
+    EXPECT_EQ(level_of(scene).name, simd::level_name);
+  }
+}
+
+}  // namespace
+}  // namespace bagnold::test
