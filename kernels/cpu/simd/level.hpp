@@ -8,14 +8,22 @@
 /// Which instructions packs are made of: those the compiler may use.
 #define BAGNOLD_AVX512 0
 #define BAGNOLD_AVX2 0
-#if !defined(__CUDA_ARCH__) && (defined(__AVX512F__) || defined(__AVX2__))
-#include <immintrin.h>
+#define BAGNOLD_128 0
+#ifndef __CUDA_ARCH__  // nvcc reads host code once more for the device, which knows no vectors
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
 #undef BAGNOLD_AVX512
 #define BAGNOLD_AVX512 1
 #elif defined(__AVX2__) && defined(__FMA__)
 #undef BAGNOLD_AVX2
 #define BAGNOLD_AVX2 1
+#else
+#undef BAGNOLD_128
+#define BAGNOLD_128 1
+#endif
+#if defined(__x86_64__)
+#include <immintrin.h>
+#elif defined(__ARM_NEON)
+#include <arm_neon.h>
 #endif
 #endif
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "kernels/cpu/simd/lanes_128.hpp"
 #include "kernels/cpu/simd/lanes_avx2.hpp"
 #include "kernels/cpu/simd/lanes_avx512.hpp"
-#include "kernels/cpu/simd/lanes_portable.hpp"
+#include "kernels/cpu/simd/lanes_nvcc.hpp"
 
 /// Eight doubles side by side, whatever the processor: what these do is in one of three headers.
 namespace bagnold::simd {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "kernels/cpu/simd/records_128.hpp"
 #include "kernels/cpu/simd/records_avx2.hpp"
 #include "kernels/cpu/simd/records_avx512.hpp"
-#include "kernels/cpu/simd/records_portable.hpp"
+#include "kernels/cpu/simd/records_nvcc.hpp"
 
 /// Moving disks in and out of packs: what both forms share.
 namespace bagnold::simd {

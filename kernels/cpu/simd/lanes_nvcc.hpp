@@ -3,17 +3,11 @@
 
 #include "kernels/cpu/simd/level.hpp"
 
-/// Eight doubles in the compiler's vector extension, on any processor.
-#if !BAGNOLD_AVX512 && !BAGNOLD_AVX2
+/// nvcc reads host code once more for the device, which knows no vectors: this is there to be read,
+/// and never runs.
+#ifdef __CUDA_ARCH__
 namespace bagnold::simd {
 
-#ifndef __CUDA_ARCH__
-using Lanes = double __attribute__((vector_size(64)));
-using Bits = long long __attribute__((vector_size(64)));
-
-BAGNOLD_INLINE Lanes blend(Bits bits, Lanes yes, Lanes no) { return bits ? yes : no; }
-#else
-/// nvcc reads host code once more for the device, which knows no vectors: declared, and not used.
 template <class T>
 struct alignas(64) Eight {
   T lane[width];
@@ -39,7 +33,6 @@ Eight<long long> operator<(Eight<T>, Eight<T>);
 using Lanes = Eight<double>;
 using Bits = Eight<long long>;
 Lanes blend(Bits bits, Lanes yes, Lanes no);
-#endif
 
 /// Which lanes: all bits of a lane, or none.
 struct Mask {
