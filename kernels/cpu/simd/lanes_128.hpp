@@ -116,11 +116,11 @@ BAGNOLD_INLINE Two root(Two x) {
 #elif defined(__ARM_NEON)
   return (Two)vsqrtq_f64((float64x2_t)x);
 #else
-  return {std::sqrt(x[0]), std::sqrt(x[1])};
+  return Two{std::sqrt(x[0]), std::sqrt(x[1])};
 #endif
 }
 BAGNOLD_INLINE Lanes root(Lanes p) { return {root(p.a), root(p.b), root(p.c), root(p.d)}; }
-BAGNOLD_INLINE Two rounded_down(Two x) { return {std::floor(x[0]), std::floor(x[1])}; }
+BAGNOLD_INLINE Two rounded_down(Two x) { return Two{std::floor(x[0]), std::floor(x[1])}; }
 BAGNOLD_INLINE Lanes rounded_down(Lanes p) {
   return {rounded_down(p.a), rounded_down(p.b), rounded_down(p.c), rounded_down(p.d)};
 }
