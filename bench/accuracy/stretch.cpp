@@ -27,7 +27,7 @@ struct Outcome {
   State end;
 };
 
-constexpr char const* quantities[] = {"p", "p_el", "sigma", "Z", "T_g", "dissipation"};
+constexpr char const* shown_quantities[] = {"p", "p_el", "sigma", "Z", "T_g", "dissipation"};
 
 double value_of(Sample const& sample, int quantity) {
   auto const& a = sample.value;
@@ -75,7 +75,7 @@ double distance(State const& a, State const& b) {
 }
 
 struct Differences {
-  std::vector<double> of[std::size(quantities)];
+  std::vector<double> of[std::size(shown_quantities)];
   double distance = 0;
   std::string failed;
 };
@@ -95,7 +95,7 @@ void run(Stretches& o) {
   std::vector<Method> methods;
   for (auto const& text : o.methods) methods.push_back(read_method(text));
   std::vector<Differences> differences(methods.size());
-  std::vector<double> scale(std::size(quantities), 0.0);
+  std::vector<double> scale(std::size(shown_quantities), 0.0);
 
   auto const main = make_system(scene, state, guide);
   for (int n = 0; n < o.starts; ++n) {
@@ -118,7 +118,7 @@ void run(Stretches& o) {
   }
 
   fmt::print("{},{},stretch,starts", scene_header, method_header);
-  for (auto const* name : quantities) fmt::print(",{},{}_error", name, name);
+  for (auto const* name : shown_quantities) fmt::print(",{},{}_error", name, name);
   fmt::print(",distance,status\n");
   for (std::size_t m = 0; m < methods.size(); ++m) {
     fmt::print("{},{},{},{}", scene_columns(scene), method_columns(methods[m]), o.length, o.starts);
