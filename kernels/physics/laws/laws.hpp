@@ -7,6 +7,7 @@
 #include "kernels/physics/laws/cd_n.hpp"
 #include "kernels/physics/laws/cd_nt.hpp"
 #include "kernels/physics/laws/cd_rot.hpp"
+#include "kernels/physics/laws/cd_t.hpp"
 
 namespace bagnold {
 
@@ -14,6 +15,7 @@ namespace bagnold {
 using Laws = std::tuple<CD,     //
                         CDn,    //
                         CDrot,  //
-                        CDnt>;
+                        CDnt,   //
+                        CDt>;
 
 }  // namespace bagnold
