@@ -7,7 +7,6 @@
 #include "kernels/physics/laws/cd_n.hpp"
 #include "kernels/physics/laws/cd_nt.hpp"
 #include "kernels/physics/laws/cd_rot.hpp"
-#include "kernels/physics/laws/cd_t.hpp"
 
 namespace bagnold {
 
@@ -15,7 +14,6 @@ namespace bagnold {
 using Laws = std::tuple<CD,     //
                         CDn,    //
                         CDrot,  //
-                        CDnt,   //
-                        CDt>;
+                        CDnt>;
 
 }  // namespace bagnold
