@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "kernels/physics/laws/cd_n.hpp"
+#include "kernels/physics/schemes/half_kick_verlet.hpp"
 #include "kernels/physics/schemes/modified_velocity_verlet.hpp"
 #include "kernels/physics/schemes/two_stage_leapfrog.hpp"
 
@@ -25,7 +26,8 @@ concept SteppingScheme = (PredictCorrectScheme<S> ||
 
 /// Every scheme there is.
 using Schemes = std::tuple<ModifiedVelocityVerlet,  //
-                           TwoStageLeapfrog>;
+                           TwoStageLeapfrog,        //
+                           HalfKickVerlet>;
 
 template <class... S>
 constexpr bool are_schemes(std::tuple<S...> const*) {
