@@ -5,7 +5,6 @@
 #include <tuple>
 
 #include "kernels/physics/laws/cd_n.hpp"
-#include "kernels/physics/schemes/half_kick_verlet.hpp"
 #include "kernels/physics/schemes/modified_velocity_verlet.hpp"
 #include "kernels/physics/schemes/two_stage_leapfrog.hpp"
 
@@ -26,8 +25,7 @@ concept SteppingScheme = (PredictCorrectScheme<S> ||
 
 /// Every scheme there is.
 using Schemes = std::tuple<ModifiedVelocityVerlet,  //
-                           TwoStageLeapfrog,        //
-                           HalfKickVerlet>;
+                           TwoStageLeapfrog>;
 
 template <class... S>
 constexpr bool are_schemes(std::tuple<S...> const*) {
