@@ -20,7 +20,6 @@ struct SumColumns {
     dissipative_yx,
     dissipative_yy,
     dissipation,  ///< -sum f_dis . v over pairs: power that leaves the motion, [m d_s^2 / tau_e^3]
-    distance2,    ///< sum r^2 over pairs, [d_s^2]
     kinetic_xx,   ///< sum m dv_x dv_x, [m d_s^2 / tau_e^2]
     kinetic_xy,
     kinetic_yy,
@@ -68,7 +67,6 @@ KOKKOS_FORCEINLINE_FUNCTION PairColumns<T> columns_of(PairForce<T> const& pair) 
   of.value[C::dissipative_yx] = dissipative.y * r.x;
   of.value[C::dissipative_yy] = dissipative.y * r.y;
   of.value[C::dissipation] = pair.dissipation();
-  of.value[C::distance2] = r.x * r.x + r.y * r.y;
   return of;
 }
 
