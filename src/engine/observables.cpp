@@ -148,8 +148,6 @@ std::vector<Observable> observables(Scene const& scene, double box_length) {
       {"T_g", "m d_s^2/tau_e^2", "granular temperature sum m dv^2/2N, so that p_kin = n T_g",
        [=](Averages a) { return pressure(a, kinetic) / n; }},
       {"Z", "1", "contacts per disk", [=](Averages a) { return a[C::contacts] / n; }},
-      {"mu_kin", "1", "sigma_kin/p_kin",
-       [=](Averages a) { return shear_stress(a, kinetic) / pressure(a, kinetic); }},
       {"R_v", "1", "<dv_x^2>/<v_y^2>, P2 Eq. 37",
        [=](Averages a) { return a[C::velocity_x2] / a[C::velocity_y2]; }},
       {"energy_gap", "1",
