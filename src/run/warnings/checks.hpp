@@ -52,14 +52,11 @@ Check box_size;
 /// tau_dur without the long contacts: the run ended before they did, or none ended at all.
 Check contact_durations;
 
-/// Fewer disks than a flow has.
-Check few_disks;
-
 /// All of them, in the order of the summary.
 inline constexpr Check* all_checks[] = {
-    above_jamming,    hard_core_limit, large_overlap,     energy_balance, dissipative_pressure,
-    rotation_balance, collision_loss,  contact_network,   steady_state,   error_bar,
-    few_collisions,   box_size,        contact_durations, few_disks};
+    above_jamming,    hard_core_limit, large_overlap,    energy_balance, dissipative_pressure,
+    rotation_balance, collision_loss,  contact_network,  steady_state,   error_bar,
+    few_collisions,   box_size,        contact_durations};
 
 /// Mean relative overlap of contacts, 1 - r_ij/d_ij, from elastic pressure and contacts:
 ///
