@@ -87,12 +87,11 @@ struct Command {
 using AddCommand = Command(Words program);
 
 AddCommand add_run, add_validate, add_resume, add_sweep, add_analyse, add_check_limit, add_figure,
-    add_info, add_models;
+    add_info;
 
 /// All of them, in the order of the help.
-inline constexpr AddCommand* all_commands[] = {add_run,    add_validate, add_resume,
-                                               add_sweep,  add_analyse,  add_check_limit,
-                                               add_figure, add_info,     add_models};
+inline constexpr AddCommand* all_commands[] = {add_run,     add_validate,    add_resume, add_sweep,
+                                               add_analyse, add_check_limit, add_figure, add_info};
 
 int analyse_command(AnalyseOptions const& options);
 
