@@ -12,6 +12,7 @@
 #include "src/config/time_step.hpp"
 #include "src/config/toml_text.hpp"
 #include "src/engine/make_simulation.hpp"
+#include "src/io/trajectory_size.hpp"
 #include "src/run/machine.hpp"
 #include "src/run/run_time_estimate.hpp"
 #include "src/run/start_or_resume.hpp"
@@ -47,11 +48,6 @@ std::string in_words(RunTime const& time, int threads) {
   return text;
 }
 
-/// Threads that `run` takes by itself here.
-int default_threads(Scene const& scene) {
-  return why_no_start().empty() ? choose({}, scene).threads : 1;
-}
-
 /// What one run comes to.
 void print_plan(Scene const& scene, Plan const& plan, RunTime const& time, int threads) {
   if (plan.ramp) print_ramp(*plan.ramp);
@@ -66,12 +62,10 @@ void print_plan(Scene const& scene, Plan const& plan, RunTime const& time, int t
   for (auto const& [name, error] : scene.shear.target_error)
     fmt::print("# until          relative error of {} is at most {}, or the strain is spent\n",
                name, error);
-  if (plan.trajectory_steps > 0) {  // 7 numbers a disk and frame, in parts and then in one file
-    double const frames =
-        1 + static_cast<double>(plan.steps) / static_cast<double>(plan.trajectory_steps);
-    double const disks = static_cast<double>(scene.disks.count * scene.disks.replicas);
+  if (plan.trajectory_steps > 0) {
+    auto const [frames, bytes] = io::trajectory_size(scene, plan);
     fmt::print("# trajectory     {:.0f} frames, {:.3g} MB, twice that at the end of the run\n",
-               frames, frames * 7 * 8 * disks / 1e6);
+               frames, bytes / 1e6);
   }
   fmt::print("# memory         {:.3g} MB\n", memory_needed(scene, plan) / 1e6);
   fmt::print("# estimated time {}\n", in_words(time, threads));

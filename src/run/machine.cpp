@@ -115,4 +115,8 @@ Machine choose(Machine machine, Scene const& scene) {
   return machine;
 }
 
+int default_threads(Scene const& scene) {
+  return why_no_start().empty() ? choose({}, scene).threads : 1;
+}
+
 }  // namespace bagnold

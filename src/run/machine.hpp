@@ -21,6 +21,9 @@ struct Machine {
 /// have or that cannot run replicas, and where Kokkos cannot start.
 Machine choose(Machine machine, Scene const& scene);
 
+/// Threads that choose() takes where all is left to it; 1 where Kokkos cannot start.
+int default_threads(Scene const& scene);
+
 /// Kokkos, running. Replicas bring their own threads, each a system's only one.
 class KokkosScope {
  public:

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/io/trajectory_size.hpp"
+
+namespace bagnold::io {
+
+TrajectorySize trajectory_size(Scene const& scene, Plan const& plan) {
+  constexpr double numbers = 7;  // a disk and frame
+  double const frames =
+      1 + static_cast<double>(plan.steps) / static_cast<double>(plan.trajectory_steps);
+  double const disks = static_cast<double>(scene.disks.count * scene.disks.replicas);
+  return {frames, frames * numbers * sizeof(double) * disks};
+}
+
+}  // namespace bagnold::io
