@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # `cmake --install`: the kernel headers, and what find_package(Bagnold) needs to offer the target
-# Bagnold::kernels; if the program was built it too, and Bagnold::run (COMPONENTS run), the libraries behind
-# `bagnold run` with their headers. Headers keep their path from the root of the repository: with
+# Bagnold::kernels; if the program was built it too, and with COMPONENTS run the libraries behind `bagnold run`,
+# `sweep` and `analyse`, Bagnold::run, Bagnold::sweep and Bagnold::analysis, with their headers. Headers keep their path from the root of the repository: with
 # Bagnold::kernels linked, #include "kernels/physics/laws/cd_n.hpp" works as it does here.
 
 include(GNUInstallDirs)
@@ -20,7 +20,7 @@ if(BAGNOLD_PROGRAM)
   install(TARGETS bagnold RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/inputs/figures"
     DESTINATION "${CMAKE_INSTALL_DATADIR}/bagnold")
-  set(bagnold_libraries config statistics io engine start measure run)
+  set(bagnold_libraries config statistics io engine start measure run sweep analysis)
   foreach(name IN LISTS bagnold_libraries)
     set_target_properties(bagnold_${name} PROPERTIES EXPORT_NAME ${name})
     install(DIRECTORY "${PROJECT_SOURCE_DIR}/src/${name}" DESTINATION "${bagnold_headers}/src"

@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
-#include "src/analysis/kinds/kinds.hpp"
-#include "src/cli/commands.hpp"
-#include "src/config/errors.hpp"
-#include "src/io/atomic_file.hpp"
+#include "src/cli/analyse_options.hpp"
+#include "src/cli/options.hpp"
 #include "src/run/plot.hpp"
 
 namespace bagnold {
@@ -16,12 +15,6 @@ namespace {
 using analysis::Rows;
 
 constexpr std::size_t most_columns = 24;  ///< wider tables are only written
-
-std::filesystem::path prefix_of(AnalyseOptions const& options) {
-  if (!options.prefix.empty()) return options.prefix;
-  bool const is_folder = std::filesystem::is_directory(options.sweep);
-  return (is_folder ? options.sweep : options.sweep.parent_path()) / options.kind;
-}
 
 /// Numbers to four digits, all else as it is.
 std::string shown(std::string const& text) {
@@ -47,40 +40,28 @@ void print_rows(Rows const& rows) {
   for (auto const& row : rows.rows) print(row, false);
 }
 
-}  // namespace
-
-std::string analyse_kinds() {
-  std::string out = "Kinds of analysis (docs/analysis.md):\n";
-  for (auto const& kind : analysis::kinds()) {
-    out += fmt::format("  {:<18} {}\n", kind.name, kind.equation);
-    if (!kind.source.empty()) out += fmt::format("  {:<18} {}\n", "", kind.source);
-    out += fmt::format("  {:<18} {}\n", "", kind.options);
-  }
-  return out +
-         "Written: PREFIX.csv (what was found), PREFIX.drawn.csv (what the picture shows), "
-         "PREFIX.png.\nUnits: length d_s, time tau_e; stresses in m/tau_e^2.";
+void print(analysis::Analysis const& made) {
+  auto const& rows = made.report.results;
+  fmt::print("{}: {}\n{}\n\n", made.kind->name, made.kind->equation, made.kind->source);
+  if (rows.columns.size() <= most_columns) print_rows(rows);
+  fmt::print("{} rows in {}\n", rows.rows.size(), made.results.string());
 }
 
 int analyse_command(AnalyseOptions const& options) {
-  auto const& kind = analysis::kind_of(options.kind);
-  auto const table = analysis::read_sweep_table(options.sweep);
-  auto const report = kind.run(table, options.request);
-  auto const prefix = prefix_of(options);
-  auto const beside = [&](char const* ending) {
-    auto path = prefix;
-    return path += ending;
-  };
-  if (!prefix.parent_path().empty()) std::filesystem::create_directories(prefix.parent_path());
-  io::replace_text(beside(".csv"), to_csv(report.results));
-  io::replace_text(beside(".drawn.csv"), to_csv(report.drawn));
-  if (!options.quiet) {
-    fmt::print("{}: {}\n{}\n\n", kind.name, kind.equation, kind.source);
-    if (report.results.columns.size() <= most_columns) print_rows(report.results);
-    fmt::print("{} rows in {}\n", report.results.rows.size(), beside(".csv").string());
-  }
-  for (auto const& note : report.notes) warn(note);
-  warn(draw_analysis(beside(".drawn.csv"), beside(".png")));
+  auto const made = analysis::analyse(options.sweep, options.asked, options.prefix);
+  if (!options.quiet) print(made);
+  for (auto const& note : made.report.notes) warn(note);
+  warn(draw_analysis(made.drawn, made.picture));
   return 0;
+}
+
+}  // namespace
+
+Command add_analyse(Words program) {
+  auto const options = std::make_shared<AnalyseOptions>();
+  Words command = add_command(program, "analyse", "fits and phase boundaries from a sweep");
+  add_analyse_options(command, *options);
+  return {command, [options] { return analyse_command(*options); }};
 }
 
 }  // namespace bagnold

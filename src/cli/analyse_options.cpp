@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/cli/analyse_options.hpp"
 
-#include <memory>
+#include <fmt/format.h>
 
+#include "src/analysis/kinds/kinds.hpp"
 #include "src/cli/name_value.hpp"
-#include "src/cli/options.hpp"
 
 namespace bagnold {
 namespace {
@@ -48,23 +48,29 @@ void add_fit(Words command, analysis::Request& request) {
   command.option("--seed", request.seed, "of the bootstrap [1]");
 }
 
+/// What --help says of the kinds of analysis.
+std::string analyse_kinds() {
+  std::string out = "Kinds of analysis (docs/analysis.md):\n";
+  for (auto const& kind : analysis::kinds()) {
+    out += fmt::format("  {:<18} {}\n", kind.name, kind.equation);
+    if (!kind.source.empty()) out += fmt::format("  {:<18} {}\n", "", kind.source);
+    out += fmt::format("  {:<18} {}\n", "", kind.options);
+  }
+  return out +
+         "Written: PREFIX.csv (what was found), PREFIX.drawn.csv (what the picture shows), "
+         "PREFIX.png.\nUnits: length d_s, time tau_e; stresses in m/tau_e^2.";
+}
+
 }  // namespace
 
 void add_analyse_options(Words command, AnalyseOptions& options) {
   command.footer(analyse_kinds());
-  command.option("KIND", options.kind, "what to find, see below").required();
+  command.option("KIND", options.asked.kind, "what to find, see below").required();
   command.option("SWEEP", options.sweep, "folder of a sweep, or sweep.h5").required();
   command.option("--out", options.prefix, "prefix of the files written [SWEEP/KIND]");
-  add_axes(command, options.request);
-  add_fit(command, options.request);
+  add_axes(command, options.asked.request);
+  add_fit(command, options.asked.request);
   command.flag("--quiet", options.quiet, "no table; errors and remarks are still shown");
-}
-
-Command add_analyse(Words program) {
-  auto const options = std::make_shared<AnalyseOptions>();
-  Words command = add_command(program, "analyse", "fits and phase boundaries from a sweep");
-  add_analyse_options(command, *options);
-  return {command, [options] { return analyse_command(*options); }};
 }
 
 }  // namespace bagnold

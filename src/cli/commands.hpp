@@ -7,17 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "src/analysis/request.hpp"
+#include "src/analysis/analyse.hpp"
 #include "src/cli/command_line.hpp"
 #include "src/config/scene.hpp"
 #include "src/run/machine.hpp"
 #include "src/run/messages.hpp"
 
 namespace bagnold {
-
-namespace sweep {
-struct Sweep;
-}
 
 struct SceneOptions {
   std::filesystem::path scene_file;
@@ -40,14 +36,13 @@ struct ResumeOptions {
 };
 
 struct AnalyseOptions {
-  std::string kind;
+  analysis::KindRequest asked;
   std::filesystem::path sweep;   ///< folder or sweep.h5
   std::filesystem::path prefix;  ///< of the files written; "": the folder of the sweep and the kind
-  analysis::Request request;
   bool quiet = false;
 };
 
-struct SweepOptions {
+struct SweepFileOptions {
   std::filesystem::path sweep_file;
   std::filesystem::path folder;  ///< "": results/NAME of the sweep file
   Machine machine;               ///< of each point; threads = 0: 1
@@ -92,15 +87,6 @@ AddCommand add_run, add_validate, add_resume, add_sweep, add_analyse, add_check_
 /// All of them, in the order of the help.
 inline constexpr AddCommand* all_commands[] = {add_run,     add_validate,    add_resume, add_sweep,
                                                add_analyse, add_check_limit, add_figure, add_info};
-
-int analyse_command(AnalyseOptions const& options);
-
-/// What --help says of the kinds of analysis.
-std::string analyse_kinds();
-
-/// All points of a sweep and its tables, into options.folder. 1 where points failed or, with
-/// `collect`, have no result yet; 0, 130 and 143 as the others.
-int run_sweep(sweep::Sweep const& sweep, SweepOptions const& options);
 
 /// Prints what a sweep file comes to: points, chains, steps, time.
 int validate_sweep_command(SceneOptions const& options);

@@ -7,6 +7,7 @@
 #include <string>
 #include <system_error>
 
+#include "src/cli/signals.hpp"
 #include "src/config/errors.hpp"
 #include "src/run/messages.hpp"
 
@@ -60,6 +61,13 @@ ExitCode exit_code_of(std::exception_ptr const& failure) {
   } catch (...) {
     return told("internal error; please report it, with the scene", internal_error);
   }
+}
+
+int exit_code_of(RunEnd end) { return end == RunEnd::done ? done : 128 + stop_signal(); }
+
+int exit_code_of(sweep::SweepEnd end) {
+  if (end == sweep::SweepEnd::stopped) return 128 + stop_signal();
+  return end == sweep::SweepEnd::done ? done : points_failed;
 }
 
 }  // namespace bagnold

@@ -3,6 +3,9 @@
 
 #include <exception>
 
+#include "src/run/monitor.hpp"
+#include "src/sweep/run_sweep.hpp"
+
 namespace bagnold {
 
 /// How the program ends where it is not stopped by a signal; README.md tells users.
@@ -17,5 +20,9 @@ enum ExitCode {
 
 /// Says what went wrong, and with which code that ends the program.
 ExitCode exit_code_of(std::exception_ptr const& failure);
+
+/// Code of a run or a sweep that ended without a failure thrown: 128 + the signal that stopped it.
+int exit_code_of(RunEnd end);
+int exit_code_of(sweep::SweepEnd end);
 
 }  // namespace bagnold

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <memory>
 
+#include "src/cli/exit_code.hpp"
 #include "src/cli/options.hpp"
 #include "src/cli/signals.hpp"
 #include "src/cli/terminal.hpp"
@@ -11,8 +12,6 @@ namespace bagnold {
 
 namespace {
 
-int exit_code(RunEnd end) { return end == RunEnd::done ? 0 : 128 + stop_signal(); }
-
 int run_command(SceneOptions const& options) {
   Scene const scene = read_scene(options);
   auto const folder = options.folder.empty()
@@ -20,17 +19,17 @@ int run_command(SceneOptions const& options) {
                           : options.folder;
   catch_signals();
   Terminal terminal(options.quiet);
-  return exit_code(run(scene, folder,
-                       {.machine = options.machine,
-                        .replace = options.force,
-                        .allow_unstable = options.allow_unstable,
-                        .monitor = &terminal}));
+  return exit_code_of(run(scene, folder,
+                          {.machine = options.machine,
+                           .replace = options.force,
+                           .allow_unstable = options.allow_unstable,
+                           .monitor = &terminal}));
 }
 
 int resume_command(ResumeOptions const& options) {
   catch_signals();
   Terminal terminal(options.quiet);
-  return exit_code(resume(options.folder, {.machine = options.machine, .monitor = &terminal}));
+  return exit_code_of(resume(options.folder, {.machine = options.machine, .monitor = &terminal}));
 }
 
 }  // namespace

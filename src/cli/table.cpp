@@ -21,10 +21,6 @@ std::string with_error(statistics::Estimate const& estimate) {
                      estimate.rough ? " (rough)" : "");
 }
 
-}  // namespace
-
-namespace {
-
 /// Shear stress up and down, every few rates.
 void print_loop(Run const& run) {
   Loop const loop = loop_of(run);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include "src/cli/checked_sweep.hpp"
 #include "src/cli/commands.hpp"
 #include "src/config/errors.hpp"
-#include "src/run/run_time_estimate.hpp"
+#include "src/sweep/checked_sweep.hpp"
+#include "src/sweep/sweep_times.hpp"
 
 namespace bagnold {
 
@@ -12,21 +12,14 @@ int validate_sweep_command(SceneOptions const& options) {
   if (!options.overrides.empty())
     throw InputError(fmt::format("--set {}: does not go with a sweep; change {}",
                                  options.overrides.front(), options.scene_file.string()));
-  auto const sweep = read_checked_sweep(options.scene_file, options.allow_unstable);
+  auto const sweep = sweep::read_checked_sweep(options.scene_file, options.allow_unstable);
   auto const times = times_of_points(sweep);
-  double steps = 0;
-  for (auto const& point : sweep.points) steps += disk_steps(point.scene, point.plan);
-  RunTime longest;
-  for (auto const& chain : sweep.chains) {
-    RunTime time;
-    for (auto const k : chain) time += times.each[k];
-    if (time.expected > longest.expected) longest = time;
-  }
+  RunTime const longest = longest_chain(sweep, times);
   RunTime const all = times.sum();
   for (std::size_t k = 0; k < sweep.points.size(); ++k) fmt::print("{}\n", sweep.points[k].folder);
   fmt::print("# points         {} in {} chains, over {}\n", sweep.points.size(),
              sweep.chains.size(), fmt::join(sweep.keys, ", "));
-  fmt::print("# steps          {:.4g} million disk-steps\n", steps / 1e6);
+  fmt::print("# steps          {:.4g} million disk-steps\n", disk_steps(sweep) / 1e6);
   fmt::print("# estimated time {} ({} to {}) on one core; the longest chain {} ({} to {})\n",
              time_text(all.expected), time_text(all.least), time_text(all.most),
              time_text(longest.expected), time_text(longest.least), time_text(longest.most));

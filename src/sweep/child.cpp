@@ -28,7 +28,7 @@ namespace {
   ::dup2(log, STDERR_FILENO);
   ::fcntl(reports, F_SETFD, 0);  // survives exec
   ::setenv(report_variable, fmt::format("{}", reports).c_str(), 1);
-  ::execv(arguments.front(), arguments.data());
+  ::execvp(arguments.front(), arguments.data());
   ::_exit(127);
 }
 

@@ -17,7 +17,8 @@ namespace bagnold::sweep {
 /// report_share().
 class Child {
  public:
-  /// Starts command[0] with its arguments. Throws FileError where the system refuses.
+  /// Starts command[0], sought in PATH if it has no slash, with its arguments. Throws FileError
+  /// where the system refuses.
   Child(std::vector<std::string> const& command, std::filesystem::path const& log);
   Child(Child&& other) noexcept;
   Child& operator=(Child&& other) noexcept;

@@ -33,25 +33,27 @@ std::uintmax_t size_of(std::filesystem::path const& log) {
 
 }  // namespace
 
-Scheduler::Scheduler(Sweep const& sweep, SweepFolder const& folder, Work work, ProgressLine& line)
-    : sweep_(sweep), folder_(folder), work_(std::move(work)), line_(line) {}
+Scheduler::Scheduler(Sweep const& sweep, SweepFolder const& folder, Work work,
+                     SweepMonitor& monitor)
+    : sweep_(sweep), folder_(folder), work_(std::move(work)), monitor_(monitor) {}
 
 std::vector<Failure> Scheduler::run(std::vector<std::size_t> const& chains) {
+  monitor_.begin(sweep_);
   for (auto const index : chains) chains_.push_back({sweep_.chains[index]});
   for (auto& chain : chains_)
     while (!chain.over() && folder_.finished(chain.points[chain.next]))
-      line_.was_finished(chain.points[chain.next++]);
+      monitor_.was_finished(chain.points[chain.next++]);
   while (!running_.empty() || (!stopping_ && pending())) {
-    if (!stopping_ && work_.stop()) {
+    if (!stopping_ && monitor_.stop_requested()) {
       stopping_ = true;
       for (auto const& [point, running] : running_) running.child.ask_to_stop();
     }
     if (!stopping_) start_points();
     wait();
     look_at_points();
-    line_.show();
+    monitor_.waited();
   }
-  line_.end();
+  monitor_.end();
   std::vector<Failure> list;
   for (auto const& [point, failure] : failures_) list.push_back(failure);
   return list;
@@ -84,7 +86,7 @@ void Scheduler::start(Chain& chain, std::size_t point) {
   auto const before = size_of(log);
   running_.emplace(point, Running{Child(command, log), &chain, before});
   chain.busy = true;
-  line_.started(point);
+  monitor_.started(point);
 }
 
 /// For news of a point, a signal, or the end of the round.
@@ -98,7 +100,7 @@ void Scheduler::wait() const {
 void Scheduler::look_at_points() {
   for (auto at = running_.begin(); at != running_.end();) {
     auto& [point, running] = *at;
-    if (auto const share = running.child.share()) line_.reached(point, *share);
+    if (auto const share = running.child.share()) monitor_.reached(point, *share);
     if (auto const code = running.child.exit_code()) {
       ended(running, point, *code);
       at = running_.erase(at);
@@ -113,15 +115,15 @@ void Scheduler::ended(Running const& running, std::size_t point, int exit_code) 
   chain.busy = false;
   if (exit_code == 0 && folder_.finished(point)) {
     ++chain.next;
-    line_.finished(point);
+    monitor_.finished(point);
     return;
   }
-  if (stopping_ && exit_code > 128) return line_.stopped(point);
+  if (stopping_ && exit_code > 128) return monitor_.stopped(point);
   chain.next = chain.points.size();
   failures_[point] = {point, exit_code,
                       exit_code > 128 ? fmt::format("ended by signal {}", exit_code - 128)
                                       : last_words(folder_.log(point), running.log_before)};
-  line_.failed(point);
+  monitor_.failed(point);
 }
 
 }  // namespace bagnold::sweep

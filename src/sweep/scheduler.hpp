@@ -2,13 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "src/sweep/child.hpp"
-#include "src/sweep/progress_line.hpp"
+#include "src/sweep/monitor.hpp"
 #include "src/sweep/sweep.hpp"
 #include "src/sweep/sweep_folder.hpp"
 
@@ -19,7 +18,6 @@ struct Work {
   std::vector<std::string> command;  ///< before the point's folder: program and "resume"
   std::vector<std::string> options;  ///< behind it
   std::size_t jobs = 1;              ///< points at a time
-  std::function<bool()> stop;        ///< shall we end?
 };
 
 /// A point that ended without a result.
@@ -33,10 +31,10 @@ struct Failure {
 /// in its order. What is finished is skipped; a point that fails ends its chain and nothing else.
 class Scheduler {
  public:
-  Scheduler(Sweep const& sweep, SweepFolder const& folder, Work work, ProgressLine& line);
+  Scheduler(Sweep const& sweep, SweepFolder const& folder, Work work, SweepMonitor& monitor);
 
-  /// Until all is done; or, where `stop` says so, until every point has written its checkpoint and
-  /// stopped. Returns what failed, in the file's order.
+  /// Until all is done; or, where the monitor asks to stop, until every point has written its
+  /// checkpoint and stopped. Returns what failed, in the file's order.
   std::vector<Failure> run(std::vector<std::size_t> const& chains);
 
  private:
@@ -64,7 +62,7 @@ class Scheduler {
   Sweep const& sweep_;
   SweepFolder const& folder_;
   Work work_;
-  ProgressLine& line_;
+  SweepMonitor& monitor_;
   std::vector<Chain> chains_;
   std::map<std::size_t, Running> running_;  ///< by point
   std::map<std::size_t, int> waits_;        ///< rounds that a point was in use by another process

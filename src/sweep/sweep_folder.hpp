@@ -23,6 +23,7 @@ class SweepFolder {
   static SweepFolder join(std::filesystem::path const& folder, Sweep const& sweep);
 
   std::filesystem::path const& path() const { return path_; }
+  std::filesystem::path table() const { return path_ / "sweep.csv"; }
   std::filesystem::path point(std::size_t k) const { return path_ / "points" / names_[k]; }
   std::filesystem::path log(std::size_t k) const { return point(k) / "log.txt"; }
   std::filesystem::path summary(std::size_t k) const { return point(k) / "summary.json"; }

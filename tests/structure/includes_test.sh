@@ -20,10 +20,10 @@ src/state            src/config kernels/physics
 src/engine           src/config src/state src/statistics kernels
 src/measure          src/config src/state src/statistics src/engine src/io kernels
 src/io               src/config src/state src/statistics
-src/sweep            src/config src/state src/io
 src/start            src/config src/state src/statistics src/engine src/io kernels
-src/analysis         src/config src/state src/statistics src/engine src/io
 src/run              src/config src/state src/statistics src/engine src/start src/measure src/io kernels
+src/sweep            src/config src/state src/start src/io src/run
+src/analysis         src/config src/state src/statistics src/engine src/io src/run src/sweep
 src/cli              src kernels
 "
 # A folder, and the libraries that it must not know. Kernels know Kokkos and the standard

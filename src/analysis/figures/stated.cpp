@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "src/cli/figure_stated.hpp"
+#include "src/analysis/figures/stated.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 
 #include "src/analysis/panel.hpp"
 
-namespace bagnold {
+namespace bagnold::analysis {
 namespace {
 
 using nlohmann::json;
@@ -20,8 +20,7 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 /// A row of a table by the names of its columns.
 class Row {
  public:
-  Row(analysis::Rows const& table, std::vector<std::string> const& cells)
-      : table_(table), cells_(cells) {}
+  Row(Rows const& table, std::vector<std::string> const& cells) : table_(table), cells_(cells) {}
 
   std::optional<std::string> text(std::string const& column) const {
     auto const found = std::ranges::find(table_.columns, column);
@@ -38,7 +37,7 @@ class Row {
   }
 
  private:
-  analysis::Rows const& table_;
+  Rows const& table_;
   std::vector<std::string> const& cells_;
 };
 
@@ -56,14 +55,14 @@ std::string with_error(double value, double error) {
 }
 
 /// ", phi = 0.7": scene keys that tell the chosen rows apart.
-std::string differences(analysis::Rows const& table, std::vector<std::size_t> const& chosen,
+std::string differences(Rows const& table, std::vector<std::size_t> const& chosen,
                         std::size_t row) {
   std::string out;
   for (std::size_t column = 0; column < table.columns.size(); ++column) {
     auto const cell = [&](std::size_t k) -> std::string const& { return table.rows[k][column]; };
     bool const is_key = table.columns[column].find('.') != std::string::npos;
     if (is_key && std::ranges::any_of(chosen, [&](auto k) { return cell(k) != cell(row); }))
-      out += fmt::format(", {} = {}", analysis::symbol(table.columns[column]), cell(row));
+      out += fmt::format(", {} = {}", symbol(table.columns[column]), cell(row));
   }
   return out;
 }
@@ -98,7 +97,7 @@ Comparison compared(json const& entry, Row const& row) {
 
 }  // namespace
 
-std::vector<Comparison> compare(json const& entry, analysis::Rows const& results) {
+std::vector<Comparison> compare(json const& entry, Rows const& results) {
   auto const conditions = entry.value("row", json::object());
   auto const items = conditions.items();
   std::vector<std::size_t> chosen;
@@ -132,10 +131,10 @@ std::string to_lines(std::vector<Comparison> const& list) {
   return out;
 }
 
-analysis::Rows to_rows(std::vector<Comparison> const& list) {
-  analysis::Rows rows{{"what", "stated", "ours", "deviation", "source"}, {}};
+Rows to_rows(std::vector<Comparison> const& list) {
+  Rows rows{{"what", "stated", "ours", "deviation", "source"}, {}};
   for (auto const& c : list) rows.rows.push_back({c.what, c.stated, c.ours, c.deviation, c.source});
   return rows;
 }
 
-}  // namespace bagnold
+}  // namespace bagnold::analysis

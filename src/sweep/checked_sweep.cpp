@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "src/cli/checked_sweep.hpp"
+#include "src/sweep/checked_sweep.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "src/cli/commands.hpp"
 #include "src/io/state_file.hpp"
+#include "src/run/messages.hpp"
 #include "src/run/validate_scene.hpp"
 #include "src/start/start.hpp"
 
-namespace bagnold {
+namespace bagnold::sweep {
 
-sweep::PointCheck point_check(bool allow_unstable) {
+PointCheck point_check(bool allow_unstable) {
   return [allow_unstable](Scene const& scene, Plan const& plan) {
     validate_scene(scene, plan, allow_unstable);
     bool const later =
@@ -22,8 +22,8 @@ sweep::PointCheck point_check(bool allow_unstable) {
   };
 }
 
-sweep::Sweep read_checked_sweep(std::filesystem::path const& file, bool allow_unstable) {
-  auto const sweep = sweep::read_sweep(file, point_check(allow_unstable));
+Sweep read_checked_sweep(std::filesystem::path const& file, bool allow_unstable) {
+  auto sweep = read_sweep(file, point_check(allow_unstable));
   auto const worth_a_word = [](auto const& point) { return !plan_warning(point.plan).empty(); };
   auto const first = std::ranges::find_if(sweep.points, worth_a_word);
   if (first != sweep.points.end())
@@ -33,10 +33,4 @@ sweep::Sweep read_checked_sweep(std::filesystem::path const& file, bool allow_un
   return sweep;
 }
 
-RunTimes times_of_points(sweep::Sweep const& sweep) {
-  std::vector<PlannedRun> runs;
-  for (auto const& point : sweep.points) runs.push_back({point.scene, point.plan});
-  return times_of_many(runs);
-}
-
-}  // namespace bagnold
+}  // namespace bagnold::sweep

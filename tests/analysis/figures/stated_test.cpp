@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "src/cli/figure_stated.hpp"
+#include "src/analysis/figures/stated.hpp"
 
 #include <gtest/gtest.h>
 
-namespace bagnold::test {
+namespace bagnold::analysis::test {
 
 nlohmann::json entry(nlohmann::json const& more) {
   nlohmann::json made{{"what", "x"}, {"source", "here"}, {"column", "x"}, {"stated", 1.0}};
@@ -11,8 +11,8 @@ nlohmann::json entry(nlohmann::json const& more) {
   return made;
 }
 
-analysis::Rows const rows{{"disks.elasticity", "x", "x_error"},
-                          {{"1", "1.5", "0.3"}, {"10", "0.8", ""}, {"100", "", ""}}};
+Rows const rows{{"disks.elasticity", "x", "x_error"},
+                {{"1", "1.5", "0.3"}, {"10", "0.8", ""}, {"100", "", ""}}};
 
 std::vector<std::string> deviations(nlohmann::json const& more) {
   std::vector<std::string> out;
@@ -50,4 +50,4 @@ TEST(Stated, SaysWhatIsNotFound) {
   EXPECT_EQ(compare(entry({{"about", true}}), rows)[0].deviation, "+50% (+1.7 of our errors)");
 }
 
-}  // namespace bagnold::test
+}  // namespace bagnold::analysis::test

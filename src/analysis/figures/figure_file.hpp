@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace bagnold {
+namespace bagnold::analysis {
 
 /// A figure of the papers, as inputs/figures/figures.toml has it, with its values filled in.
 struct Figure {
@@ -16,7 +16,7 @@ struct Figure {
   double hours = 0;               ///< of one core, for all its data
   std::vector<std::string> data;  ///< its sweeps: files DATA.toml beside the file of figures
   nlohmann::json panels;          ///< as scripts/plot_figure.py takes them
-  nlohmann::json stated;          ///< numbers that the paper states, see figure_stated.hpp
+  nlohmann::json stated;          ///< numbers that the paper states, see stated.hpp
   nlohmann::json layout;          ///< all other keys, for scripts/plot_figure.py
 };
 
@@ -46,4 +46,4 @@ class FigureFile {
 /// where it is installed. Throws InputError where there is none.
 std::filesystem::path find_figure_file(std::filesystem::path const& given);
 
-}  // namespace bagnold
+}  // namespace bagnold::analysis

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "src/cli/figure_file.hpp"
+#include "src/analysis/figures/figure_file.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include "src/config/nearest_word.hpp"
 #include "src/config/toml_text.hpp"
 
-namespace bagnold {
+namespace bagnold::analysis {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
@@ -134,4 +134,4 @@ fs::path find_figure_file(fs::path const& given) {
   throw InputError("inputs/figures/figures.toml is not here; name it with --figures FILE");
 }
 
-}  // namespace bagnold
+}  // namespace bagnold::analysis

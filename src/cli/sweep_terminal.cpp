@@ -1,63 +1,74 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "src/sweep/progress_line.hpp"
+#include "src/cli/sweep_terminal.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdio>
-
+#include "src/cli/signals.hpp"
+#include "src/cli/standard_streams.hpp"
 #include "src/config/run_time.hpp"
+#include "src/run/messages.hpp"
+#include "src/sweep/collect.hpp"
 
-namespace bagnold::sweep {
+namespace bagnold {
 
-ProgressLine::ProgressLine(Sweep const& sweep, bool quiet)
-    : quiet_(quiet), terminal_(isatty(STDOUT_FILENO) == 1), start_(Clock::now()), shown_(start_) {
+SweepTerminal::SweepTerminal(bool quiet) : quiet_(quiet), terminal_(isatty(STDOUT_FILENO) == 1) {}
+
+bool SweepTerminal::stop_requested() { return stop_signal() != 0; }
+
+void SweepTerminal::begin(sweep::Sweep const& sweep) {
+  start_ = shown_ = Clock::now();
+  finished_ = running_ = failed_ = 0;
+  points_.clear();
   for (auto const& point : sweep.points)
     points_.push_back(
         {point.plan.strain(point.plan.steps),
          static_cast<double>(point.plan.steps) * static_cast<double>(point.scene.disks.count)});
 }
 
-void ProgressLine::started(std::size_t) { ++running_; }
-
-void ProgressLine::reached(std::size_t point, double share) {
+void SweepTerminal::reached(std::size_t point, double share) {
   auto& at = points_[point];
   if (at.first < 0) at.first = share;
   at.share = share;
 }
 
-void ProgressLine::was_finished(std::size_t point) {
+void SweepTerminal::was_finished(std::size_t point) {
   points_[point].first = points_[point].share = 1;
   ++finished_;
 }
 
-void ProgressLine::finished(std::size_t point) {
+void SweepTerminal::finished(std::size_t point) {
   points_[point].share = 1;
   --running_;
   ++finished_;
 }
 
-void ProgressLine::stopped(std::size_t) { --running_; }
-
-void ProgressLine::failed(std::size_t point) {
+void SweepTerminal::failed(std::size_t point) {
   points_[point].given_up = true;
   --running_;
   ++failed_;
 }
 
-void ProgressLine::show() {
+void SweepTerminal::waited() {
   auto const now = Clock::now();
   auto const pause = terminal_ ? std::chrono::milliseconds(500) : std::chrono::milliseconds(30000);
   if (!quiet_ && now - shown_ >= pause) print(now);
 }
 
-void ProgressLine::end() {
+void SweepTerminal::end() {
   if (quiet_) return;
   print(Clock::now());
-  if (terminal_) std::fputc('\n', stdout);
+  if (terminal_) put("\n");
 }
 
-void ProgressLine::print(Clock::time_point now) {
+void SweepTerminal::collected(sweep::Sweep const& sweep, sweep::SweepFolder const& folder,
+                              sweep::Results const& results) {
+  if (quiet_) return;
+  warn(suspect_points(sweep, results));
+  fmt::print("table of {} points in {}\n", sweep.points.size(), folder.table().string());
+}
+
+void SweepTerminal::print(Clock::time_point now) {
   shown_ = now;
   double strain = 0, all_strain = 0, done = 0, left = 0;
   for (auto const& point : points_) {
@@ -71,8 +82,11 @@ void ProgressLine::print(Clock::time_point now) {
       "{} of {} points done, {} running, {} failed  strain {:.0f}%  {}", finished_, points_.size(),
       running_, failed_, 100 * strain / all_strain,
       done > 0 && left > 0 ? time_text(seconds * left / done) + " left" : time_text(seconds));
-  std::fputs((terminal_ ? fmt::format("\r{:<78}", line) : line + "\n").c_str(), stdout);
-  std::fflush(stdout);
+  put(terminal_ ? fmt::format("\r{:<78}", line) : line + "\n");
 }
 
-}  // namespace bagnold::sweep
+sweep::SweepOptions sweep_options(Machine const& machine, int jobs, SweepTerminal& terminal) {
+  return {std::filesystem::read_symlink("/proc/self/exe"), machine, jobs, &terminal};
+}
+
+}  // namespace bagnold

@@ -7,7 +7,7 @@
 
 #include "src/analysis/csv.hpp"
 
-namespace bagnold {
+namespace bagnold::analysis {
 
 /// A number that a paper states in its text, beside ours.
 struct Comparison {
@@ -22,11 +22,11 @@ struct Comparison {
 ///
 /// entry: what, source, column (of the analysis), `stated` (a number, or [low, high]), perhaps
 /// `error` of it or `about` = true, and perhaps `row` = {KEY = VALUE}: the rows to look at.
-std::vector<Comparison> compare(nlohmann::json const& entry, analysis::Rows const& results);
+std::vector<Comparison> compare(nlohmann::json const& entry, Rows const& results);
 
 /// Aligned lines, for the terminal.
 std::string to_lines(std::vector<Comparison> const& list);
 
-analysis::Rows to_rows(std::vector<Comparison> const& list);
+Rows to_rows(std::vector<Comparison> const& list);
 
-}  // namespace bagnold
+}  // namespace bagnold::analysis

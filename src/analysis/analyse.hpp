@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "src/analysis/kinds/kinds.hpp"
+
+namespace bagnold::analysis {
+
+/// A kind of analysis by name, and what is asked of it.
+struct KindRequest {
+  std::string kind;
+  Request request = {};
+};
+
+/// What an analysis found, and its files.
+struct Analysis {
+  Kind const* kind;
+  Report report;
+  std::filesystem::path results;  ///< PREFIX.csv
+  std::filesystem::path drawn;    ///< PREFIX.drawn.csv, what the picture shows
+  std::filesystem::path picture;  ///< PREFIX.png, for draw_analysis() (src/run/plot.hpp)
+};
+
+/// Analyses the table of a sweep (a folder, or a file as of read_sweep_table) and writes its two
+/// tables, as `bagnold analyse` does. An empty `prefix` is the kind's name in the folder of the
+/// sweep. Throws InputError where the kind or the table is not there, or nothing is found;
+/// FileError.
+Analysis analyse(std::filesystem::path const& sweep, KindRequest const& asked,
+                 std::filesystem::path prefix = {});
+
+}  // namespace bagnold::analysis

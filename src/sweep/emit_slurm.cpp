@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/sweep/emit_slurm.hpp"
+
+#include <fmt/format.h>
+
+#include "src/io/atomic_file.hpp"
+#include "src/sweep/slurm.hpp"
+#include "src/sweep/sweep_times.hpp"
+
+namespace bagnold::sweep {
+
+SlurmScripts emit_slurm(Sweep const& sweep, std::filesystem::path const& name, bool allow_unstable,
+                        SweepOptions const& options) {
+  refuse_slurm_name(name);
+  auto const folder = SweepFolder::make(name, sweep);
+  std::string words;
+  for (auto const& word : point_words(options)) words += fmt::format(" {}", shell_word(word));
+  if (allow_unstable) words += " --allow-unstable";
+  std::vector<double> seconds;
+  for (auto const& time : times_of_points(sweep).each) seconds.push_back(time.most);
+  SlurmJob const job{options.program,     std::filesystem::absolute(sweep.origin),
+                     folder.path(),       words,
+                     threads_of(options), std::move(seconds)};
+  std::filesystem::create_directories(folder.path() / "slurm");
+  SlurmScripts const scripts{folder.path() / "points.slurm", folder.path() / "collect.slurm"};
+  io::replace_text(scripts.points, slurm_array(sweep, job));
+  io::replace_text(scripts.collect, slurm_collect(job));
+  return scripts;
+}
+
+}  // namespace bagnold::sweep

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/sweep/run_sweep.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <thread>
+
+#include "src/config/errors.hpp"
+#include "src/run/messages.hpp"
+#include "src/sweep/collect.hpp"
+#include "src/sweep/scheduler.hpp"
+
+namespace bagnold::sweep {
+
+namespace {
+
+SweepMonitor& monitor_of(SweepOptions const& options) {
+  static SweepMonitor nobody;
+  return options.monitor != nullptr ? *options.monitor : nobody;
+}
+
+std::size_t jobs_of(SweepOptions const& options) {
+  auto const cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  int const jobs = options.jobs > 0 ? options.jobs : cores / threads_of(options);
+  return static_cast<std::size_t>(std::max(1, jobs));
+}
+
+/// Runs chains, says what failed.
+SweepEnd run_chains(Sweep const& sweep, SweepFolder const& folder, SweepOptions const& options,
+                    std::vector<std::size_t> const& chains) {
+  SweepMonitor& monitor = monitor_of(options);
+  Work const work{{options.program.string(), "resume"}, point_words(options), jobs_of(options)};
+  auto const failures = Scheduler(sweep, folder, work, monitor).run(chains);
+  for (auto const& failure : failures)
+    say(fmt::format("{} failed with exit code {}: {}; see {}", sweep.points[failure.point].name,
+                    failure.exit_code, failure.reason, folder.log(failure.point).string()));
+  if (!monitor.stop_requested()) return failures.empty() ? SweepEnd::done : SweepEnd::incomplete;
+  say("sweep stopped; the same command goes on");
+  return SweepEnd::stopped;
+}
+
+}  // namespace
+
+int threads_of(SweepOptions const& options) { return std::max(1, options.machine.threads); }
+
+std::vector<std::string> point_words(SweepOptions const& options) {
+  std::vector<std::string> words{"--threads", fmt::format("{}", threads_of(options))};
+  if (!options.machine.backend.empty())
+    words.insert(words.end(), {"--backend", options.machine.backend});
+  return words;
+}
+
+SweepEnd run(Sweep const& sweep, std::filesystem::path const& name, SweepOptions const& options) {
+  auto const folder = SweepFolder::make(name, sweep);
+  std::vector<std::size_t> chains(sweep.chains.size());
+  std::iota(chains.begin(), chains.end(), std::size_t{0});
+  auto const end = run_chains(sweep, folder, options, chains);
+  if (end == SweepEnd::stopped) return end;
+  return std::max(end, write_tables(sweep, folder, monitor_of(options)));
+}
+
+SweepEnd run_chain(Sweep const& sweep, std::filesystem::path const& name, std::int64_t chain,
+                   SweepOptions const& options) {
+  auto const chains = std::ssize(sweep.chains);
+  if (chain < 1 || chain > chains)
+    throw InputError(fmt::format("--chain {} (must be from 1 to {}, the chains of {})", chain,
+                                 chains, sweep.origin));
+  auto const folder = SweepFolder::join(name, sweep);
+  return run_chains(sweep, folder, options, {static_cast<std::size_t>(chain - 1)});
+}
+
+SweepEnd collect(Sweep const& sweep, std::filesystem::path const& name,
+                 SweepOptions const& options) {
+  return write_tables(sweep, SweepFolder::make(name, sweep), monitor_of(options));
+}
+
+}  // namespace bagnold::sweep

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "src/run/machine.hpp"
+#include "src/sweep/monitor.hpp"
+#include "src/sweep/sweep.hpp"
+
+namespace bagnold::sweep {
+
+struct SweepOptions {
+  /// Called as `PROGRAM resume FOLDER --threads N` for each point; without a slash it is sought in
+  /// PATH. A program with laws of its own names itself here and knows that command.
+  std::filesystem::path program = "bagnold";
+  Machine machine;                  ///< of each point; threads = 0: one
+  int jobs = 0;                     ///< points at a time; 0: as many as the cores take
+  SweepMonitor* monitor = nullptr;  ///< null: nobody
+};
+
+/// How a call to run a sweep ends.
+enum class SweepEnd {
+  done,
+  incomplete,  ///< points failed, or have no result yet
+  stopped      ///< by the monitor, with checkpoints: the same call goes on
+};
+
+/// Runs all points of a sweep into a folder, which is made, and writes the tables sweep.csv and
+/// sweep.h5, as `bagnold sweep` does; goes on where an earlier call ended. Points are processes of
+/// their own, which end with this one. What failed, and why, goes to stderr.
+///
+/// Throws InputError where the folder is in use, holds a run, or a sweep whose points differ;
+/// FileError.
+SweepEnd run(Sweep const& sweep, std::filesystem::path const& folder,
+             SweepOptions const& options = {});
+
+/// Runs one chain of a sweep, from 1, and writes no table: several processes can each do a chain of
+/// a folder that emit_slurm() prepared. Throws InputError where there is no such chain, too.
+SweepEnd run_chain(Sweep const& sweep, std::filesystem::path const& folder, std::int64_t chain,
+                   SweepOptions const& options = {});
+
+/// Writes the tables of what is done, as run() does at its end; runs nothing. `incomplete` where a
+/// point has no result.
+SweepEnd collect(Sweep const& sweep, std::filesystem::path const& folder,
+                 SweepOptions const& options = {});
+
+/// Threads of each point.
+int threads_of(SweepOptions const& options);
+
+/// Words behind `PROGRAM resume FOLDER`.
+std::vector<std::string> point_words(SweepOptions const& options);
+
+}  // namespace bagnold::sweep
