@@ -41,9 +41,12 @@ Scene scene_of(Row const& row, std::string const& engine, RowOptions const& opti
   Scene scene = read_scene(folder / "scene.toml");
   scene.start.kind = "state";
   scene.start.file = (folder / "state.h5").string();
-  scene.integration.engine = engine;
-  scene.integration.scheme = ModifiedVelocityVerlet::name;
-  scene.integration.time_step = 0.05;
+  scene.integration = {};
+  if (engine != "default") {
+    scene.integration.engine = engine;
+    scene.integration.scheme = ModifiedVelocityVerlet::name;
+    scene.integration.time_step = 0.05;
+  }
   scene.measure = {};
   scene.output = {};
   double const step_strain = time_step(scene) * scene.shear.strain_rate;

@@ -9,7 +9,9 @@ namespace bagnold::bench {
 
 namespace {
 
-constexpr std::array engines{"auto", "reference", "few-contacts", "many-contacts", "lookahead"};
+/// "default": engine and scheme that a scene gets which names none.
+constexpr std::array engines{"auto",          "default",  "reference", "few-contacts",
+                             "many-contacts", "lookahead"};
 
 /// Time is that of the CPU for one thread, of the wall for several.
 void report(benchmark::State& run, RowSystems const& systems, bool threaded, Spent const& spent,

@@ -5,6 +5,7 @@
     lammps.py BAGNOLD                      every case: a table of speeds
     lammps.py BAGNOLD CASE... --physics    no timing: forces, stress and contacts of both
     lammps.py BAGNOLD CASE... --tune       LAMMPS alone, its settings against each other
+    lammps.py BAGNOLD CASE... --bias       LAMMPS alone, how wrong it is with larger time steps
     lammps.py --list
 
 Speeds are steps of a disk per second of CPU time inside the time loop, so that a machine shared with
@@ -31,6 +32,10 @@ import lammps_scene as peer
 WINDOW = 1e-2  # strain over which stress and contacts are averaged for --physics
 
 
+class LateList(SystemExit):
+    """LAMMPS has missed pairs."""
+
+
 @dataclass(frozen=True)
 class Case:
     """A steady state: its file, its scene, and how LAMMPS runs it fastest."""
@@ -54,6 +59,21 @@ TUNINGS = {name: peer.Tuning(**tuning) for name, tuning in {
     "cd_n-q50-1e-4-65536": {"skin": 0.25, **FEW},
     "cd_n-q50-1e-5-65536": {"skin": 0.25, **FEW},
 }.items()}
+
+
+# The longest step that keeps p, sigma and Z within 1% (--bias); at small rates and for large N that of
+# the same law, density and Q.
+LONGEST = {name: 0.1 if name.startswith("cd_rot82") else 0.4 for name in TUNINGS}
+TIME_STEPS = (0.5, 0.4, 0.3, 0.2, 0.15, 0.125, 0.1, 0.05)  # tried by --bias
+EXACT_STEP = 0.005  # what they are held against
+STRETCH = 20.0  # [tau_e], from common starts: long beside a collision, too short to come apart
+
+
+def with_time_step(case, time_step):
+    """Looks at the list as often in time, not in steps."""
+    every = max(1, int(case.tuning.every * case.scene.time_step / time_step))
+    return replace(case, scene=replace(case.scene, time_step=time_step),
+                   tuning=replace(case.tuning, every=every))
 
 
 def load(states, name):
@@ -118,9 +138,10 @@ def run_lammps(program, case, folder, tail, arguments=()):
     loop = [line.split() for line in lines if line.startswith("Loop time")][-1]
     dangerous = [int(line.split()[-1]) for line in lines if line.startswith("Dangerous builds")]
     if sum(dangerous) > 0:
-        sys.exit(f"{case.name}: LAMMPS reports dangerous builds: its list came too late; lower --every")
+        raise LateList(f"{case.name}: LAMMPS reports dangerous builds: its list came too late; lower --every")
     share = [float(line.split("%")[0]) / 100 for line in lines if "CPU use" in line][-1]
-    return case.count * int(loop[8]) / float(loop[3]) / min(1.0, share)
+    seconds = float(loop[3]) * min(1.0, share)
+    return case.count * int(loop[8]) / seconds if seconds > 0 else np.inf
 
 
 def lammps_with(options, case, folder, tail):
@@ -187,6 +208,36 @@ def blocks(series):
     return np.mean(series), error
 
 
+def stretch_means(options, case, time_step):
+    """p, sigma and Z of the forces, means over a stretch; NaN where disks fly apart."""
+    steps = round(STRETCH / time_step)
+    folder = os.path.join(options.work, case.name)
+    try:
+        lammps_with(options, with_time_step(case, time_step), folder, peer.sample_tail(steps, steps, steps))
+    except (subprocess.CalledProcessError, LateList):
+        return np.full(3, np.nan)
+    xx, yy, xy, contacts = np.loadtxt(os.path.join(folder, "stress.txt"), ndmin=2)[-1][1:]
+    return np.array([0.5 * (xx + yy), -xy, contacts])
+
+
+def compare_time_steps(options, case):
+    """Bias of LAMMPS' means over a stretch for each time step, from common starts along the flow."""
+    found = {time_step: [] for time_step in (EXACT_STEP, *TIME_STEPS)}
+    start = case
+    for k in range(options.starts):
+        folder = os.path.join(options.work, f"{case.name}-start-{k}")
+        run_bagnold(options, start, case.scene.rate, 10 * STRETCH * case.scene.rate, folder)
+        start = replace(case, state=os.path.join(folder, "bagnold", "state.h5"))
+        for time_step, means in found.items():
+            means.append(stretch_means(options, start, time_step))
+    exact = np.array(found[EXACT_STEP])
+    for time_step in TIME_STEPS:
+        change = 100 * (np.array(found[time_step]) - exact) / exact.mean(0)
+        error = change.std(0, ddof=1) / np.sqrt(len(change))
+        cells = (f"{a:+.2f} ({b:.2f})" for a, b in zip(change.mean(0), error))
+        print(f"| {case.name} | {time_step:g} | {' | '.join(cells)} |", flush=True)
+
+
 def compare_physics(options, case):
     """Forces of the first step, then pressure, shear stress and contacts over a strain."""
     folder = os.path.join(options.work, case.name)
@@ -223,7 +274,9 @@ def main():
     parser.add_argument("--list", action="store_true", help="the names of the cases")
     parser.add_argument("--physics", action="store_true", help="compare results, not speed")
     parser.add_argument("--tune", action="store_true", help="compare settings of LAMMPS")
+    parser.add_argument("--bias", action="store_true", help="LAMMPS with larger time steps")
     parser.add_argument("--strain", type=float, default=1.0, help="for --physics")
+    parser.add_argument("--starts", type=int, default=16, help="for --bias")
     parser.add_argument("--rounds", type=int, default=5)
     parser.add_argument("--seconds", type=float, default=3.0, help="of each timed run")
     parser.add_argument("--states", default="results/bench-states",
@@ -247,6 +300,12 @@ def main():
     chosen = [load(options.states, name) for name in options.cases or TUNINGS]
     if options.style:
         chosen = [replace(case, tuning=replace(case.tuning, style=options.style)) for case in chosen]
+    if options.bias:
+        print("Per cent, standard errors in brackets\n\n| case | dt | p | sigma | Z |\n"
+              "| --- | --- | --- | --- | --- |", flush=True)
+        for one in chosen:
+            compare_time_steps(options, one)
+        return
     if options.physics or options.tune:
         for one in chosen:
             (compare_physics if options.physics else compare_tunings)(options, one)

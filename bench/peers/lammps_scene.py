@@ -196,12 +196,13 @@ FORCE_TAIL = ["dump force all custom 10 force.dump id fx fy tqz",
               "dump_modify force sort id format float %.17g", "run 1"]
 
 
-def sample_tail(steps, every):
-    """Stress and contacts to stress.txt: step, p_xx, p_yy, p_xy of the forces, contacts a disk."""
+def sample_tail(steps, every, samples=1):
+    """Stress and contacts to stress.txt, a line every `every` steps: step, p_xx, p_yy, p_xy of the
+    forces, contacts a disk, means of `samples` evenly spaced steps."""
     return ["compute stress all pressure NULL virial", "compute touch all contact/atom",
             "compute contacts all reduce ave c_touch",
-            f"fix out all ave/time {every} 1 {every} c_stress[1] c_stress[2] c_stress[4] c_contacts "
-            "file stress.txt format ' %.17g'", f"thermo {steps}", f"run {steps}"]
+            f"fix out all ave/time {every // samples} {samples} {every} c_stress[1] c_stress[2] "
+            "c_stress[4] c_contacts file stress.txt format ' %.17g'", f"thermo {steps}", f"run {steps}"]
 
 
 def all_pairs(state, scene, lammps_lever=False):

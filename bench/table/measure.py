@@ -36,7 +36,7 @@ def runs_of(setup, rows, engines):
             continue
         runs += [(row, engine) for engine in engines]
         if setup.lammps and row in targets.PEER_ROWS:
-            runs.append((row, targets.LAMMPS))
+            runs += [(row, targets.LAMMPS), (row, targets.DEFAULT), (row, targets.LAMMPS_LONGEST)]
     for row in missing:
         say(f"skipped: {row}: no state {targets.state_of(row)} in {setup.states}; `scripts/bench states` makes it")
     return runs
@@ -57,8 +57,8 @@ def rounds(setup, runs, repeats):
 
 
 def once(setup, row, engine, clock):
-    if engine == targets.LAMMPS:
-        return {targets.SPEED: peer(setup, row)}
+    if engine in (targets.LAMMPS, targets.LAMMPS_LONGEST):
+        return peer(setup, row, engine == targets.LAMMPS_LONGEST)
     times = ask(setup, targets.benchmark_of(row, engine), targets.threads_of(row))
     speed = times[targets.SPEED]
     times[targets.WALL] = speed * times["real_time"] / times["wall_seconds"]
@@ -82,8 +82,13 @@ def ask(setup, name, threads):
     return found[0]
 
 
-def peer(setup, row):
+def peer(setup, row, longest):
     case = lammps.load(setup.states, row)
+    if longest:
+        case = lammps.with_time_step(case, lammps.LONGEST[row])
     steps = max(100, round(targets.PEER_ROWS[row] / setup.shorter / case.count))
-    return lammps.run_lammps(setup.lammps, case, os.path.join(setup.work, row),
-                             lammps.peer.timed_tail(steps, steps // 10))
+    speed = lammps.run_lammps(setup.lammps, case, os.path.join(setup.work, row),
+                              lammps.peer.timed_tail(steps, steps // 10))
+    scene = case.scene
+    return {targets.SPEED: speed,
+            targets.SECONDS: case.count / (speed * scene.rate * scene.time_step)}

@@ -4,7 +4,8 @@ import os
 import statistics
 
 import targets
-from targets import CYCLES, LAMMPS, SECONDS, SPEED
+from measure import lammps
+from targets import CYCLES, DEFAULT, LAMMPS, LAMMPS_LONGEST, SECONDS, SPEED
 
 BEGIN, END = "<!-- table: scripts/bench -->", "<!-- end of table: scripts/bench -->"
 COUNTERS = {"pairs_per_disk_step": "pairs evaluated a disk-step", "prunings_per_strain": "prunings a strain",
@@ -68,6 +69,20 @@ def row_table(rounds, rows, engines):
                   "over the reference", "over LAMMPS: a step; a force evaluation"], lines)
 
 
+def peer_table(rounds, rows):
+    """Seconds of CPU a unit of strain where both programs step as far as a bias of 1% lets them."""
+    lines = []
+    for row in rows:
+        longest = [values_of(rounds, row, one, SECONDS) for one in (LAMMPS, LAMMPS_LONGEST, DEFAULT)]
+        if not all(longest):
+            continue
+        ratios = targets.Target("", SECONDS, row, 0, other_engine=DEFAULT).values(rounds, LAMMPS_LONGEST)
+        lines.append([row, spread(longest[0]), f"{lammps.LONGEST[row]:g}", spread(longest[1]),
+                      spread(longest[2]), spread(ratios)])
+    return table(["row", "LAMMPS, dt = 0.05", "its longest dt", "LAMMPS there", "Bagnold's default",
+                  "LAMMPS there over Bagnold"], lines) if lines else ""
+
+
 def counter_table(rounds, rows, engine):
     """Counters are those of the first round: the same in all."""
     lines = []
@@ -80,8 +95,13 @@ def counter_table(rounds, rows, engine):
 
 def text(rounds, rows, engines, preamble):
     first = engines[0]
-    return "\n\n".join([preamble, target_table(rounds, first), row_table(rounds, rows, engines),
-                        f"Counters of the engine `{first}`:", counter_table(rounds, rows, first)])
+    parts = [preamble, target_table(rounds, first), row_table(rounds, rows, engines)]
+    if peers := peer_table(rounds, rows):
+        parts += ["Seconds of CPU a unit of strain at equal bias: LAMMPS with the longest time step whose "
+                  "bias is below 1%, Bagnold with its default scheme ([bench/peers]"
+                  "(../bench/peers/README.md#the-longest-step)):", peers]
+    parts += [f"Counters of the engine `{first}`:", counter_table(rounds, rows, first)]
+    return "\n\n".join(parts)
 
 
 def put_into(path, content):

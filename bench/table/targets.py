@@ -8,6 +8,8 @@ SECONDS = "seconds_per_strain"
 CYCLES = "cycles_per_disk_step"
 WALL = "wall_disk_steps_per_second"
 LAMMPS = "lammps"  # the "engine" of runs by LAMMPS
+LAMMPS_LONGEST = "lammps-longest"  # with the longest step whose bias is below 1% (bench/peers)
+DEFAULT = "default"  # engine and scheme of a scene that names none
 
 
 def state_of(row):

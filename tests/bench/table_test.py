@@ -20,6 +20,7 @@ sys.path.insert(0, str(SOURCE / "bench/table"))
 import report  # noqa: E402
 import states  # noqa: E402
 import targets  # noqa: E402
+from measure import lammps  # noqa: E402
 
 
 def bench(*arguments):
@@ -113,7 +114,7 @@ class Table(unittest.TestCase):
         done = subprocess.run([BUILD / "bagnold_bench", "--benchmark_list_tests"],
                               capture_output=True, text=True, check=True)
         names = {name.split("/iterations:")[0] for name in done.stdout.splitlines()}
-        for engine in ("auto", "reference", "few-contacts", "many-contacts", "lookahead"):
+        for engine in ("auto", "default", "reference", "few-contacts", "many-contacts", "lookahead"):
             for row in targets.ROWS:
                 self.assertIn(targets.benchmark_of(row, engine), names)
 
@@ -134,6 +135,21 @@ class Table(unittest.TestCase):
         self.assertTrue(target.met(3.5))
         self.assertFalse(target.met(3.4))
         self.assertFalse(targets.below("", "q", "a", 3.5).met(3.6))
+
+    def test_peers_are_compared_at_equal_bias(self):
+        row = "cd_rot82-1e-4-1024"
+        rounds = [{(row, targets.LAMMPS): {targets.SECONDS: 20.0}, (row, targets.LAMMPS_LONGEST): {
+            targets.SECONDS: 10.0 * k}, (row, targets.DEFAULT): {targets.SECONDS: 2.0}} for k in (1, 2, 3)]
+        self.assertEqual(report.peer_table(rounds, targets.ROWS).splitlines()[2:],
+                         ["| cd_rot82-1e-4-1024 | 20 | 0.1 | 20 (10-30) | 2 | 10 (5-15) |"])
+        self.assertEqual(report.peer_table([{}], targets.ROWS), "")
+
+    def test_a_peer_looks_at_its_list_as_often_in_time(self):
+        scene = lammps.peer.Scene("CD_n", 1.0, 1e-4, "area")
+        case = lammps.Case("", "", 1, 0.8, scene, lammps.peer.Tuning(every=10))
+        longer = lammps.with_time_step(case, 0.1)
+        self.assertEqual((longer.scene.time_step, longer.tuning.every), (0.1, 5))
+        self.assertEqual(set(targets.PEER_ROWS) - set(lammps.LONGEST), set())
 
     def test_bad_input_is_refused(self):
         for arguments, word in ((("--rows", "nothing"), "nothing"), (("--rows", "("), "regular"),
