@@ -91,8 +91,8 @@ TEST_P(Audit, NoContactIsMissedAndNoneIsExtra) {
   RecordProperty("worst_difference", std::to_string(worst));
   EXPECT_LE(grazed, 3);  // rare
   bool const windows_wanted = c.packing_fraction < 0.8;
-  EXPECT_EQ(counters.at("windows") > 100, windows_wanted);
-  EXPECT_EQ(counters.at("steps_one_by_one") > counters.at("steps_in_windows"), !windows_wanted);
+  EXPECT_EQ(counters.at("lookaheads") > 100, windows_wanted);
+  EXPECT_EQ(counters.at("steps_one_by_one") > counters.at("lookahead_steps"), !windows_wanted);
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -30,13 +30,13 @@ Cost cost(Scene const& scene, double warm_up, double strain) {
   };
   double const disks = static_cast<double>(scene.disks.count);
   double const singly = std::max(1.0, spent("steps_one_by_one"));
-  double const windows = std::max(1.0, spent("windows"));
+  double const windows = std::max(1.0, spent("lookaheads"));
   return {spent("pairs_evaluated") / (2 * disks * singly),
           sums.sums[SumColumns::contacts] / sums.weight / disks / 2,
           spent("prunings") / singly,
           static_cast<double>(after.list_builds - before.list_builds) / strain,
-          spent("steps_in_windows") / static_cast<double>(steps(strain)),
-          spent("windows_refused") / windows,
+          spent("lookahead_steps") / static_cast<double>(steps(strain)),
+          spent("lookaheads_refused") / windows,
           spent("pairs_missed_and_added") / std::max(1.0, spent("binary_islands"))};
 }
 

@@ -81,17 +81,17 @@ State BlockEngine::state() const { return in_box(disks_.state()); }
 template <class Visit>
 void BlockEngine::for_each_memory(Visit const& visit) {
   visit("fastest", lists_.fastest);  // with few contacts a bound that depends on the steps before
-  visit("outer_drift", lists_.outer_nonaffine_bound);
+  visit("outer_nonaffine_bound", lists_.outer_nonaffine_bound);
   visit("prune_step", lists_.inner.step);
-  visit("inner_drift", lists_.inner.nonaffine_bound);
+  visit("inner_nonaffine_bound", lists_.inner.nonaffine_bound);
   visit("inner_margin", lists_.inner.margin);
   visit("near_pairs", lists_.near_pairs);
   visit("touching", single_.touching);
   visit("few_contacts", single_.few);
-  visit("in_windows", in_windows_);
-  visit("window_allowance", lookahead_.allowance);
-  visit("window_usual_stray", lookahead_.usual);
-  visit("window_allowance_steps", allowance_steps_);
+  visit("looking_ahead", in_windows_);
+  visit("lookahead_allowance", lookahead_.allowance);
+  visit("lookahead_usual_deviation", lookahead_.usual);
+  visit("lookahead_allowance_steps", allowance_steps_);
   tuning_.for_each_memory(visit);
   gain_.for_each_memory(visit);
 }
@@ -101,16 +101,16 @@ template <class Visit>
 void BlockEngine::for_each_counter(Visit const& visit) {
   visit("pairs_evaluated", single_.counters.pairs_evaluated);
   visit("prunings", single_.counters.prunings);
-  visit("steps_dense", single_.counters.few_contacts);
+  visit("steps_few_contacts", single_.counters.few_contacts);
   visit("steps_one_by_one", single_.counters.steps);
-  visit("windows", lookahead_.counters.windows);
-  visit("steps_in_windows", lookahead_.counters.steps);
-  visit("windows_refused", windows_refused_);
+  visit("lookaheads", lookahead_.counters.windows);
+  visit("lookahead_steps", lookahead_.counters.steps);
+  visit("lookaheads_refused", windows_refused_);
   visit("pairs_missed_and_added", lookahead_.counters.again);
   visit("binary_islands", lookahead_.counters.binary);
   visit("binary_steps", lookahead_.counters.binary_steps);
   visit("disks_in_larger_islands", lookahead_.counters.others);
-  visit("touching_in_windows", lookahead_.counters.touching);
+  visit("touching_in_lookahead", lookahead_.counters.touching);
 }
 
 void BlockEngine::advance_step(Sampling const& sampling, OpenWindows& windows) {

@@ -52,9 +52,9 @@ class LookaheadGain {
   /// What must be kept to go on as before.
   template <class Visit>
   void for_each_memory(Visit const& visit) {
-    visit("enter_windows_below", enter_below_);
+    visit("enter_lookahead_below", enter_below_);
     visit("usual_contacts", contacts_);
-    visit("lost_in_windows", lost_);
+    visit("lost_in_lookahead", lost_);
     visit("lost_since_entry", lost_since_entry_);
   }
 

@@ -48,11 +48,11 @@ class LookaheadTuning {
   /// What must be kept to go on as before.
   template <class Visit>
   void for_each_memory(Visit const& visit) {
-    visit("window_level", best_level_);
-    visit("window_cautious", best_cautious_);
-    visit("window_phase", phase_);
-    visit("window_cost", cost_);
-    visit("window_trial_cost", trial_cost_);
+    visit("lookahead_level", best_level_);
+    visit("lookahead_cautious", best_cautious_);
+    visit("lookahead_phase", phase_);
+    visit("lookahead_cost", cost_);
+    visit("lookahead_trial_cost", trial_cost_);
   }
 
  private:
