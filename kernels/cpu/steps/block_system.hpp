@@ -76,11 +76,11 @@ struct BlockSystem {
   Blocks::Array<Species> species;  ///< by slot
   SpeciesTable table;
   BlockState now;
-  BlockState trial;              ///< what the first half of a step leaves for the second
-  bool rotates = false;          ///< spins are there
-  std::int64_t arrangement = 0;  ///< counts how often disks got other slots
-  std::int64_t listing = 0;      ///< counts how often the inner lists were taken anew
-  std::int64_t step = 0;
+  BlockState trial;                      ///< what the first half of a step leaves for the second
+  bool rotates = false;                  ///< spins are there
+  std::int64_t arrangement = 0;          ///< counts how often disks got other slots
+  std::int64_t listing = 0;              ///< counts how often the inner lists were taken anew
+  std::int64_t step = 0;                 ///< steps done
   Blocks::Array<std::uint32_t> disk_of;  ///< by slot, the index at the start; if a drive asks
 
   /// (d_i thetadot_i + d_j thetadot_j) / (d_i + d_j) of two slots, [1/tau_e]; 0 without spins.

@@ -25,13 +25,13 @@ BlockEngine::BlockEngine(std::unique_ptr<BlockLoop> loop, std::unique_ptr<BlockS
              .stepper = std::move(stepper),
              .clock = {strain_rate, time_step, snapshot.state.box_length, snapshot.initial_offset,
                        snapshot.initial_time, snapshot.state.box_aspect},
-             .step = snapshot.step,
              .list_step = snapshot.list_step,
              .diameter = std::move(snapshot.state.diameter),
              .system = {}},
       lists_(disks_, skin),
       single_(disks_, lists_, watch_, stepping),
       lookahead_(disks_, watch_) {
+  disks_.system.step = snapshot.step;
   disks_.system.table = table;
   disks_.system.rotates = disks_.stepper->needs.rotates;
   lists_.builds = snapshot.list_builds;
@@ -52,7 +52,8 @@ BlockEngine::BlockEngine(std::unique_ptr<BlockLoop> loop, std::unique_ptr<BlockS
 
 void BlockEngine::advance(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) {
   if (disks_.system.trial.record.extent(0) == 0) lists_.take_scratch();
-  for (auto const end = std::min(disks_.step + steps, sampling.last_step); disks_.step < end;) {
+  for (auto const end = std::min(disks_.system.step + steps, sampling.last_step);
+       disks_.system.step < end;) {
     if (in_windows_)
       advance_window(sampling, windows);
     else
@@ -65,7 +66,7 @@ Snapshot BlockEngine::snapshot() const {
   s.state = disks_.state();
   s.list_position = lists_.at_build();
   s.list_step = disks_.list_step;
-  s.step = disks_.step;
+  s.step = disks_.system.step;
   s.initial_offset = disks_.clock.initial_offset;
   s.initial_time = disks_.clock.initial_time;
   s.list_builds = lists_.builds;
@@ -115,7 +116,7 @@ void BlockEngine::for_each_counter(Visit const& visit) {
 
 void BlockEngine::advance_step(Sampling const& sampling, OpenWindows& windows) {
   single_.advance(sampling, windows);
-  if (stepping_ != Stepping::automatic || disks_.step % look_every != 0) return;
+  if (stepping_ != Stepping::automatic || disks_.system.step % look_every != 0) return;
   gain_.steps_done(look_every, single_.contacts_per_disk());
   in_windows_ = gain_.enter();
 }
@@ -123,7 +124,7 @@ void BlockEngine::advance_step(Sampling const& sampling, OpenWindows& windows) {
 /// Windows end at multiples of their length, so that it does not matter where a run is interrupted.
 void BlockEngine::advance_window(Sampling const& sampling, OpenWindows& windows) {
   auto const length = tuning_.steps();
-  auto const begin = disks_.step;
+  auto const begin = disks_.system.step;
   auto const end = std::min((begin / length + 1) * length, sampling.last_step);
   lookahead_.cautious = tuning_.cautious();
   set_allowance(length);
@@ -137,7 +138,7 @@ void BlockEngine::advance_window(Sampling const& sampling, OpenWindows& windows)
   if (!lookahead_.run(window, sampling, windows,
                       stepping_ == Stepping::lookahead ? 1 : most_active))
     return step_through(window, sampling, windows);
-  disks_.step = end;
+  disks_.system.step = end;
   lists_.outer_nonaffine_bound = farthest + window.deviation;
   if (window.steps() != length) return;
   tuning_.done(cost_of(window) / static_cast<Real>(length));
@@ -167,7 +168,7 @@ void BlockEngine::step_through(LookaheadWindow const& window, Sampling const& sa
   lists_.fastest = disks_.fastest();
   lists_.outer_nonaffine_bound = lists_.farthest();
   single_.prune();
-  while (disks_.step < window.end) single_.advance(sampling, windows);
+  while (disks_.system.step < window.end) single_.advance(sampling, windows);
   auto const contacts = single_.contacts_per_disk();
   if (!tuning_.refused()) weigh(window, contacts, single_.cost(contacts));
 }

@@ -21,7 +21,7 @@ class BlockEngine final : public Simulation {
     auto const& needs = disks_.stepper->needs;
     return engine_columns(needs.rotates, needs.driven);
   }
-  std::int64_t step() const override { return disks_.step; }
+  std::int64_t step() const override { return disks_.system.step; }
   void advance(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) override;
   Snapshot snapshot() const override;
   State state() const override;
