@@ -164,6 +164,27 @@ TEST_P(Driven, ABathSharesItsTemperatureEvenly) {
   }
 }
 
+/// Of two stages, at the velocities halfway through the step, which the drag's second stage changes
+/// too: so strong a drag that the sums without it would be off by a thousandth.
+TEST_P(Driven, DissipationIsThatOfTheAllPairsReference) {
+  if (!two_stages()) GTEST_SKIP() << "is of the configuration";
+  Scene scene = this->scene("stokes", 0.84);
+  scene.drive.drag = 3;
+  State const state = shaken_start(scene);
+  auto const simulation = simulate(scene, state, backend());
+  auto p = reference_parameters(scene);
+  p.drag = scene.drive.drag;
+  reference::System oracle(p, state);
+  for (int k = 0; k < 20; ++k) {
+    double dissipative[2][2];
+    auto const power = reference::two_stage_step(oracle, dissipative);
+    auto const sums = advance(*simulation, 1, 1).sums;
+    EXPECT_NEAR(sums[SumColumns::dissipation], power.dissipation, 1e-11 * power.dissipation) << k;
+    EXPECT_NEAR(sums[SumColumns::dissipative_xy], dissipative[0][1],
+                1e-11 * (1 + std::abs(dissipative[0][1])));
+  }
+}
+
 /// Without contacts and shear what the drive gives and takes is what the motion gains, to rounding
 /// with two stages; with the papers' scheme to first order in z.
 TEST_P(Driven, PowersAreWhatTheMotionGains) {

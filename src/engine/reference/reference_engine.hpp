@@ -207,11 +207,27 @@ class ReferenceEngine final : public Simulation {
 
   Sums<rotates> measure() {
     auto const forces = system_.measured_forces(box_at(step_));
+    if constexpr (trial_is_change) {
+      if (drive_)
+        return sums_of(DrivenChangeForces<Law, Repulsion, Space>{forces, driven_changes()});
+    }
+    return sums_of(forces);
+  }
+
+  template <class Forces>
+  Sums<rotates> sums_of(Forces const& forces) {
     loops_.for_all("observables::MeasureBlock", blocks(),
-                   MeasureBlock<std::remove_cv_t<decltype(forces)>, Space>{forces, block_sums_});
+                   MeasureBlock<Forces, Space>{forces, block_sums_});
     Sums<rotates> total;
     for (auto const& block : to_host(block_sums_)) total += block;
     return total;
+  }
+
+  /// What the drive's second stage will change.
+  Motions driven_changes() const {
+    Motions const changes("observables::driven_changes", system_.disks.motion.extent(0));
+    drive_->kick_changes(loops_.space, driven(), system_.disks.trial_motion, changes);
+    return changes;
   }
 
   State raw_state() const {
