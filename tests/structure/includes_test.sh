@@ -22,7 +22,7 @@ src/measure          src/config src/state src/statistics src/engine src/io kerne
 src/io               src/config src/state src/statistics
 src/sweep            src/config src/state src/io
 src/start            src/config src/state src/statistics src/engine src/io kernels
-src/analysis         src/config src/state src/statistics src/engine src/io
+src/analysis         src/config src/state src/statistics src/engine src/io kernels/physics
 src/run              src/config src/state src/statistics src/engine src/start src/measure src/io kernels
 src/cli              src kernels
 "

@@ -11,26 +11,6 @@ namespace bagnold::test {
 
 using reference::Model;
 
-/// What the reference calls a law; a law that it has not does not compile.
-template <class Law>
-constexpr Model model_of() = delete;
-template <>
-constexpr Model model_of<CD>() {
-  return Model::CD;
-}
-template <>
-constexpr Model model_of<CDn>() {
-  return Model::CD_n;
-}
-template <>
-constexpr Model model_of<CDrot>() {
-  return Model::CD_rot;
-}
-template <>
-constexpr Model model_of<CDnt>() {
-  return Model::CD_nt;
-}
-
 /// What one disk feels, and what its pairs add up to.
 template <bool Rotates>
 struct Felt {
@@ -93,7 +73,8 @@ template <class LawOnSpace>
 class ForcesOn : public testing::Test {
  public:
   using Law = typename LawOnSpace::Law;
-  static constexpr Model model = model_of<Law>();
+
+  static reference::Parameters parameters() { return reference::parameters(Law::name); }
 
   template <class Repulsion = HarmonicRepulsion>
   static auto felt(State const& state, double rate) {

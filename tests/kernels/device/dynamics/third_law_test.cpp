@@ -38,7 +38,7 @@ TYPED_TEST_SUITE(ThirdLawOn, EveryLawOnEveryBackend, TypeNames);
 
 /// Each disk works out its own half of a pair, from its own row.
 TYPED_TEST(ThirdLawOn, PairsFeelExactNegatives) {
-  auto p = reference::parameters(this->model);
+  auto p = this->parameters();
   for (double rate : {0.0, 0.05, -0.3}) {
     p.strain_rate = rate;
     State const state = lonely_pairs(p);
@@ -54,8 +54,8 @@ TYPED_TEST(ThirdLawOn, PairsFeelExactNegatives) {
 
 /// d/dt (orbital + spin angular momentum) = r_ij x f_ij + torques on both.
 TYPED_TEST(ThirdLawOn, PairsKeepTheirAngularMomentum) {
-  if (this->model == Model::CD) GTEST_SKIP() << "CD has no spins to take up its torques";
-  auto const p = reference::parameters(this->model);
+  auto const p = this->parameters();
+  if (p.model == Model::CD) GTEST_SKIP() << "CD has no spins to take up its torques";
   auto const felt = this->felt(lonely_pairs(p), p.strain_rate);
   for (std::size_t i = 0; i < felt.size(); i += 2)
     EXPECT_NEAR(felt[i].moment + felt[i].torque() + felt[i + 1].torque(), 0.0, 1e-15);
@@ -78,7 +78,7 @@ TYPED_TEST(ThirdLawOn, HeapsKeepTheirMomenta) {
   EXPECT_GT(contacts, 100);
   EXPECT_NEAR(force.x, 0.0, 1e-13);
   EXPECT_NEAR(force.y, 0.0, 1e-13);
-  if (this->model != Model::CD) {  // no spins to take up the torque of its force
+  if (this->parameters().model != Model::CD) {  // no spins to take up the torque of its force
     EXPECT_NEAR(turning, 0.0, 1e-12);
   }
 }
