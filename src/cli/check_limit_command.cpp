@@ -38,16 +38,16 @@ sweep::Sweep both_rates(Scene const& scene, SceneOptions const& options) {
                             point_check(options.allow_unstable));
 }
 
-using Found = std::map<std::string, WithError>;
+using Averages = std::map<std::string, WithError>;
 
 /// What a run found, by name.
-Found summary_of(fs::path const& point) try {
+Averages summary_of(fs::path const& point) try {
   auto const bytes = io::read_file(point / "summary.json");
   auto const* text = reinterpret_cast<char const*>(bytes.data());
   auto const number = [](Json const& json, double none) {
     return json.is_number() ? json.get<double>() : none;
   };
-  Found found;
+  Averages found;
   Json const observables = Json::parse(text, text + bytes.size()).at("observables");
   for (auto const* name : compared) {
     Json const& one = observables.at(name);

@@ -126,7 +126,7 @@ SystemCheckpoint get_system(Hdf5Reader const& file, std::string const& at) {
     system.start_record[record] = file.number(at + "/start_record", record);
 
   for (auto const& frames : file.attribute_names(at + "/frames"))
-    system.frames[frames] = file.doubles(
+    system.frames[name_now(frames)] = file.doubles(
         at + "/frames/" + frames, {static_cast<hsize_t>(file.integer(at + "/frames", frames))});
   return system;
 }

@@ -7,7 +7,8 @@
 
 namespace bagnold::io {
 
-/// Name of a number of an engine today, where checkpoints of older versions have another one.
+/// Name today of numbers of an engine or an observer, where checkpoints of older versions have
+/// another one.
 inline std::string name_now(std::string const& name) {
   constexpr std::pair<std::string_view, std::string_view> renamed[] = {
       // what bits depend on
@@ -29,7 +30,9 @@ inline std::string name_now(std::string const& name) {
       {"windows", "lookaheads"},
       {"steps_in_windows", "lookahead_steps"},
       {"windows_refused", "lookaheads_refused"},
-      {"touching_in_windows", "touching_in_lookahead"}};
+      {"touching_in_windows", "touching_in_lookahead"},
+      // of observers
+      {"contacts_looks", "contacts_samples"}};
   for (auto const& [before, now] : renamed)
     if (name == before) return std::string(now);
   return name;

@@ -180,7 +180,7 @@ TEST(LargeBits, DependNeitherOnTheOrderOfBlocksNorOnTheBackend) {
       scene.integration.scheme = scheme;
       auto const whole = simulate(scene, state, backend_names().front());
       Sampling sampling{1000, 4, whole->step() + 12};
-      Watched at_once(*whole, state.count());
+      Observed at_once(*whole, state.count());
       whole->advance(12, sampling, at_once.windows);
       auto sums = at_once.windows.take_first().sums;
       EXPECT_GT(sums.at(SumColumns::contacts), 1e5);

@@ -57,7 +57,7 @@ Numbers with_names_of_before(Numbers const& now, std::map<std::string, std::stri
 }
 
 /// What is read from a checkpoint that has the old names.
-Snapshot through_an_old_file(Snapshot const& left) {
+io::SystemCheckpoint through_an_old_file(Snapshot const& left) {
   io::Checkpoint checkpoint;
   checkpoint.systems.resize(1);
   auto& system = checkpoint.systems.front();
@@ -65,6 +65,7 @@ Snapshot through_an_old_file(Snapshot const& left) {
   system.columns = 1;
   system.memory = with_names_of_before(left.memory, memory_before);
   system.counters = with_names_of_before(left.counters, counters_before);
+  system.frames = {{"contacts_looks", {1.5, 2.5}}};
   return io::parse_checkpoint("old", io::checkpoint_image(checkpoint)).systems.front();
 }
 
@@ -90,9 +91,10 @@ TEST_P(NamesOfBefore, AreReadAsThoseOfTodayAndGoOnWithTheSameBits) {
   advance(*straight, 300);
   Snapshot const left = straight->snapshot();
   ASSERT_GT(left.memory.at("outer_nonaffine_bound"), 0);
-  Snapshot const read = through_an_old_file(left);
+  auto const read = through_an_old_file(left);
   EXPECT_EQ(read.memory, left.memory);
   EXPECT_EQ(read.counters, left.counters);
+  EXPECT_EQ(read.frames.at("contacts_samples"), (std::vector{1.5, 2.5}));
 
   auto const resumed = make_simulation(scene(), read, "serial");
   advance(*straight, 200);

@@ -59,7 +59,7 @@ struct BlockReport {
   Real fastest2 = 0;           ///< largest (v - gammadot y x^)^2, [d_s^2 / tau_e^2]
   Real largest_overlap = 0;    ///< relative
   std::uint32_t touching = 0;  ///< pairs, those across the edge included
-  Real nan_flag = 0;           ///< 0, or no number where a motion is none
+  Real nan_flag = 0;           ///< 0, or NaN where a motion is
 
   BlockReport& operator+=(BlockReport const& o) {
     fastest2 = std::max(fastest2, o.fastest2);

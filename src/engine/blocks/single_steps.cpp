@@ -17,7 +17,7 @@ void SingleSteps::advance(Sampling const& sampling, OpenWindows& windows) {
   if (windows.contacts) {  // they are looked for in all blocks, between the halves of the step
     auto const count = disks_.system.blocks.count;
     first_half(0, count);
-    watch_.look(*disks_.loop, disks_.system, disks_.box_at(step), step, sampling, windows);
+    detector_.detect(*disks_.loop, disks_.system, disks_.box_at(step), step, sampling, windows);
     second_half(0, count, sampled);
   } else {
     Wavefront::Stage from{0, 0};
