@@ -96,7 +96,7 @@ Counts RowSystems::counts() const {
     sum.prunings += counters["prunings"];
     sum.builds += static_cast<double>(snapshot.list_builds);
     sum.one_by_one += counters["steps_one_by_one"];
-    sum.in_windows += counters["steps_in_windows"];
+    sum.looking_ahead += counters["lookahead_steps"];
   }
   return sum;
 }

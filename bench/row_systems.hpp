@@ -14,15 +14,15 @@ namespace bagnold::bench {
 
 /// What the engines have counted, all replicas together.
 struct Counts {
-  double pairs = 0;       ///< evaluated in steps one by one, twice a step
-  double prunings = 0;    ///< of the inner list
-  double builds = 0;      ///< of the outer list
-  double one_by_one = 0;  ///< steps
-  double in_windows = 0;  ///< steps
+  double pairs = 0;          ///< evaluated in steps one by one, twice a step
+  double prunings = 0;       ///< of the inner list
+  double builds = 0;         ///< of the outer list
+  double one_by_one = 0;     ///< steps
+  double looking_ahead = 0;  ///< steps
 
   friend Counts operator-(Counts const& a, Counts const& b) {
     return {a.pairs - b.pairs, a.prunings - b.prunings, a.builds - b.builds,
-            a.one_by_one - b.one_by_one, a.in_windows - b.in_windows};
+            a.one_by_one - b.one_by_one, a.looking_ahead - b.looking_ahead};
   }
 };
 

@@ -17,7 +17,7 @@ constexpr std::array engines{"auto",          "default",  "reference", "few-cont
 void report(benchmark::State& run, RowSystems const& systems, bool threaded, Spent const& spent,
             Counts const& counts, Counts const& before) {
   double const seconds = threaded ? spent.wall : spent.cpu;
-  auto const [pairs, prunings, builds, one_by_one, in_windows] = counts - before;
+  auto const [pairs, prunings, builds, one_by_one, looking_ahead] = counts - before;
   double const strain = systems.strain_done();
   run.SetIterationTime(seconds);
   auto& counters = run.counters;
@@ -27,10 +27,10 @@ void report(benchmark::State& run, RowSystems const& systems, bool threaded, Spe
   counters["seconds_per_strain"] = seconds / strain;
   counters["disk_steps_per_second"] = systems.disk_steps() / seconds;
   counters["builds_per_strain"] = builds / strain;
-  if (one_by_one + in_windows == 0) return;  // the reference
-  double const share = in_windows / (one_by_one + in_windows);
+  if (one_by_one + looking_ahead == 0) return;  // the reference
+  double const share = looking_ahead / (one_by_one + looking_ahead);
   counters["prunings_per_strain"] = prunings / strain;
-  counters["share_in_windows"] = share;
+  counters["share_in_lookahead"] = share;
   if (one_by_one > 0)
     counters["pairs_per_disk_step"] = pairs / ((1 - share) * systems.disk_steps());
 }

@@ -4,7 +4,7 @@
 # one object that shows `make_block_engine` of its namespace and nothing else: a function of the
 # standard library compiled here must not be the one that the rest of the program calls.
 file(GLOB bagnold_level_sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/engine/blocks/*.cpp")
-list(APPEND bagnold_level_sources engine/contacts/contact_watch.cpp engine/drives/drive_engines.cpp
+list(APPEND bagnold_level_sources engine/contacts/contact_detector.cpp engine/drives/drive_engines.cpp
   engine/levels/level_engine.cpp ${bagnold_stepper_sources})
 
 function(bagnold_level name architecture)

@@ -18,9 +18,9 @@ struct PairLoop {
   /// The evaluation of the second half of a step, which looks at overlaps.
   [[gnu::noinline]] static BlockReport run(Step const& step, BlockSystem const& system,
                                            Block const& block, typename Step::Force* force) {
-    OverlapWatch watch;
-    step.forces.evaluate(system, block, system.trial, force, watch);
-    return {0, simd::largest(watch.largest), watch.touching, 0};
+    OverlapBound overlaps;
+    step.forces.evaluate(system, block, system.trial, force, overlaps);
+    return {0, simd::largest(overlaps.largest), overlaps.touching, 0};
   }
 };
 

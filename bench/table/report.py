@@ -9,7 +9,7 @@ from targets import CYCLES, DEFAULT, LAMMPS, LAMMPS_LONGEST, SECONDS, SPEED
 
 BEGIN, END = "<!-- table: scripts/bench -->", "<!-- end of table: scripts/bench -->"
 COUNTERS = {"pairs_per_disk_step": "pairs evaluated a disk-step", "prunings_per_strain": "prunings a strain",
-            "builds_per_strain": "builds a strain", "share_in_windows": "share of steps in windows"}
+            "builds_per_strain": "builds a strain", "share_in_lookahead": "share of steps done ahead"}
 
 
 def number(value):

@@ -12,7 +12,7 @@ namespace bagnold {
 /// and none depends on what the others draw. The number is part of what is drawn: append, never
 /// renumber.
 enum class Stream : std::uint64_t {
-  contact_samples = 0,  ///< which configurations of a contact are looked at
+  contact_samples = 0,  ///< which configurations of a contact are sampled
   thermal_noise = 1     ///< forces of a bath
 };
 

@@ -49,7 +49,7 @@ Outcome carry_out(Task const& task, Request const& request) {
 
 }  // namespace
 
-bool beyond_chance(Found const& found) {
+bool beyond_chance(FitResult const& found) {
   return found.weighted && found.freedom != 0 &&
          found.chi2 > chance_limit(static_cast<double>(found.freedom), once_in_1000);
 }

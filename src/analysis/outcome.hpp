@@ -17,7 +17,7 @@ struct Line {
 };
 
 /// What was found on one curve.
-struct Found {
+struct FitResult {
   std::vector<double> value, error;  ///< [parameters]
   double chi2 = unknown;
   std::size_t freedom = 0;
@@ -30,12 +30,12 @@ struct Found {
 /// Something to find, on the measured points (replica 0) or on resampled ones.
 struct Task {
   std::vector<Label> labels;
-  std::function<Found(std::uint32_t replica)> find;
+  std::function<FitResult(std::uint32_t replica)> find;
 };
 
 struct Outcome {
   std::vector<Label> labels;
-  Found found;                                ///< empty where it failed
+  FitResult found;                            ///< empty where it failed
   std::string failure;                        ///< why nothing was found; empty: all is well
   std::vector<std::vector<double>> replicas;  ///< [resamples][parameters], NaN where one failed
   std::vector<double> bootstrap;  ///< standard deviation over replicas, NaN if over half failed
@@ -43,7 +43,7 @@ struct Outcome {
 
 /// Is chi2 more than chance makes of its degrees of freedom once in a thousand? Without errors of
 /// the points it says nothing.
-bool beyond_chance(Found const& found);
+bool beyond_chance(FitResult const& found);
 
 /// Does all tasks. Errors of what was found by a fit with chi2 beyond chance, which no misfit of
 /// the law allows for yet, are widened by (chi2 / freedom)^(1/2). A task that fails does not stop

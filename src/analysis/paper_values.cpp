@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/physics/laws/cd_n.hpp"
+#include "kernels/physics/laws/cd_rot.hpp"
+
 namespace bagnold {
 
 std::vector<PaperValue> paper_values(Scene const& scene, std::vector<Observable> const& list) {
@@ -21,7 +24,7 @@ std::vector<PaperValue> paper_values(Scene const& scene, std::vector<Observable>
   };
 
   std::vector<PaperValue> values;
-  if (disks.model == "CD_n" && scene.mass_by_area()) {
+  if (disks.model == CDn::name && scene.mass_by_area()) {
     if (at(phi, 0.60))
       values.push_back({"p_kin/p", "about 0.10", "P1 Sec. III A", ratio("p_kin", "p")});
     if (at(phi, 0.835)) {
@@ -33,7 +36,7 @@ std::vector<PaperValue> paper_values(Scene const& scene, std::vector<Observable>
       values.push_back(
           {"delta_p/p", "0.05 to 0.12, smaller phi", "P1 Appendix", ratio("delta_p", "p")});
   }
-  if (disks.model == "CD_rot") {
+  if (disks.model == CDrot::name) {
     values.push_back({"spin_mean", "about -1/2", "P2 Fig. 20", of("spin_mean")});
     bool const coexists = (at(phi, 0.7984) && at(rate, 3e-5)) ||
                           (at(phi, 0.792) && at(rate, 5e-5)) || (at(phi, 0.802) && at(rate, 2e-5));

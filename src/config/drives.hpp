@@ -7,6 +7,9 @@
 
 namespace bagnold {
 
+/// The word for none.
+inline constexpr char no_drive[] = "none";
+
 /// What reading and checking a scene asks of a drive.
 struct DriveFacts {
   std::string_view name;

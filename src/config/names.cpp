@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "kernels/physics/drives/drives.hpp"
+#include "kernels/physics/laws/cd_nt.hpp"
 #include "kernels/physics/repulsion/repulsion.hpp"
 #include "kernels/physics/schemes/schemes.hpp"
 #include "kernels/physics/type_list.hpp"
@@ -80,7 +80,7 @@ std::string_view renamed(std::string_view word) {
       {"dense", "few-contacts"},
       {"contact-rich", "many-contacts"},
       {"windowed", "lookahead"},
-      {"general", "CD_nt"}};
+      {"general", CDnt::name}};
   for (auto const& [before, after] : now)
     if (word == before) return after;
   return "";

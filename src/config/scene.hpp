@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "src/config/drives.hpp"
 #include "src/config/number_or_word.hpp"
 #include "src/config/schemes.hpp"
 #include "src/config/strain.hpp"
@@ -57,9 +58,9 @@ struct Scene {
 
   /// A force on each disk alone, beside contacts.
   struct Drive {
-    std::string kind = "none";  ///< or of a drive in kernels/physics/drives
-    double drag = 0;            ///< zeta
-    double temperature = 0;     ///< T
+    std::string kind = no_drive;  ///< or of a drive in kernels/physics/drives
+    double drag = 0;              ///< zeta
+    double temperature = 0;       ///< T
   } drive;
 
   struct Integration {
@@ -87,7 +88,7 @@ struct Scene {
   } output;
 
   bool rotates() const;  ///< whether disks have spins
-  bool driven() const { return drive.kind != "none"; }
+  bool driven() const { return drive.kind != no_drive; }
   bool mass_by_area() const { return disks.mass == "area"; }
   double box_length() const;  ///< L_x, [d_s], P1 Eq. (8), P2 Eq. (11)
   double box_height() const { return disks.box_aspect * box_length(); }  ///< L_y, [d_s]

@@ -4,14 +4,14 @@
 #include "kernels/device/neighbors/verlet_list.hpp"
 #include "kernels/physics/sums/sums.hpp"
 #include "src/engine/backends.hpp"
-#include "src/engine/state_of_views.hpp"
+#include "src/engine/download_state.hpp"
 
 /// What engines of all laws need of a backend, the same for each: compiled in compiled_once.cpp,
 /// not again with every law.
 namespace bagnold {
 
 #define BAGNOLD_COMPILED_ONCE_FOR(KEYWORD, SPACE, ROTATES)                                   \
-  KEYWORD template State state_of_views<ROTATES, SPACE>(                                     \
+  KEYWORD template State download_state<ROTATES, SPACE>(                                     \
       Kokkos::View<Vec2<Real>*, SPACE> const&, Kokkos::View<Motion<ROTATES>*, SPACE> const&, \
       std::vector<double> const&, Clock const&, std::int64_t);                               \
   KEYWORD template Kokkos::View<Motion<ROTATES>*, SPACE> to_device<SPACE, Motion<ROTATES>>(  \

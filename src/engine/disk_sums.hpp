@@ -16,24 +16,26 @@ template <ContactLaw Law>
 std::vector<Sums<false>> disk_sums(Scene const& scene, State const& state,
                                    HostSearch const& search) {
   using Space = Kokkos::Serial;
-  return with_physics_of<Law>(scene, [&]<class Repulsion, class Scheme>(Law const& law,
-                                                                        Repulsion const&, Scheme) {
-    SteppedSystem<Law, Repulsion, Space, Scheme> system{
-        {}, make_species_table(scene.mass_by_area()), law, time_step(scene)};
-    auto& disks = system.disks;
-    disks.position = search.position;
-    disks.species = search.species;
-    disks.motion = to_device<Space>("measure::motion", motions<Law::rotates>(state));
-    disks.trial_position = decltype(disks.trial_position)("measure::trial_position", state.count());
-    disks.trial_motion = decltype(disks.trial_motion)("measure::trial_motion", state.count());
-    disks.neighbors = make_neighbor_rows(Space{}, search, NeighborRows<Space>{});
-    disks.step.allocate(law, system.table, system.time_step, state.count());
-    system.begin_step(Launches<Space>{}, search.box);  // engines stop for deep overlaps
-    auto const forces = system.measured_forces(search.box);
-    std::vector<Sums<false>> of(state.count());
-    for (std::uint32_t i = 0; i < of.size(); ++i) add_pairs(forces, i, of[i]);
-    return of;
-  });
+  return with_physics_of<Law>(
+      scene, [&]<class Repulsion, class Scheme>(Law const& law, Repulsion const&, Scheme) {
+        SteppedSystem<Law, Repulsion, Space, Scheme> system{
+            {}, make_species_table(scene.mass_by_area()), law, time_step(scene)};
+        auto& disks = system.disks;
+        disks.position = search.position;
+        disks.species = search.species;
+        disks.motion = to_device<Space>("measure::motion", motions<Law::rotates>(state));
+        if constexpr (PredictCorrectScheme<Scheme>)
+          disks.trial_position =
+              decltype(disks.trial_position)("measure::trial_position", state.count());
+        disks.trial_motion = decltype(disks.trial_motion)("measure::trial_motion", state.count());
+        disks.neighbors = make_neighbor_rows(Space{}, search, NeighborRows<Space>{});
+        disks.step.allocate(law, system.table, system.time_step, state.count());
+        system.begin_step(Launches<Space>{}, search.box);  // engines stop for deep overlaps
+        auto const forces = system.measured_forces(search.box);
+        std::vector<Sums<false>> of(state.count());
+        for (std::uint32_t i = 0; i < of.size(); ++i) add_pairs(forces, i, of[i]);
+        return of;
+      });
 }
 
 }  // namespace bagnold::detail

@@ -28,7 +28,7 @@ inline std::string where(Clock const& clock, std::int64_t step) {
                   where(clock, step), disk, moved, skin));
 }
 
-/// Throws where a motion is no number.
+/// Throws where a motion is NaN.
 inline void check_finite(Clock const& clock, std::int64_t step, State const& state) {
   for (std::size_t i = 0; i < state.count(); ++i)
     if (!std::isfinite(state.position[i][0] + state.position[i][1] + state.velocity[i][0] +
@@ -40,11 +40,10 @@ inline void check_finite(Clock const& clock, std::int64_t step, State const& sta
 
 [[noreturn]] inline void too_deep(Clock const& clock, std::int64_t step, std::size_t disk,
                                   double overlap) {
-  throw NumericalError(
-      fmt::format("{}: disk {} overlaps a neighbour by {:.1f}% (limit {:.0f}%): no grain any more; "
-                  "take a smaller "
-                  "shear.strain_rate, integration.time_step or disks.packing_fraction",
-                  where(clock, step), disk, 100 * overlap, 100 * largest_relative_overlap));
+  throw NumericalError(fmt::format(
+      "{}: disk {} overlaps a neighbour by {:.1f}% (limit {:.0f}%), too soft for a "
+      "grain; take a smaller shear.strain_rate, integration.time_step or disks.packing_fraction",
+      where(clock, step), disk, 100 * overlap, 100 * largest_relative_overlap));
 }
 
 }  // namespace bagnold::failure

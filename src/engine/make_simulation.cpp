@@ -68,7 +68,7 @@ std::unique_ptr<Simulation> make_simulation(Scene const& scene, Snapshot&& snaps
   auto const chosen = backend.empty() ? backend_names().front() : backend;
   if (is_device_backend(chosen) && suits_ensembles(scene) &&
       static_cast<std::int64_t>(snapshot.state.count()) <= most_disks_of_a_team)
-    return std::move(make_together(scene, {snapshot}, chosen).front());
+    return std::move(make_simulations(scene, {snapshot}, chosen).front());
   auto made = make_engine(scene, snapshot, chosen);
   if (!made)
     throw InputError(fmt::format("--backend {}: not in this build (has: {})", backend,
@@ -81,9 +81,9 @@ bool steps_together(Scene const& scene, std::string const& backend) {
          scene.shear.protocol != "ramp";
 }
 
-std::vector<std::unique_ptr<Simulation>> make_together(Scene const& scene,
-                                                       std::vector<Snapshot> const& snapshots,
-                                                       std::string const& backend) {
+std::vector<std::unique_ptr<Simulation>> make_simulations(Scene const& scene,
+                                                          std::vector<Snapshot> const& snapshots,
+                                                          std::string const& backend) {
   return members_of(engines_for(scene).ensemble(scene, snapshots, backend));
 }
 

@@ -31,9 +31,9 @@ bool steps_together(Scene const& scene, std::string const& backend);
 
 /// The simulations of replicas that step together, from snapshots [R] of equally many disks; to be
 /// advanced as members_of says.
-std::vector<std::unique_ptr<Simulation>> make_together(Scene const& scene,
-                                                       std::vector<Snapshot> const& snapshots,
-                                                       std::string const& backend);
+std::vector<std::unique_ptr<Simulation>> make_simulations(Scene const& scene,
+                                                          std::vector<Snapshot> const& snapshots,
+                                                          std::string const& backend);
 
 /// Names of the backends in this build, the preferred one last.
 std::vector<std::string> backend_names();

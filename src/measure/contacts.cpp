@@ -26,12 +26,12 @@ struct FoundVelocities {
 };
 
 /// What is found of the contacts of one system.
-struct Found final : ContactListener {
+struct FoundContacts final : ContactListener {
   ContactHistograms histograms;
   SampleChoice choice;
   std::optional<FoundVelocities> velocities;
 
-  explicit Found(double time_step) : histograms(time_step) {}
+  explicit FoundContacts(double time_step) : histograms(time_step) {}
   void begins(ContactEvent const& event, std::size_t cluster) override {
     histograms.begins(event, cluster);
   }
@@ -60,7 +60,7 @@ ContactMotion over_rate(ContactMotion motion, double strain_rate) {
 class Contacts final : public FrameObserver {
  public:
   Contacts(Scene const& scene, double time_step, std::shared_ptr<ContactRecord> record,
-           std::shared_ptr<Found> found)
+           std::shared_ptr<FoundContacts> found)
       : strain_rate_(scene.shear.strain_rate),
         rotates_(scene.rotates()),
         time_step_(time_step),
@@ -76,10 +76,10 @@ class Contacts final : public FrameObserver {
                                static_cast<double>(c.begin), c.binary ? 1.0 : 0.0});
     found_->histograms.save(numbers);
     if (!found_->velocities) return;
-    auto& looks = numbers["contacts_looks"];
+    auto& samples = numbers["contacts_samples"];
     for (auto const& c : record_->table.sorted())
-      looks.insert(looks.end(), {due_number(c.due), c.velocities.tangential,
-                                 c.velocities.rotational, c.velocities.normal});
+      samples.insert(samples.end(), {due_number(c.due), c.velocities.tangential,
+                                     c.velocities.rotational, c.velocities.normal});
     auto const& [contacts, collisions, motion] = *found_->velocities;
     numbers["contact_velocities"] = contacts.numbers();
     numbers["collision_velocities"] = collisions.numbers();
@@ -94,10 +94,11 @@ class Contacts final : public FrameObserver {
                           static_cast<std::uint32_t>(open[k + 1]),
                           static_cast<std::int64_t>(open[k + 2]), open[k + 3] != 0});
     if (found_->velocities) {
-      auto const& looks = numbers.at("contacts_looks");
+      auto const& samples = numbers.at("contacts_samples");
       for (std::size_t k = 0; k < contacts.size(); ++k) {
-        contacts[k].due = due_step(looks.at(4 * k));
-        contacts[k].velocities = {looks.at(4 * k + 1), looks.at(4 * k + 2), looks.at(4 * k + 3)};
+        contacts[k].due = due_step(samples.at(4 * k));
+        contacts[k].velocities = {samples.at(4 * k + 1), samples.at(4 * k + 2),
+                                  samples.at(4 * k + 3)};
       }
       auto& [chosen, collisions, motion] = *found_->velocities;
       chosen.restore(numbers.at("contact_velocities"));
@@ -137,7 +138,7 @@ class Contacts final : public FrameObserver {
   }
 
  private:
-  // Steps that a double holds; -1 for a contact that is never looked at.
+  // Steps that a double holds; -1 for a contact that is never sampled.
   static double due_number(std::int64_t due) {
     return due == SampleChoice::never ? -1.0 : static_cast<double>(due);
   }
@@ -149,14 +150,14 @@ class Contacts final : public FrameObserver {
   bool rotates_;
   double time_step_;
   std::shared_ptr<ContactRecord> record_;
-  std::shared_ptr<Found> found_;
+  std::shared_ptr<FoundContacts> found_;
 };
 
 }  // namespace
 
 std::shared_ptr<ContactRecord> watch_contacts(Scene const& scene, Plan const& plan, int columns,
                                               std::int64_t seed, Frames& frames) {
-  auto const found = std::make_shared<Found>(plan.time_step);
+  auto const found = std::make_shared<FoundContacts>(plan.time_step);
   SampleChoice choice;
   if (scene.measure.correlations) {
     choice = SampleChoice(seed);
@@ -167,7 +168,8 @@ std::shared_ptr<ContactRecord> watch_contacts(Scene const& scene, Plan const& pl
       std::make_shared<ContactRecord>(static_cast<std::size_t>(scene.disks.count), columns,
                                       plan.discarded_windows * plan.window_steps, found, choice);
   constexpr auto never = std::int64_t{1} << 60;
-  frames.watch(std::make_unique<Contacts>(scene, plan.time_step, record, found), never, never);
+  frames.add_observer(std::make_unique<Contacts>(scene, plan.time_step, record, found), never,
+                      never);
   return record;
 }
 

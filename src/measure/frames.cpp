@@ -7,56 +7,56 @@
 
 namespace bagnold {
 
-bool Frames::Watched::waits(std::int64_t from, std::int64_t to) const {
+bool Frames::Observed::waits(std::int64_t from, std::int64_t to) const {
   return to >= first_step && (from < 0 || to / spacing > from / spacing);
 }
 
-void Frames::watch(std::unique_ptr<FrameObserver> observer, std::int64_t spacing,
-                   std::int64_t first_step) {
-  watched_.push_back({std::move(observer), spacing, first_step});
+void Frames::add_observer(std::unique_ptr<FrameObserver> observer, std::int64_t spacing,
+                          std::int64_t first_step) {
+  observed_.push_back({std::move(observer), spacing, first_step});
 }
 
 std::int64_t Frames::next(std::int64_t step) const {
   auto next = std::numeric_limits<std::int64_t>::max();
-  for (auto const& w : watched_) next = std::min(next, (step / w.spacing + 1) * w.spacing);
+  for (auto const& w : observed_) next = std::min(next, (step / w.spacing + 1) * w.spacing);
   return next;
 }
 
 void Frames::show(Simulation const& simulation, std::int64_t from) {
   auto const step = simulation.step();
-  auto const waits = [&](Watched const& w) { return w.waits(from, step); };
-  if (std::ranges::none_of(watched_, waits)) return;
+  auto const waits = [&](Observed const& w) { return w.waits(from, step); };
+  if (std::ranges::none_of(observed_, waits)) return;
   State const state = simulation.state();
   Frame const frame{state, step, static_cast<double>(step) * step_strain_};
-  for (auto const& w : watched_)
+  for (auto const& w : observed_)
     if (waits(w)) w.observer->add(frame);
 }
 
 void Frames::begin() {
-  for (auto const& w : watched_) w.observer->begin();
+  for (auto const& w : observed_) w.observer->begin();
 }
 
 void Frames::finish() {
-  for (auto const& w : watched_) w.observer->finish();
+  for (auto const& w : observed_) w.observer->finish();
 }
 
 void Frames::tidy() {
-  for (auto const& w : watched_) w.observer->tidy();
+  for (auto const& w : observed_) w.observer->tidy();
 }
 
 ObserverState Frames::save() {
   ObserverState numbers;
-  for (auto const& w : watched_) w.observer->save(numbers);
+  for (auto const& w : observed_) w.observer->save(numbers);
   return numbers;
 }
 
 void Frames::load(ObserverState const& numbers) {
-  for (auto const& w : watched_) w.observer->load(numbers);
+  for (auto const& w : observed_) w.observer->load(numbers);
 }
 
 std::vector<std::string> Frames::lost() const {
   std::vector<std::string> all;
-  for (auto const& w : watched_)
+  for (auto const& w : observed_)
     if (auto words = w.observer->lost(); !words.empty()) all.push_back(std::move(words));
   return all;
 }
@@ -64,13 +64,13 @@ std::vector<std::string> Frames::lost() const {
 std::vector<FrameObserver const*> Frames::observers(std::vector<Frames const*> const& systems,
                                                     std::size_t which) {
   std::vector<FrameObserver const*> of_each;
-  for (Frames const* frames : systems) of_each.push_back(frames->watched_[which].observer.get());
+  for (Frames const* frames : systems) of_each.push_back(frames->observed_[which].observer.get());
   return of_each;
 }
 
 FrameResults Frames::join(std::vector<Frames const*> const& systems) {
   FrameResults results;
-  for (std::size_t k = 0; k < systems.front()->watched_.size(); ++k) {
+  for (std::size_t k = 0; k < systems.front()->observed_.size(); ++k) {
     auto const of_each = observers(systems, k);
     of_each.front()->report(of_each, results);
   }
@@ -79,7 +79,7 @@ FrameResults Frames::join(std::vector<Frames const*> const& systems) {
 
 std::vector<SampledObservable> Frames::observables(std::vector<Frames const*> const& systems) {
   std::vector<SampledObservable> all;
-  for (std::size_t k = 0; k < systems.front()->watched_.size(); ++k)
+  for (std::size_t k = 0; k < systems.front()->observed_.size(); ++k)
     std::ranges::move(joined_observables(observers(systems, k)), std::back_inserter(all));
   return all;
 }

@@ -21,8 +21,8 @@ class Frames {
   explicit Frames(double step_strain = 0.0) : step_strain_(step_strain) {}
 
   /// spacing: [steps], 1 at least. Frames before first_step are not shown.
-  void watch(std::unique_ptr<FrameObserver> observer, std::int64_t spacing,
-             std::int64_t first_step = 0);
+  void add_observer(std::unique_ptr<FrameObserver> observer, std::int64_t spacing,
+                    std::int64_t first_step = 0);
 
   /// The first step after `step` that an observer waits for.
   std::int64_t next(std::int64_t step) const;
@@ -44,7 +44,7 @@ class Frames {
   static std::vector<SampledObservable> observables(std::vector<Frames const*> const& systems);
 
  private:
-  struct Watched {
+  struct Observed {
     std::unique_ptr<FrameObserver> observer;
     std::int64_t spacing;
     std::int64_t first_step;
@@ -55,7 +55,7 @@ class Frames {
   static std::vector<FrameObserver const*> observers(std::vector<Frames const*> const& systems,
                                                      std::size_t which);
 
-  std::vector<Watched> watched_;
+  std::vector<Observed> observed_;
 };
 
 /// What observers of one kind measure, [R], of each system one.

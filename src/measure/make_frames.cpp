@@ -14,7 +14,7 @@ Frames make_frames(Scene const& scene, Plan const& plan, State const& start,
   Frames frames(plan.time_step * scene.shear.strain_rate);
   auto const first = plan.discarded_windows * plan.window_steps;
   auto const measure = [&](std::unique_ptr<FrameObserver> observer) {
-    frames.watch(std::move(observer), plan.frame_steps, first);
+    frames.add_observer(std::move(observer), plan.frame_steps, first);
   };
   if (scene.measure.profiles) {
     Slices const slices(start.box_length, start.box_height());
@@ -27,8 +27,8 @@ Frames make_frames(Scene const& scene, Plan const& plan, State const& start,
     for (double const d : start.diameter) header.mass.push_back(disk_mass(scene.mass_by_area(), d));
     auto const part_bytes = static_cast<std::size_t>(trajectory_memory) /
                             static_cast<std::size_t>(scene.disks.replicas);
-    frames.watch(std::make_unique<Trajectory>(trajectory, std::move(header), part_bytes),
-                 plan.trajectory_steps);
+    frames.add_observer(std::make_unique<Trajectory>(trajectory, std::move(header), part_bytes),
+                        plan.trajectory_steps);
   }
   return frames;
 }

@@ -7,7 +7,7 @@
 
 namespace bagnold {
 
-/// Several systems that are furthered at the same time, each by one thread at a time.
+/// Several systems that are advanced at the same time, each by one thread at a time.
 struct ReplicaScheduler {
   /// What the calling thread wants of all: to go on, to be held while `held` is called, to end.
   enum class Request { go_on, hold, stop };

@@ -107,14 +107,14 @@ void Runner::make(std::size_t r, Snapshot snapshot) {
   } catch (NumericalError const& error) {
     throw ReplicaFailure{r, error.what(), snapshot.state};
   }
-  watch(r);
+  add_observers(r);
 }
 
 void Runner::make_all_together(std::vector<Snapshot> const& snapshots) {
-  simulations_ = make_together(run_.scene, snapshots, machine_.backend);
+  simulations_ = make_simulations(run_.scene, snapshots, machine_.backend);
   for (std::size_t r = 0; r < snapshots.size(); ++r) {
     make_frames_of(r, snapshots[r].state);
-    watch(r);
+    add_observers(r);
   }
 }
 
@@ -137,7 +137,7 @@ void Runner::make_frames_of(std::size_t r, State const& start) {
       make_frames(run_.scene, run_.plan, start, file, provenance().version);
 }
 
-void Runner::watch(std::size_t r) {
+void Runner::add_observers(std::size_t r) {
   Replica& replica = run_.replicas[r];
   Frames& frames = replica.measurement.frames;
   steps_[r] = simulations_[r]->step();

@@ -44,7 +44,7 @@ class Runner {
   Plan next_leg() const;  ///< to where the target error is looked at next
   bool enough();          ///< whether the run may end there
   void make_frames_of(std::size_t replica, State const& start);
-  void watch(std::size_t replica);  ///< once it has its simulation and its frames
+  void add_observers(std::size_t replica);  ///< once it has its simulation and its frames
   std::int64_t seed(std::size_t replica) const;
   bool work(ReplicaScheduler& all);
   bool step_on(std::size_t replica, std::function<bool()> const& go_on);

@@ -6,6 +6,8 @@
 
 #include "kernels/device/dynamics/relaxation.hpp"
 #include "kernels/device/side_by_side.hpp"
+#include "kernels/physics/drives/stokes_drag.hpp"
+#include "kernels/physics/laws/cd_n.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/scene.hpp"
 #include "src/engine/backends.hpp"
@@ -116,14 +118,14 @@ Relaxation push_apart_on(State& state, double overlap, std::int64_t iterations, 
 Scene relaxing_scene(State const& state, double skin) {
   constexpr double keep = 0.985;  // share of the velocity kept: waves as long as the box die out
   Scene scene;
-  scene.disks.model = "CD_n";
+  scene.disks.model = CDn::name;
   scene.disks.count = static_cast<std::int64_t>(state.count());
   scene.disks.elasticity = 1e6;
   scene.disks.mass = "equal";
   scene.integration.engine = "many-contacts";
   scene.integration.time_step = 0.3;  // below 2/omega_max, omega_max^2 about 10 at Z = 5
   scene.integration.skin = skin;
-  scene.drive = {"stokes", -std::log(keep) / 0.3, 0};
+  scene.drive = {std::string(StokesDrag::name), -std::log(keep) / 0.3, 0};
   return scene;
 }
 

@@ -218,14 +218,14 @@ TEST(Allocations, AStepKeepsWhatItsSchemeUses) {
 TEST(Allocations, TheHeapHasDiametersAndWhatIsAskedFor) {
   for (std::string const engine : {"reference", "few-contacts", "many-contacts", "lookahead"}) {
     double const plain = per_disk("CD_n", engine).heap;
-    double const watched = per_disk("CD_n", engine, true).heap;
+    double const observed = per_disk("CD_n", engine, true).heap;
     RecordProperty(engine + "_heap", std::to_string(plain));
-    RecordProperty(engine + "_heap_with_contacts", std::to_string(watched));
+    RecordProperty(engine + "_heap_with_contacts", std::to_string(observed));
     if (engine == "lookahead")
       EXPECT_GT(plain, 8 + 9);  // whose result, in which batch, which node
     else
       EXPECT_NEAR(plain, 8, 0.5) << engine;
-    EXPECT_GT(watched, plain + 1) << engine;
+    EXPECT_GT(observed, plain + 1) << engine;
   }
 }
 

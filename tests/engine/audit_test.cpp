@@ -90,9 +90,9 @@ TEST_P(Audit, NoContactIsMissedAndNoneIsExtra) {
   RecordProperty("stretches", stretches);
   RecordProperty("worst_difference", std::to_string(worst));
   EXPECT_LE(grazed, 3);  // rare
-  bool const windows_wanted = c.packing_fraction < 0.8;
-  EXPECT_EQ(counters.at("windows") > 100, windows_wanted);
-  EXPECT_EQ(counters.at("steps_one_by_one") > counters.at("steps_in_windows"), !windows_wanted);
+  bool const lookaheads_wanted = c.packing_fraction < 0.8;
+  EXPECT_EQ(counters.at("lookaheads") > 100, lookaheads_wanted);
+  EXPECT_EQ(counters.at("steps_one_by_one") > counters.at("lookahead_steps"), !lookaheads_wanted);
 }
 
 INSTANTIATE_TEST_SUITE_P(

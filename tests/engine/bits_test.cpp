@@ -135,8 +135,8 @@ TEST_P(DenseBits, AreThoseOfContactRichSteps) {
       auto const a = advance(*rich, 80, 3), b = advance(*dense, 80, 3);
       EXPECT_EQ(rich->snapshot().list_builds, 1);
       EXPECT_EQ(dense->snapshot().list_builds, 1);
-      EXPECT_EQ(dense->snapshot().counters.at("steps_dense"), 80);
-      EXPECT_EQ(rich->snapshot().counters.at("steps_dense"), 0);
+      EXPECT_EQ(dense->snapshot().counters.at("steps_few_contacts"), 80);
+      EXPECT_EQ(rich->snapshot().counters.at("steps_few_contacts"), 0);
       Bits::expect_equal(rich->state(), dense->state());
       EXPECT_EQ(a.sums, b.sums);
       EXPECT_GT(a.sums[SumColumns::contacts], 0);
@@ -180,7 +180,7 @@ TEST(LargeBits, DependNeitherOnTheOrderOfBlocksNorOnTheBackend) {
       scene.integration.scheme = scheme;
       auto const whole = simulate(scene, state, backend_names().front());
       Sampling sampling{1000, 4, whole->step() + 12};
-      Watched at_once(*whole, state.count());
+      Observed at_once(*whole, state.count());
       whole->advance(12, sampling, at_once.windows);
       auto sums = at_once.windows.take_first().sums;
       EXPECT_GT(sums.at(SumColumns::contacts), 1e5);

@@ -40,22 +40,22 @@ TEST_P(Contacts, AreLookedAtWhereAllPairsWouldBe) {
     Sampling const sampling{200, 7, 700};
     SampleChoice const choice(11);
     AllPairs const expected(scene, start, sampling, choice);
-    ASSERT_GT(expected.looked.size(), 20u);
+    ASSERT_GT(expected.samples.size(), 20u);
     auto simulation = simulate(scene, start, backend());
-    Watched watched(*simulation, start.count(), 0, choice);
-    auto const& record = watched.windows.contacts;
+    Observed observed(*simulation, start.count(), 0, choice);
+    auto const& record = observed.windows.contacts;
     while (simulation->step() < 700) {
-      simulation->advance(83, sampling, watched.windows);
+      simulation->advance(83, sampling, observed.windows);
       auto const open = record->table.sorted();
       simulation = make_simulation(scene, simulation->snapshot(), backend());
       record->restore(open);
     }
-    auto const& looked = watched.listener->looked;
-    ASSERT_EQ(looked.size(), expected.looked.size());
-    for (std::size_t k = 0; k < looked.size(); ++k) {
-      ASSERT_EQ(looked[k].pair, expected.looked[k].pair) << k;
-      ASSERT_EQ(looked[k].begin, expected.looked[k].begin) << k;
-      auto const &a = looked[k].velocities, &b = expected.looked[k].velocities;
+    auto const& samples = observed.listener->samples;
+    ASSERT_EQ(samples.size(), expected.samples.size());
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+      ASSERT_EQ(samples[k].pair, expected.samples[k].pair) << k;
+      ASSERT_EQ(samples[k].begin, expected.samples[k].begin) << k;
+      auto const &a = samples[k].velocities, &b = expected.samples[k].velocities;
       EXPECT_NEAR(a.tangential, b.tangential, 1e-5) << k;
       EXPECT_NEAR(a.rotational, b.rotational, 1e-5) << k;
       EXPECT_NEAR(a.normal, b.normal, 1e-5) << k;
@@ -73,15 +73,15 @@ TEST_P(Contacts, AreOfferedOnceForEachEvaluatedConfiguration) {
     AllPairs const expected(scene, start, sampling, choice);
     ASSERT_GT(expected.picks.size(), packing_fraction > 0.7 ? 2000u : 100u);
     auto simulation = simulate(scene, start, backend());
-    Watched watched(*simulation, start.count(), 0, choice);
-    auto const& record = watched.windows.contacts;
+    Observed observed(*simulation, start.count(), 0, choice);
+    auto const& record = observed.windows.contacts;
     while (simulation->step() < 500) {
-      simulation->advance(83, sampling, watched.windows);
+      simulation->advance(83, sampling, observed.windows);
       auto const open = record->table.sorted();
       simulation = make_simulation(scene, simulation->snapshot(), backend());
       record->restore(open);
     }
-    auto const& picks = watched.listener->picks;
+    auto const& picks = observed.listener->picks;
     ASSERT_EQ(picks.size(), expected.picks.size());
     for (auto a = picks.begin(), b = expected.picks.begin(); a != picks.end(); ++a, ++b) {
       ASSERT_EQ(a->first, b->first);
@@ -90,7 +90,7 @@ TEST_P(Contacts, AreOfferedOnceForEachEvaluatedConfiguration) {
       EXPECT_NEAR(a->second.normal, b->second.normal, 1e-5);
     }
 
-    Watched later(*simulate(scene, start, backend()), start.count(), 200, choice);
+    Observed later(*simulate(scene, start, backend()), start.count(), 200, choice);
     later.listener->below = 0.5;
     auto const again = simulate(scene, start, backend());
     again->advance(500, sampling, later.windows);
@@ -120,12 +120,12 @@ TEST_P(Contacts, VelocitiesAtTheContactTakeFromTheRotationWhatItLoses) {
   auto const missed = [&](double time_step) {
     scene.integration.time_step = time_step;
     auto const simulation = simulate(scene, start, backend());
-    Watched watched(*simulation, start.count());
+    Observed observed(*simulation, start.count());
     auto const steps = std::llround(20 / time_step);
     Sampling sampling{steps, 1, steps};
-    simulation->advance(steps, sampling, watched.windows);
+    simulation->advance(steps, sampling, observed.windows);
     auto const sum = [&](int column) {
-      return watched.sum(0, ContactColumns::motion + column, simulation->columns());
+      return observed.sum(0, ContactColumns::motion + column, simulation->columns());
     };
     double const k_t =
         (law() == "CD_nt" ? scene.disks.damping_tangential : 1.0) / scene.disks.elasticity;
@@ -149,14 +149,14 @@ TEST_P(Contacts, AreThoseOfAllPairsInEveryConfiguration) {
     AllPairs const expected(scene, start, sampling);
     ASSERT_GT(expected.all.size(), 100u);
     auto const simulation = simulate(scene, start, backend());
-    Watched watched(*simulation, start.count());
-    simulation->advance(700, sampling, watched.windows);
-    expect_same(watched.listener->all, expected.all);
-    ASSERT_EQ(watched.windows.sums.size(), expected.windows.size());
+    Observed observed(*simulation, start.count());
+    simulation->advance(700, sampling, observed.windows);
+    expect_same(observed.listener->all, expected.all);
+    ASSERT_EQ(observed.windows.sums.size(), expected.windows.size());
     for (std::size_t w = 0; w < expected.windows.size(); ++w)
       for (int c = 0; c < ContactColumns::count; ++c) {
         double const exact = expected.windows[w][static_cast<std::size_t>(c)];
-        EXPECT_NEAR(watched.sum(w, c, simulation->columns()), exact, 1e-9 * std::abs(exact))
+        EXPECT_NEAR(observed.sum(w, c, simulation->columns()), exact, 1e-9 * std::abs(exact))
             << "window " << w << " column " << c;
       }
   }
@@ -168,17 +168,17 @@ TEST_P(Contacts, OfManyDisksAreThoseOfTheReferenceEngine) {
   State const start = shaken_start(scene);
   Sampling const sampling{100, 7, 150};
   auto const simulation = simulate(scene, start, backend());
-  Watched watched(*simulation, start.count());
-  simulation->advance(150, sampling, watched.windows);
+  Observed observed(*simulation, start.count());
+  simulation->advance(150, sampling, observed.windows);
   scene.integration.engine = "reference";
   auto const plain = simulate(scene, start, backend_names().front());
-  Watched expected(*plain, start.count());
+  Observed expected(*plain, start.count());
   plain->advance(150, sampling, expected.windows);
   EXPECT_GT(expected.listener->all.size(), 1000u);
-  expect_same(watched.listener->all, expected.listener->all);
+  expect_same(observed.listener->all, expected.listener->all);
   for (std::size_t w = 0; w < 2; ++w)
     for (int c = 0; c < ContactColumns::count; ++c)
-      EXPECT_NEAR(watched.sum(w, c, simulation->columns()), expected.sum(w, c, plain->columns()),
+      EXPECT_NEAR(observed.sum(w, c, simulation->columns()), expected.sum(w, c, plain->columns()),
                   1e-7);
 }
 
@@ -190,7 +190,7 @@ TEST_P(Contacts, DoNotDependOnHowARunIsCutAndActOnNothing) {
     auto const straight = simulate(scene, start, backend());
     auto chained = simulate(scene, start, backend());
     auto const unwatched = simulate(scene, start, backend());
-    Watched a(*straight, start.count()), b(*chained, start.count());
+    Observed a(*straight, start.count()), b(*chained, start.count());
     OpenWindows none;
     straight->advance(700, sampling, a.windows);
     unwatched->advance(700, sampling, none);
@@ -219,18 +219,18 @@ TEST_P(Contacts, LastFromTheFirstConfigurationInContactToTheFirstOut) {
   State const start = shaken_start(scene);
   Sampling const sampling{1000, 1, 1000};
   auto const simulation = simulate(scene, start, backend());
-  Watched watched(*simulation, start.count());
-  simulation->advance(1000, sampling, watched.windows);
+  Observed observed(*simulation, start.count());
+  simulation->advance(1000, sampling, observed.windows);
   double inside = 0;  // of contacts that began and ended in the window
-  for (auto const& e : watched.listener->all)
+  for (auto const& e : observed.listener->all)
     if (!e.begins) inside += static_cast<double>(e.measure);
-  EXPECT_EQ(watched.sum(0, ContactColumns::duration, simulation->columns()), inside);
+  EXPECT_EQ(observed.sum(0, ContactColumns::duration, simulation->columns()), inside);
   double at_ends = 0;  // of those that began before, or did not end
-  for (auto const& c : watched.windows.contacts->table.sorted())
+  for (auto const& c : observed.windows.contacts->table.sorted())
     at_ends += static_cast<double>(1000 - c.begin);
-  auto const pair_steps = watched.windows.sums[0].sums[SumColumns::contacts] / 2;
+  auto const pair_steps = observed.windows.sums[0].sums[SumColumns::contacts] / 2;
   EXPECT_GE(pair_steps, inside + at_ends);
-  EXPECT_EQ(watched.sum(0, ContactColumns::steps, simulation->columns()), 1000);
+  EXPECT_EQ(observed.sum(0, ContactColumns::steps, simulation->columns()), 1000);
 }
 
 /// Head-on, in closed form: half a period of the damped oscillator, from 180 degrees to 0.
@@ -252,17 +252,17 @@ TEST_P(Contacts, OfTwoDisksLastAsLongAsTheClosedFormSays) {
     state.velocity = {{approach / 2, 0.0}, {-approach / 2, 0.0}};
     if (scene.rotates()) state.spin = {0.0, 0.0};
     auto const simulation = simulate(scene, state, backend());
-    Watched watched(*simulation, 2);
+    Observed observed(*simulation, 2);
     Sampling sampling;
     sampling.last_step = 1000;
-    simulation->advance(1000, sampling, watched.windows);
-    auto const& all = watched.listener->all;
+    simulation->advance(1000, sampling, observed.windows);
+    auto const& all = observed.listener->all;
     ASSERT_EQ(all.size(), 2u) << elasticity;
     EXPECT_EQ(all[0].measure, 2);
     EXPECT_NEAR(0.01 * static_cast<double>(all[1].measure), expected, 0.02);
     EXPECT_NEAR(std::abs(all[0].theta), 180, 1e-9);
     EXPECT_NEAR(all[1].theta, 0, 1e-9);
-    EXPECT_EQ(watched.sum(0, ContactColumns::binary, simulation->columns()), 1);
+    EXPECT_EQ(observed.sum(0, ContactColumns::binary, simulation->columns()), 1);
   }
 }
 

@@ -10,8 +10,8 @@ struct Cost {
   double touching;         ///< pairs a disk, Z/2
   double prunings;         ///< a step
   double builds;           ///< a unit of strain
-  double in_windows;       ///< share of the steps
-  double refused;          ///< share of the windows
+  double in_lookahead;     ///< share of the steps
+  double refused;          ///< share of the lookaheads
   double missed;           ///< pairs not foreseen, an island of two
 };
 
@@ -30,13 +30,13 @@ Cost cost(Scene const& scene, double warm_up, double strain) {
   };
   double const disks = static_cast<double>(scene.disks.count);
   double const singly = std::max(1.0, spent("steps_one_by_one"));
-  double const windows = std::max(1.0, spent("windows"));
+  double const lookaheads = std::max(1.0, spent("lookaheads"));
   return {spent("pairs_evaluated") / (2 * disks * singly),
           sums.sums[SumColumns::contacts] / sums.weight / disks / 2,
           spent("prunings") / singly,
           static_cast<double>(after.list_builds - before.list_builds) / strain,
-          spent("steps_in_windows") / static_cast<double>(steps(strain)),
-          spent("windows_refused") / windows,
+          spent("lookahead_steps") / static_cast<double>(steps(strain)),
+          spent("lookaheads_refused") / lookaheads,
           spent("pairs_missed_and_added") / std::max(1.0, spent("binary_islands"))};
 }
 
@@ -56,14 +56,14 @@ TEST(Counters, ContactRichStepsVisitFewPairsBeyondThoseThatTouch) {
   EXPECT_LT(c.pairs_evaluated, 1.35 * c.touching);
   EXPECT_LT(c.prunings, 0.3);
   EXPECT_LT(c.builds, 60);
-  EXPECT_EQ(c.in_windows, 0);
+  EXPECT_EQ(c.in_lookahead, 0);
 }
 
-/// In a dilute state nearly all steps are done in windows, which rarely have to be given up.
-TEST(Counters, WindowsAreRarelyCutShort) {
+/// In a dilute state nearly all steps are done in lookaheads, which rarely have to be given up.
+TEST(Counters, LookaheadsAreRarelyCutShort) {
   for (double const rate : {1e-4, 1e-5}) {
     Cost const c = cost(scene_of("CD_n", 0.78, 50, rate), 0.2, 0.05);
-    EXPECT_GT(c.in_windows, 0.99) << rate;
+    EXPECT_GT(c.in_lookahead, 0.99) << rate;
     EXPECT_LT(c.refused, 0.01) << rate;
     EXPECT_LT(c.missed, 0.5) << rate;
     EXPECT_LT(c.builds, 150) << rate;

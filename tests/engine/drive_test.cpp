@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "kernels/physics/drives/drives.hpp"
 #include "kernels/physics/random.hpp"
+#include "kernels/physics/type_list.hpp"
 #include "src/engine/drive_columns.hpp"
 #include "tests/reference/two_stage.hpp"
 #include "tests/support/simulations.hpp"
@@ -14,11 +16,11 @@ class Driven : public testing::TestWithParam<
   std::string backend() const { return std::get<1>(GetParam()); }
   bool two_stages() const { return std::get<3>(GetParam()) == two_stage_scheme; }
 
-  Scene scene(std::string const& kind, double packing_fraction, std::int64_t count = 64) const {
+  Scene scene(std::string_view kind, double packing_fraction, std::int64_t count = 64) const {
     Scene scene = small_scene(law(), packing_fraction, count);
     scene.integration.engine = std::get<2>(GetParam());
     scene.integration.scheme = std::get<3>(GetParam());
-    scene.drive = {kind, 0.3, kind == "thermal" ? 2e-3 : 0};
+    scene.drive = {std::string(kind), 0.3, kind == ThermalBath::name ? 2e-3 : 0};
     return scene;
   }
 
@@ -34,11 +36,14 @@ class Driven : public testing::TestWithParam<
   }
 
   void step(reference::System& system) const {
+    auto const scheme = std::get<3>(GetParam());
     double dissipative[2][2];
-    if (two_stages())
+    if (scheme == two_stage_scheme)
       reference::two_stage_step(system, dissipative);
-    else
+    else if (scheme == papers_scheme)
       reference::step(system);
+    else
+      throw reference::NoFormula("scheme", scheme);
   }
 
   static std::string name(testing::TestParamInfo<ParamType> const& info) {
@@ -53,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(All, Driven,
                          testing::Combine(testing::ValuesIn(law_names()),
                                           testing::ValuesIn(backend_names()),
                                           testing::Values("reference", "many-contacts"),
-                                          testing::Values(papers_scheme, two_stage_scheme)),
+                                          testing::ValuesIn(names_of<Schemes>())),
                          Driven::name);
 
 /// The push of a bath, from its formula: even, and so wide that s = f dt/m has the mean square
@@ -76,7 +81,7 @@ std::array<double, 3> noise(reference::Parameters const& p, State const& state, 
 
 /// Hundreds of steps, with list builds and crossings of the edges.
 TEST_P(Driven, TrajectoryIsThatOfTheAllPairsReference) {
-  for (std::string const kind : {"stokes", "thermal"})
+  for (auto const kind : names_of<Drives>())
     for (double const packing_fraction : {0.60, 0.84}) {
       Scene const scene = this->scene(kind, packing_fraction);
       State const state = shaken_start(scene);
@@ -85,10 +90,12 @@ TEST_P(Driven, TrajectoryIsThatOfTheAllPairsReference) {
       p.drag = scene.drive.drag;
       RandomStream const stream(Stream::thermal_noise,
                                 static_cast<std::uint64_t>(scene.disks.seed) ^ mixed(0));
-      if (kind == "thermal")
+      if (kind == ThermalBath::name)
         p.push = [&](std::size_t disk, long step) {
           return noise(p, state, two_stages(), scene.drive.temperature, stream, disk, step);
         };
+      else if (kind != StokesDrag::name)
+        throw reference::NoFormula("drive", kind);
       reference::System oracle(p, state);
       for (int k = 0; k < 300; ++k) step(oracle);
       advance(*simulation, 300);
@@ -161,6 +168,27 @@ TEST_P(Driven, ABathSharesItsTemperatureEvenly) {
     if (gas.rotates()) {
       EXPECT_NEAR(spin[size].relative(T), 1, 0.04) << size;
     }
+  }
+}
+
+/// Of two stages, at the velocities halfway through the step, which the drag's second stage changes
+/// too: so strong a drag that the sums without it would be off by a thousandth.
+TEST_P(Driven, DissipationIsThatOfTheAllPairsReference) {
+  if (!two_stages()) GTEST_SKIP() << "is of the configuration";
+  Scene scene = this->scene("stokes", 0.84);
+  scene.drive.drag = 3;
+  State const state = shaken_start(scene);
+  auto const simulation = simulate(scene, state, backend());
+  auto p = reference_parameters(scene);
+  p.drag = scene.drive.drag;
+  reference::System oracle(p, state);
+  for (int k = 0; k < 20; ++k) {
+    double dissipative[2][2];
+    auto const power = reference::two_stage_step(oracle, dissipative);
+    auto const sums = advance(*simulation, 1, 1).sums;
+    EXPECT_NEAR(sums[SumColumns::dissipation], power.dissipation, 1e-11 * power.dissipation) << k;
+    EXPECT_NEAR(sums[SumColumns::dissipative_xy], dissipative[0][1],
+                1e-11 * (1 + std::abs(dissipative[0][1])));
   }
 }
 

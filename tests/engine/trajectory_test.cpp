@@ -113,9 +113,9 @@ TEST_P(Trajectory, OfADiluteGas) {
     }
     if (engine() == "lookahead") {
       auto const counters = simulation->snapshot().counters;
-      EXPECT_GE(counters.at("steps_in_windows"), steps / 2);
+      EXPECT_GE(counters.at("lookahead_steps"), steps / 2);
       EXPECT_LT(counters.at("disks_in_larger_islands"),
-                0.6 * static_cast<double>(count) * counters.at("windows"));
+                0.6 * static_cast<double>(count) * counters.at("lookaheads"));
     }
   }
 }

@@ -114,7 +114,7 @@ TEST_P(TwoStage, OfADiluteGas) {
     EXPECT_NEAR(sums.sums[c], expected.sums[c], 1e-9 * (std::abs(expected.sums[c]) + scale)) << c;
   }
   if (engine() == "lookahead") {
-    EXPECT_GE(simulation->snapshot().counters.at("steps_in_windows"), steps / 2);
+    EXPECT_GE(simulation->snapshot().counters.at("lookahead_steps"), steps / 2);
     EXPECT_GT(simulation->snapshot().counters.at("binary_islands"), 0);
   }
 }

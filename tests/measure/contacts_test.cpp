@@ -37,7 +37,7 @@ class SyntheticContacts : public testing::Test {
 
   /// Of the windows from `first` on.
   double observable(std::string const& name, std::size_t first = 0) {
-    windows.contacts->looked(0, 300, sampling, windows);
+    windows.contacts->evaluated(0, 300, sampling, windows);
     std::vector<double> sums(columns + ContactColumns::count);
     for (auto w = first; w < windows.sums.size(); ++w)
       for (std::size_t c = 0; c < windows.sums[w].sums.size(); ++c)
@@ -66,7 +66,8 @@ class SyntheticContacts : public testing::Test {
 TEST_F(SyntheticContacts, LastOnAverageAsLongAsTheyDid) {
   tell({{10, true, 0, 1, 0}, {50, false, 0, 1, 0}, {60, true, 2, 3, 0}, {80, false, 2, 3, 0}});
   EXPECT_NEAR(observable("tau_dur"), (4.0 + 2.0) / 2, 1e-12);
-  EXPECT_NEAR(observable("nu_coll"), 2 / (10 * 2 * 30.0), 1e-12);  // `looked` has been called twice
+  EXPECT_NEAR(observable("nu_coll"), 2 / (10 * 2 * 30.0),
+              1e-12);  // `evaluated` has been called twice
 }
 
 /// Its whole duration counts where it ends, even if told bit by bit.
@@ -206,12 +207,12 @@ TEST_F(SyntheticVelocities, AreReportedOfAllMeasuredConfigurations) {
       EXPECT_NEAR(table.rows[0], 2 * (1 + 3 + 1) / 3.0, 1e-12);
 }
 
-/// Each collision counts once, with the velocities of its last look.
+/// Each collision counts once, with the velocities of its last sample.
 TEST_F(SyntheticVelocities, OfCollisionsAreACollisionEach) {
   std::vector<ContactEvent> events{
       {110, true, 0, 1, 0}, {110, true, 2, 3, 0}, {150, false, 0, 1, 0}, {120, false, 2, 3, 0}};
-  std::vector<ContactSample> looks{{110, 0, 1, {1, 2, 3}}, {110, 2, 3, {4, 5, 6}}};
-  windows.contacts->add(events, looks, sampling, windows);
+  std::vector<ContactSample> samples{{110, 0, 1, {1, 2, 3}}, {110, 2, 3, {4, 5, 6}}};
+  windows.contacts->add(events, samples, sampling, windows);
   EXPECT_EQ(rows(frames, "collision_velocities").size(), 8u);
   EXPECT_EQ(rows(frames, "collision_velocities_mean"), (std::vector<double>{2.5, 3.5, 6, 4.5}));
   EXPECT_THROW(rows(frames, "contact_velocities"), std::out_of_range);

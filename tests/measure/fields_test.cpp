@@ -50,7 +50,7 @@ TEST(LocalFields, OfAHexagonalLattice) {
   int const columns = 26, rows = 30;  // nearly, not quite, a square: so a strip of the box is empty
   State state;
   state.box_length = columns * a;
-  state.offset = 4 * a;  // as good as none, seen in the lattice
+  state.offset = 4 * a;  // no shift, seen in the lattice
   state.strain_rate = rate;
   for (int r = 0; r < rows; ++r)
     for (int c = 0; c < columns; ++c) {

@@ -40,9 +40,9 @@ class Steps final : public FrameObserver {
 std::vector<std::vector<std::int64_t>> seen_in_calls_of(std::int64_t steps) {
   std::vector<std::vector<std::int64_t>> seen(3);
   Frames frames(0.5);
-  frames.watch(std::make_unique<Steps>(seen[0]), 10);
-  frames.watch(std::make_unique<Steps>(seen[1]), 10, 40);
-  frames.watch(std::make_unique<Steps>(seen[2]), 3, 60);
+  frames.add_observer(std::make_unique<Steps>(seen[0]), 10);
+  frames.add_observer(std::make_unique<Steps>(seen[1]), 10, 40);
+  frames.add_observer(std::make_unique<Steps>(seen[2]), 3, 60);
   Sevens simulation;
   OpenWindows windows;
   Sampling sampling;

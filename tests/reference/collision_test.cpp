@@ -3,12 +3,10 @@
 
 #include <random>
 
-#include "tests/reference/reference.hpp"
+#include "tests/reference/scenes.hpp"
 
 namespace bagnold::reference {
 namespace {
-
-using Model = Parameters::Model;
 
 /// Two disks on a line, touching, and closing in with unit relative speed, in a box of 20.
 System head_on(Parameters const& p, double d_i, double d_j) {
@@ -64,13 +62,13 @@ TEST(BinaryCollision, RestitutionIsEquationSeven) {
 
 /// The force jumps by k_d v where a contact opens, so that the step is of first order there.
 TEST(BinaryCollision, SimulationGivesTheSameRestitution) {
-  for (Model model : {Model::CD, Model::CD_n, Model::CD_rot, Model::CD_nt}) {
+  for (auto const law : model_names()) {
     for (bool area_mass : {false, true}) {
       for (double Q : {2.0, 10.0}) {
-        Parameters p;
-        p.model = model;
+        Parameters p = parameters(law, Q);
+        p.damping_normal = 1.0;
+        p.strain_rate = 0.0;
         p.area_mass = area_mass;
-        p.elasticity = Q;
         double const expected = BinaryCollision(p, 1.0, 1.4).restitution();
         for (double dt : {1e-2, 1e-3}) {
           p.time_step = dt;

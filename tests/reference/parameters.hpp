@@ -4,6 +4,11 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include "src/state/state.hpp"
 
@@ -28,6 +33,44 @@ struct Parameters {
   /// Force and torque on a disk beside it, in a step: [m d_s / tau_e^2], [m d_s^2 / tau_e^2].
   std::function<std::array<double, 3>(std::size_t disk, long step)> push;
 };
+
+/// What the oracle has no formula of, by its name in the input: it refuses to be compared with it.
+struct NoFormula : std::invalid_argument {
+  NoFormula(char const* what, std::string_view name)
+      : std::invalid_argument("the all-pairs reference has no formula of the " + std::string(what) +
+                              " \"" + std::string(name) +
+                              "\"; write it in tests/reference, from its paper") {}
+};
+
+/// Constants of a law f_dis = -k_n (v . n) n - k_t [v - (v . n) n], [m / tau_e]; v at the point of
+/// contact where disks rotate.
+struct LinearLaw {
+  bool rotates;
+  double normal, tangential;
+};
+
+/// Takes the law of that name: one of the papers, or else its constants, if it has them and they
+/// make one of the papers' forms. Throws NoFormula.
+inline void set_law(Parameters& p, std::string_view name, std::optional<LinearLaw> const& law) {
+  using Model = Parameters::Model;
+  constexpr std::pair<std::string_view, Model> of_papers[] = {
+      {"CD", Model::CD}, {"CD_n", Model::CD_n}, {"CD_rot", Model::CD_rot}, {"CD_nt", Model::CD_nt}};
+  for (auto const& [known, model] : of_papers) {
+    p.model = model;
+    if (known == name) return;
+  }
+  if (!law) throw NoFormula("law", name);
+  if (law->rotates) {
+    p.model = Model::CD_nt;
+    p.damping_normal = law->normal * p.elasticity;
+    p.damping_tangential = law->tangential * p.elasticity;
+  } else if (law->normal > 0.0 && (law->tangential == 0.0 || law->tangential == law->normal)) {
+    p.model = law->tangential == 0.0 ? Model::CD_n : Model::CD;
+    p.elasticity = 1.0 / law->normal;
+  } else {
+    throw NoFormula("law", name);
+  }
+}
 
 /// Whether disks carry spins: only where the law reads them.
 inline bool rotates(Parameters const& p) {

@@ -17,15 +17,12 @@ double largest_difference(std::vector<std::array<double, 3>> const& a,
   return largest;
 }
 
-class EveryModel : public testing::TestWithParam<Model> {};
-
-INSTANTIATE_TEST_SUITE_P(Reference, EveryModel,
-                         testing::Values(Model::CD, Model::CD_n, Model::CD_rot, Model::CD_nt),
-                         model_name);
+class EveryModel : public OfEveryLaw {};
+BAGNOLD_FOR_EVERY_LAW(EveryModel);
 
 TEST_P(EveryModel, ForcesAddUpToNothing) {
   Parameters p = parameters(GetParam());
-  for (double alpha : {2.0, 2.5}) {
+  for (double alpha : force_exponents()) {
     p.force_exponent = alpha;
     auto const f = forces_and_torques(p, scattered(80, 1), 0.37);
     double x = 0.0, y = 0.0;
@@ -38,22 +35,23 @@ TEST_P(EveryModel, ForcesAddUpToNothing) {
 /// sum tau_i = -sum r_ij x f_ij = L^2 (p_xy - p_yx): what makes p^dis asymmetric is angular
 /// momentum that goes to the spins. In model CD it goes nowhere, hence no torque to compare with.
 TEST_P(EveryModel, TorquesBalanceTheAsymmetryOfTheStress) {
-  if (GetParam() == Model::CD) GTEST_SKIP() << "angular momentum is not conserved without spins";
   System system(parameters(GetParam()), scattered(80, 2));
+  if (system.p.model == Model::CD)
+    GTEST_SKIP() << "angular momentum is not conserved without spins";
   double torque = 0.0;
   for (auto const& row : forces_and_torques(system.p, system.s, strain(system))) torque += row[2];
   Sums const sums = measure(system);
   double const area = system.s.box_length * system.s.box_length;
   EXPECT_NEAR(torque, area * (sums.dis[0][1] - sums.dis[1][0]), 1e-12);
   EXPECT_NEAR(sums.el[0][1], sums.el[1][0], 1e-14);
-  if (GetParam() != Model::CD_n) {
+  if (system.p.model != Model::CD_n) {
     EXPECT_GT(std::abs(torque), 0.1);
   }
 }
 
 TEST_P(EveryModel, AlphaFollowsFromThePotential) {
   System system(parameters(GetParam(), 1e300), scattered(60, 3));  // no damping
-  for (double alpha : {2.0, 2.5}) {
+  for (double alpha : force_exponents()) {
     system.p.force_exponent = alpha;
     auto const f = forces_and_torques(system.p, system.s, 0.0);
     double const h = 1e-6;
@@ -100,6 +98,32 @@ TEST_P(EveryModel, AnotherImageOfADiskIsTheSameDisk) {
       }
     }
   }
+}
+
+/// What it has no formula of it refuses, and says its name; other linear laws are one of its forms.
+TEST(Reference, RefusesByNameALawThatItHasNot) {
+  Parameters p;
+  auto const refused = [&](std::optional<LinearLaw> const& law) {
+    try {
+      set_law(p, "creep", law);
+      return false;
+    } catch (NoFormula const& error) {
+      EXPECT_NE(std::string(error.what()).find("\"creep\""), std::string::npos) << error.what();
+      return true;
+    }
+  };
+  EXPECT_TRUE(refused({}));
+  EXPECT_TRUE(refused(LinearLaw{false, 0.5, 0.2}));
+  EXPECT_FALSE(refused(LinearLaw{false, 0.5, 0.0}));
+  EXPECT_EQ(p.model, Model::CD_n);
+  EXPECT_EQ(p.elasticity, 2.0);
+  EXPECT_FALSE(refused(LinearLaw{false, 0.25, 0.25}));
+  EXPECT_EQ(p.model, Model::CD);
+  EXPECT_EQ(p.elasticity, 4.0);
+  EXPECT_FALSE(refused(LinearLaw{true, 0.5, 0.125}));
+  EXPECT_EQ(p.model, Model::CD_nt);
+  EXPECT_EQ(p.damping_normal, 2.0);
+  EXPECT_EQ(p.damping_tangential, 0.5);
 }
 
 TEST(Reference, GeneralLawEndsInCDnAndCDrot) {

@@ -3,29 +3,49 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <random>
 #include <string>
 
+#include "src/config/names.hpp"
 #include "tests/reference/reference.hpp"
+#include "tests/support/reference_law.hpp"
 
 /// What the reference's own tests start from.
 namespace bagnold::reference {
 
 using Model = Parameters::Model;
 
-inline std::string model_name(testing::TestParamInfo<Model> const& info) {
-  char const* const names[] = {"CD", "CD_n", "CD_rot", "CD_nt"};
-  return names[static_cast<int>(info.param)];
+/// Tests of every law in the program's list; of one that the reference has not they fail.
+class OfEveryLaw : public testing::TestWithParam<std::string_view> {
+ public:
+  static std::string name(testing::TestParamInfo<std::string_view> const& info) {
+    std::string name(info.param);
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+  }
+};
+#define BAGNOLD_FOR_EVERY_LAW(Suite) \
+  INSTANTIATE_TEST_SUITE_P(Reference, Suite, testing::ValuesIn(model_names()), Suite::name)
+
+/// Of the law of that name in the program's list. Throws NoFormula.
+inline Parameters parameters(std::string_view law, double elasticity = 2.0) {
+  Scene::Disks disks;
+  disks.model = law;
+  disks.elasticity = elasticity;
+  disks.damping_normal = 0.7;  // only `CD_nt` reads these two
+  disks.damping_tangential = 1.6;
+  Parameters p;
+  test::set_law(p, disks);
+  p.strain_rate = 0.05;
+  return p;
 }
 
-inline Parameters parameters(Model model, double elasticity = 2.0) {
-  Parameters p;
+/// One of the papers' laws.
+inline Parameters parameters(Model model) {
+  Parameters p = parameters("CD_nt");
   p.model = model;
-  p.elasticity = elasticity;
-  p.damping_normal = 0.7;  // only `CD_nt` reads these two
-  p.damping_tangential = 1.6;
-  p.strain_rate = 0.05;
   return p;
 }
 

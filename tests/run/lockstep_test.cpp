@@ -92,7 +92,7 @@ class Lockstep : public testing::Test {
     plan.every = 7;
     for (std::size_t s = 0; s < members.size(); ++s) {
       measurements[s].windows.columns = 2;
-      measurements[s].frames.watch(std::make_unique<SeesItsSystem>(s, frames[s]), 130);
+      measurements[s].frames.add_observer(std::make_unique<SeesItsSystem>(s, frames[s]), 130);
       systems.push_back({*members[s], measurements[s]});
     }
   }

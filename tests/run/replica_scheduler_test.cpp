@@ -44,10 +44,10 @@ struct Counters {
   std::atomic<int> busy = 0;
 };
 
-class SideBySideOn : public testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(Threads, SideBySideOn, testing::Values(1, 2, 5));
+class ReplicaSchedulerOn : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Threads, ReplicaSchedulerOn, testing::Values(1, 2, 5));
 
-TEST_P(SideBySideOn, AllAreDone) {
+TEST_P(ReplicaSchedulerOn, AllAreDone) {
   for (std::size_t const systems : {1u, 2u, 5u, 7u}) {
     Counters counters(systems, GetParam(), 20);
     EXPECT_TRUE(run(counters.work));
@@ -55,13 +55,13 @@ TEST_P(SideBySideOn, AllAreDone) {
   }
 }
 
-TEST_P(SideBySideOn, NothingIsDoneForNoSystems) {
+TEST_P(ReplicaSchedulerOn, NothingIsDoneForNoSystems) {
   Counters counters(0, GetParam(), 20);
   EXPECT_TRUE(run(counters.work));
 }
 
 /// One thread each; with one thread the caller's, which may be the only one a backend knows.
-TEST_P(SideBySideOn, OneThreadIsTheCallers) {
+TEST_P(ReplicaSchedulerOn, OneThreadIsTheCallers) {
   Counters counters(3, GetParam(), 3);
   auto const mine = std::this_thread::get_id();
   auto const advance = counters.work.advance;
@@ -75,7 +75,7 @@ TEST_P(SideBySideOn, OneThreadIsTheCallers) {
   EXPECT_EQ(at_home, GetParam() == 1 ? all.load() : 0);
 }
 
-TEST_P(SideBySideOn, NobodyWorksWhileHeld) {
+TEST_P(ReplicaSchedulerOn, NobodyWorksWhileHeld) {
   Counters counters(4, GetParam(), 100);
   int held = 0;
   counters.work.request = [] { return Request::hold; };
@@ -93,7 +93,7 @@ TEST_P(SideBySideOn, NobodyWorksWhileHeld) {
   EXPECT_EQ(counters.counts(), std::vector<int>(4, 100));
 }
 
-TEST_P(SideBySideOn, AStopLeavesTheRestUndone) {
+TEST_P(ReplicaSchedulerOn, AStopLeavesTheRestUndone) {
   Counters counters(4, GetParam(), 100000);
   auto const begun = std::chrono::steady_clock::now();
   counters.work.request = [&] {
@@ -107,7 +107,7 @@ TEST_P(SideBySideOn, AStopLeavesTheRestUndone) {
 }
 
 /// With turns, no system is far behind however few the threads.
-TEST_P(SideBySideOn, AllGetOnAlike) {
+TEST_P(ReplicaSchedulerOn, AllGetOnAlike) {
   Counters counters(6, GetParam(), 100000);
   counters.work.request = [&] {
     auto const counts = counters.counts();
@@ -117,7 +117,7 @@ TEST_P(SideBySideOn, AllGetOnAlike) {
   for (int const count : counters.counts()) EXPECT_GT(count, 30);
 }
 
-TEST_P(SideBySideOn, WhatOneThrowsEndsAll) {
+TEST_P(ReplicaSchedulerOn, WhatOneThrowsEndsAll) {
   Counters counters(4, GetParam(), 100000);
   auto const advance = counters.work.advance;
   counters.work.advance = [&](std::size_t s, std::function<bool()> const& go_on) {
@@ -134,7 +134,7 @@ TEST_P(SideBySideOn, WhatOneThrowsEndsAll) {
   EXPECT_EQ(counters.busy, 0);
 }
 
-TEST_P(SideBySideOn, WhatIsThrownWhileHeldEndsAll) {
+TEST_P(ReplicaSchedulerOn, WhatIsThrownWhileHeldEndsAll) {
   Counters counters(4, GetParam(), 100000);
   counters.work.request = [] { return Request::hold; };
   counters.work.held = [] { throw std::runtime_error("disk full"); };

@@ -25,7 +25,7 @@ struct Happened {
 };
 
 /// The velocities of a contact at the step that was chosen.
-struct Looked {
+struct SampledContact {
   PairOfDisks pair;
   std::int64_t begin;
   ContactVelocities velocities;
@@ -34,13 +34,13 @@ struct Looked {
 class Listener final : public ContactListener {
  public:
   std::vector<Happened> all;
-  std::vector<Looked> looked;
+  std::vector<SampledContact> samples;
   std::map<Real, ContactVelocities> picks;  ///< by rank
   Real below = 1;                           ///< ranks that are asked for
   void picked(ContactPick const& pick) override { picks[pick.rank] = pick.velocities; }
   Real limit() const override { return below; }
   void sampled(OpenContact const& c) override {
-    looked.push_back({{c.a, c.b}, c.begin, c.velocities});
+    samples.push_back({{c.a, c.b}, c.begin, c.velocities});
   }
   void begins(ContactEvent const& e, std::size_t cluster) override {
     all.push_back({e.step, true, {e.a, e.b}, e.theta, static_cast<std::int64_t>(cluster)});
@@ -55,7 +55,7 @@ class AllPairs {
  public:
   std::vector<Happened> all;  ///< ends first, then by pair
   std::vector<std::array<double, ContactColumns::count>> windows;
-  std::vector<Looked> looked;               ///< in the order of their ends
+  std::vector<SampledContact> samples;      ///< in the order of their ends
   std::map<Real, ContactVelocities> picks;  ///< all contacts of evaluated configurations, by rank
 
   AllPairs(Scene const& scene, State const& start, Sampling const& sampling,
@@ -64,7 +64,7 @@ class AllPairs {
     reference::System system(reference_parameters(scene), start);
     for (std::int64_t step = 0; step < sampling.last_step; ++step) {
       windows.resize(static_cast<std::size_t>(sampling.window(step)) + 1);
-      look(system, step, sampling);
+      detect(system, step, sampling);
       reference::step(system);
     }
   }
@@ -78,7 +78,7 @@ class AllPairs {
   SampleChoice choice_;
   std::map<PairOfDisks, Open> open_;
 
-  void look(reference::System const& system, std::int64_t step, Sampling const& sampling) {
+  void detect(reference::System const& system, std::int64_t step, Sampling const& sampling) {
     auto& sums = windows.back();
     sums[ContactColumns::steps] += 1;
     std::map<PairOfDisks, reference::Contact> now;
@@ -114,7 +114,7 @@ class AllPairs {
       sums[ContactColumns::duration] += static_cast<double>(step - open.begin);
       sums[ContactColumns::binary] += open.binary;
       all.push_back({step, false, pair, theta(apart(system, pair)), step - open.begin});
-      if (choice_) looked.push_back({pair, open.begin, chosen(pair, open, step)});
+      if (choice_) samples.push_back({pair, open.begin, chosen(pair, open, step)});
       return true;
     });
   }
@@ -188,12 +188,12 @@ class AllPairs {
 };
 
 /// Windows with a record of contacts, and who is told of them.
-struct Watched {
+struct Observed {
   std::shared_ptr<Listener> listener = std::make_shared<Listener>();
   OpenWindows windows;
 
-  Watched(Simulation const& simulation, std::size_t disks, std::int64_t first_step = 0,
-          SampleChoice choice = {}) {
+  Observed(Simulation const& simulation, std::size_t disks, std::int64_t first_step = 0,
+           SampleChoice choice = {}) {
     windows.contacts =
         std::make_shared<ContactRecord>(disks, simulation.columns(), first_step, listener, choice);
   }

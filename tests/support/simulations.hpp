@@ -10,13 +10,13 @@
 
 #include "kernels/physics/laws/laws.hpp"
 #include "kernels/physics/sums/sums.hpp"
-#include "src/config/laws.hpp"
 #include "src/config/time_step.hpp"
 #include "src/engine/laws.hpp"
 #include "src/engine/make_simulation.hpp"
 #include "src/start/relax_overlaps.hpp"
 #include "src/start/start.hpp"
 #include "tests/reference/reference.hpp"
+#include "tests/support/reference_law.hpp"
 #include "tests/support/schemes.hpp"
 
 /// Scenes, starts and comparisons that the tests of simulations share.
@@ -115,29 +115,10 @@ inline WindowSums advance(Simulation& simulation, std::int64_t steps,
   return windows.take_first();
 }
 
-inline bool of_papers(std::string_view law) {
-  return law == CD::name || law == CDn::name || law == CDrot::name || law == CDnt::name;
-}
-
-/// A law of the papers by its name; another one that is linear by its constants.
+/// Throws reference::NoFormula where the reference has not the law.
 inline reference::Parameters reference_parameters(Scene const& scene) {
-  using Model = reference::Parameters::Model;
   reference::Parameters p;
-  auto const& name = scene.disks.model;
-  p.model = name == "CD"       ? Model::CD
-            : name == "CD_n"   ? Model::CD_n
-            : name == "CD_rot" ? Model::CD_rot
-                               : Model::CD_nt;
-  p.elasticity = scene.disks.elasticity;
-  p.damping_normal = scene.disks.damping_normal;
-  p.damping_tangential = scene.disks.damping_tangential;
-  if (!of_papers(name)) {
-    auto const& facts = law_of(scene.disks);
-    auto const constants = facts.constants(scene.disks);
-    p.damping_normal = constants.normal * p.elasticity;
-    p.damping_tangential = constants.tangential * p.elasticity;
-    if (!facts.rotates) p.model = constants.tangential == 0 ? Model::CD_n : Model::CD;
-  }
+  set_law(p, scene.disks);
   p.force_exponent = scene.disks.force_exponent;
   p.area_mass = scene.mass_by_area();
   p.strain_rate = scene.shear.strain_rate;

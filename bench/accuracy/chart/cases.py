@@ -10,7 +10,7 @@ LEGEND = {  # in the order of pictures
     "pairwise-sweep": "pairwise sweep",
     "increment-sweep": "increment sweep",
     TWO_STAGE: "two-stage",
-    "implicit-verlet": "implicit (dear)",
+    "implicit-verlet": "implicit (costly)",
 }
 STEPS = (0.4, 0.3, 0.2, 0.1, 0.05, 0.02)
 

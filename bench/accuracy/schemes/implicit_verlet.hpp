@@ -15,7 +15,7 @@ namespace bagnold::accuracy {
 ///     (1 + A dt/2) u = v_- + f_el dt/2m,   A v = -f_dis(r_n, v)/m,
 ///
 /// is solved by conjugate gradients in the scalar product with the masses. What the pairwise
-/// schemes approximate; dear, as it goes over the contacts many times.
+/// schemes approximate; costly, as it goes over the contacts many times.
 template <class World>
 struct ImplicitVerlet {
   static constexpr std::string_view name = "implicit-verlet";

@@ -77,19 +77,19 @@ struct ContactMotion {
   }
 };
 
-/// A contact is looked at in one configuration.
+/// A contact is sampled in one configuration.
 struct ContactSample {
   std::int64_t step = 0;
   std::uint32_t a = 0, b = 0;  ///< disks by their index at the start, a < b
   ContactVelocities velocities;
 };
 
-/// In which of its configurations a contact is looked at: when it ends, the last look has been at
+/// In which of its configurations a contact is sampled: when it ends, the last sample has been at
 /// each of them with equal chance.
 ///
 /// A reservoir of one, with jumps (Li, ACM Trans. Math. Softw. 20, 481 (1994)): after the j-th
-/// configuration comes the one of number floor(j/u) + 1, u even in (0, 1], so about ln n looks in n
-/// configurations. u is a hash of seed, disks and step: no thread, list or restart has a part in
+/// configuration comes the one of number floor(j/u) + 1, u even in (0, 1], so about ln n samples in
+/// n configurations. u is a hash of seed, disks and step: no thread, list or restart has a part in
 /// it.
 class SampleChoice {
  public:
@@ -101,10 +101,10 @@ class SampleChoice {
 
   explicit operator bool() const { return on_; }
 
-  /// The first look at a contact that begins at a step.
+  /// The first sample of a contact that begins at a step.
   std::int64_t first(std::int64_t begin) const { return on_ ? begin : never; }
 
-  /// The look after the one at step `now`. Disks in any order.
+  /// The sample after the one at step `now`. Disks in any order.
   std::int64_t next(std::uint32_t a, std::uint32_t b, std::int64_t begin, std::int64_t now) const {
     Real const step = static_cast<Real>(now - begin + 1) / uniform(a, b, now);
     constexpr Real most = 4e18;  // below 2^62

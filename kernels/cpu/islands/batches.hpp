@@ -6,14 +6,15 @@
 
 namespace bagnold {
 
-/// Islands put together to blocks without halo, on which the block step runs through a whole window
-/// in cache. Which island is in which batch depends on the islands alone.
+/// Islands put together to blocks without halo, on which the block step runs through a whole
+/// lookahead in cache. Which island is in which batch depends on the islands alone.
 struct Batches {
   static constexpr std::uint32_t size = 128;  ///< disks from which on a batch is full
 
   BlockSystem system;
-  Blocks::Array<simd::Record> origin;  ///< at the start of the window
-  Blocks::Array<Real> deviation2;      ///< largest squared distance from the straight flight since
+  Blocks::Array<simd::Record> origin;  ///< at the start of the lookahead
+  /// By slot, largest squared distance from the straight flight since, [d_s^2].
+  Blocks::Array<Real> flight_deviation2;
   std::vector<std::uint32_t> slot_of;  ///< by place in Islands::disks
 
   /// Takes islands and their disks' motion from `all`; false if one is too large for a batch.
@@ -73,7 +74,7 @@ struct Batches {
       need(system.trial.spin, slots, "islands::trial_spin");
     }
     need(origin, slots, "islands::origin");
-    need(deviation2, slots, "islands::deviation");
+    need(flight_deviation2, slots, "islands::deviation");
     return true;
   }
 
@@ -108,7 +109,7 @@ struct Batches {
   void place(std::uint32_t slot, simd::Record const& record, Species species) {
     system.now.record(slot) = origin(slot) = record;
     system.species(slot) = species;
-    deviation2(slot) = 0;
+    flight_deviation2(slot) = 0;
   }
 
   void list_pairs(Block& block, std::uint32_t begin, std::uint32_t end, std::uint32_t first_place,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "kernels/cpu/contacts/lane_watch.hpp"
+#include "kernels/cpu/contacts/lane_detector.hpp"
 #include "kernels/cpu/islands/binary_pair.hpp"
 #include "kernels/cpu/islands/flight_sums.hpp"
 #include "kernels/cpu/islands/sample_times.hpp"
@@ -36,10 +36,10 @@ struct BinaryCollisions {
 
   /// Brings pairs (a[k], b[k]), k < count <= 8, through `steps` steps. What they add to the sampled
   /// sums, beyond what their straight flights would, is added to sums[k * times.bins() + bin].
-  /// watch sees every step near a contact.
-  template <class Watch>
+  /// detector sees every step near a contact.
+  template <class Detector>
   BinaryOutcome run(Disk* a, Disk* b, int count, std::int64_t steps, SampleTimes const& times,
-                    BlockSums* sums, Watch&& watch) const {
+                    BlockSums* sums, Detector&& detector) const {
     Lanes p(*this, a, count), q(*this, b, count);
     PairConstants const pair(*this, a, b, count);
     BinaryOutcome outcome;
@@ -62,23 +62,23 @@ struct BinaryCollisions {
       auto f = evaluate(p, q, pair);
       if constexpr (two_stage) add_second_stage(f, p, q, dt, pair);
       Vec2<Pack> const velocity{p.vx - q.vx, p.vy - q.vy};
-      watch.look(active, f.touching, step, f.force.separation, velocity, {p.spin, q.spin});
+      detector.detect(active, f.touching, step, f.force.separation, velocity, {p.spin, q.spin});
       auto const sampled = active & (due < step + 0.5);
       if (sampled.any())
         for (auto lanes = sampled.lanes(); lanes != 0; lanes &= lanes - 1) {
           int const k = __builtin_ctz(lanes);
           add_sample(sums[static_cast<std::size_t>(k) * times.bins() + times.bin(sample[k])], f, p,
                      q, pair, k, step.v[k]);
-          watch.sample(k, times.bin(sample[k]), times.step(sample[k]), f.force.separation, velocity,
-                       {p.spin, q.spin});
+          detector.sample(k, times.bin(sample[k]), times.step(sample[k]), f.force.separation,
+                          velocity, {p.spin, q.spin});
           due.v[k] = due_step(times, ++sample[k]);
         }
       auto const g = take_step(p, q, f, dt, pair);
       step += simd::zero_unless(active, 1.0);
       overlap = max(overlap, simd::zero_unless(active & g.touching, g.force.relative_overlap));
       Pack const time = time_step * step;
-      p.watch(time, time_step);
-      q.watch(time, time_step);
+      p.keep_deviation(time, time_step);
+      q.keep_deviation(time, time_step);
       auto const approach = approaching(p, q);
       busy &= f.touching.lanes() | g.touching.lanes() | approach.lanes();
       outcome.touching += __builtin_popcount((active & g.touching).lanes());
@@ -93,8 +93,8 @@ struct BinaryCollisions {
     Pack const left = time_step * (end - step);
     p.fly(left);
     q.fly(left);
-    p.watch(time_step * end, time_step);
-    q.watch(time_step * end, time_step);
+    p.keep_deviation(time_step * end, time_step);
+    q.keep_deviation(time_step * end, time_step);
     p.store(a, count);
     q.store(b, count);
     outcome.bad = !(simd::largest(overlap) <= largest_relative_overlap) ||
@@ -137,9 +137,9 @@ struct BinaryCollisions {
   /// One disk of each pair.
   struct Lanes {
     Pack x, y, vx, vy, spin;
-    Pack x0, y0, vx0, vy0, spin0;       ///< at the start of the window
+    Pack x0, y0, vx0, vy0, spin0;       ///< at the start of the lookahead
     Pack inverse_mass, torque_to_spin;  ///< 1/m, d/I
-    Pack stray2 = 0.0;
+    Pack flight_deviation2 = 0.0;
 
     Lanes(BinaryCollisions const& c, Disk const* disks, int count) {
       for (int k = 0; k < width; ++k) {
@@ -186,17 +186,17 @@ struct BinaryCollisions {
         spin = Scheme::velocity_of_pair(spin, f.torque_per_diameter, dt * torque_to_spin);
     }
 
-    void watch(Pack time, Real time_step) {
+    void keep_deviation(Pack time, Real time_step) {
       Pack const dx = x - fma(time, vx0, x0), dy = y - fma(time, vy0, y0);
       Pack const ex = fma(time_step, vx - vx0, dx), ey = fma(time_step, vy - vy0, dy);
-      stray2 = max(stray2, max(fma(dx, dx, dy * dy), fma(ex, ex, ey * ey)));
+      flight_deviation2 = max(flight_deviation2, max(fma(dx, dx, dy * dy), fma(ex, ex, ey * ey)));
     }
 
     void store(Disk* disks, int count) const {
       for (int k = 0; k < count; ++k) {
         disks[k].record = {x.v[k], y.v[k], vx.v[k], vy.v[k]};
         disks[k].spin = spin.v[k];
-        disks[k].stray2 = stray2.v[k];
+        disks[k].flight_deviation2 = flight_deviation2.v[k];
       }
     }
 

@@ -13,7 +13,7 @@ struct BinaryDisk {
   simd::Record record;
   Real spin;
   Species species;
-  Real stray2;  ///< out: largest squared distance from its straight flight, [d_s^2]
+  Real flight_deviation2;  ///< out: largest squared distance from its straight flight, [d_s^2]
 };
 
 /// What became of pairs of them.

@@ -5,8 +5,8 @@
 
 namespace bagnold {
 
-/// Disks that may meet each other for the length of a window and no one else: what happens in one
-/// island does not concern another.
+/// Disks that may meet each other for the length of a lookahead and no one else: what happens in
+/// one island does not concern another.
 ///
 /// Each island is unfolded: its disks are taken at the images `image` at which they lie side by
 /// side, so that its pairs have no image.

@@ -39,15 +39,15 @@ BAGNOLD_INLINE simd::Mask may_meet(simd::Records const& d, simd::Pack reach, sim
   return (c < zero) | (end < zero) | ((b < zero) & (-b < v2 * duration) & (v2 * c < b * b));
 }
 
-/// Pairs that may meet within a window, each once over all blocks.
+/// Pairs that may meet within a lookahead, each once over all blocks.
 struct Forecast {
   std::vector<SlotPair> meeting;  ///< on straight flights
   struct Near {
     SlotPair pair;
-    int straying;  ///< how many of the two must stray by the usual for it: 1, 2, or 3 if that is
-                   ///< not enough
+    int deviating;  ///< how many of the two must deviate by the usual for it: 1, 2, or 3 if that is
+                    ///< not enough
   };
-  std::vector<Near> near;  ///< only if disks stray from these by up to the allowance
+  std::vector<Near> near;  ///< only if disks deviate from these by up to the allowance
 
   void clear() {
     meeting.clear();
@@ -56,7 +56,7 @@ struct Forecast {
 };
 
 /// Appends the pairs of a block that touch on straight flights of `duration`, [tau_e], or would if
-/// each disk strayed by up to `allowance`, or by the `usual`, [d_s]. records: the block's, halo
+/// each disk deviated by up to `allowance`, or by the `usual`, [d_s]. records: the block's, halo
 /// included.
 inline void predict_contacts(Blocks const& blocks, Block const& block, simd::Record const* records,
                              Real duration, Real allowance, Real usual, Forecast& forecast) {

@@ -9,10 +9,12 @@
 
 namespace bagnold {
 
-/// When configurations are evaluated within a window of steps, and sums of powers of these times.
+/// When configurations are evaluated within a lookahead, and sums of powers of these
+/// times.
 class SampleTimes {
  public:
-  /// Number of samples, and sums of t and t^2 over them, t in tau_e from the start of the window.
+  /// Number of samples, and sums of t and t^2 over them, t in tau_e from the start of the
+  /// lookahead.
   struct Powers {
     Real n = 0, t1 = 0, t2 = 0;
   };
@@ -24,7 +26,7 @@ class SampleTimes {
     total_.clear();
   }
 
-  /// step: from the start of the window, ascending; bin: measurement window, from 0, ascending.
+  /// step: from the start of the lookahead, ascending; bin: measurement window, from 0, ascending.
   void add(std::int64_t step, std::size_t bin, Real time_step) {
     if (bin >= total_.size()) total_.resize(bin + 1);
     auto& total = total_[bin];

@@ -149,7 +149,7 @@ BAGNOLD_INLINE Two firsts(Two x, Two y) { return __builtin_shuffle(x, y, TwoBits
 BAGNOLD_INLINE Two seconds(Two x, Two y) { return __builtin_shuffle(x, y, TwoBits{1, 3}); }
 
 /// Rows of an 8 x 8 matrix to its columns.
-BAGNOLD_INLINE void turn(Lanes* m) {
+BAGNOLD_INLINE void transpose(Lanes* m) {
   Lanes turned[width];
   for (int i = 0; i < width; ++i)
     for (int j = 0; j < width / 2; ++j) {

@@ -126,7 +126,7 @@ struct LargerCounts {
 };
 
 /// Rows of a 4 x 4 matrix to its columns.
-BAGNOLD_INLINE void turn(__m256d& a, __m256d& b, __m256d& c, __m256d& d) {
+BAGNOLD_INLINE void transpose(__m256d& a, __m256d& b, __m256d& c, __m256d& d) {
   __m256d const ab0 = _mm256_unpacklo_pd(a, b), ab1 = _mm256_unpackhi_pd(a, b);
   __m256d const cd0 = _mm256_unpacklo_pd(c, d), cd1 = _mm256_unpackhi_pd(c, d);
   a = _mm256_permute2f128_pd(ab0, cd0, 0x20);
@@ -136,11 +136,11 @@ BAGNOLD_INLINE void turn(__m256d& a, __m256d& b, __m256d& c, __m256d& d) {
 }
 
 /// Rows of an 8 x 8 matrix to its columns.
-BAGNOLD_INLINE void turn(Lanes* m) {
-  turn(m[0].low, m[1].low, m[2].low, m[3].low);
-  turn(m[4].high, m[5].high, m[6].high, m[7].high);
-  turn(m[0].high, m[1].high, m[2].high, m[3].high);
-  turn(m[4].low, m[5].low, m[6].low, m[7].low);
+BAGNOLD_INLINE void transpose(Lanes* m) {
+  transpose(m[0].low, m[1].low, m[2].low, m[3].low);
+  transpose(m[4].high, m[5].high, m[6].high, m[7].high);
+  transpose(m[0].high, m[1].high, m[2].high, m[3].high);
+  transpose(m[4].low, m[5].low, m[6].low, m[7].low);
   for (int k = 0; k < 4; ++k) {
     __m256d const moved = m[k].high;
     m[k].high = m[k + 4].low;

@@ -71,7 +71,7 @@ struct LargerCounts {
 };
 
 /// Rows of an 8 x 8 matrix to its columns.
-BAGNOLD_INLINE void turn(Lanes* m) {
+BAGNOLD_INLINE void transpose(Lanes* m) {
   __m512d pairs[width];  // even and odd columns of two rows, side by side
   for (int k = 0; k < width; k += 2) {
     pairs[k] = _mm512_unpacklo_pd((__m512d)m[k], (__m512d)m[k + 1]);

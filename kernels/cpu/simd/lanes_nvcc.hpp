@@ -91,7 +91,7 @@ struct LargerCounts {
 };
 
 /// Rows of an 8 x 8 matrix to its columns.
-BAGNOLD_INLINE void turn(Lanes* m) {
+BAGNOLD_INLINE void transpose(Lanes* m) {
   for (int i = 0; i < width; ++i)
     for (int j = 0; j < i; ++j) {
       double const moved = m[i][j];

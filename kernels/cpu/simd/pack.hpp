@@ -95,7 +95,7 @@ struct CountPairs {
 BAGNOLD_INLINE void transpose(Pack* m) {
   Lanes rows[width];
   for (int k = 0; k < width; ++k) rows[k] = m[k].v;
-  detail::turn(rows);
+  detail::transpose(rows);
   for (int k = 0; k < width; ++k) m[k] = rows[k];
 }
 

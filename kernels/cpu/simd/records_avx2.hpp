@@ -17,9 +17,9 @@ BAGNOLD_INLINE __m256d load(Record const& r) { return _mm256_load_pd(&r.x); }
 template <class Row>
 BAGNOLD_INLINE Records load_rows(Row const& row) {
   __m256d a = row(0), b = row(1), c = row(2), d = row(3);
-  turn(a, b, c, d);
+  transpose(a, b, c, d);
   __m256d e = row(4), f = row(5), g = row(6), h = row(7);
-  turn(e, f, g, h);
+  transpose(e, f, g, h);
   return {Lanes(a, e), Lanes(b, f), Lanes(c, g), Lanes(d, h)};
 }
 BAGNOLD_INLINE Records load_rows(double const* r) {
@@ -31,10 +31,10 @@ template <class Store>
 BAGNOLD_INLINE void store_rows(Pack const& x, Pack const& y, Pack const& z, Pack const& w,
                                Store const& store) {
   __m256d a = x.v.low, b = y.v.low, c = z.v.low, d = w.v.low;
-  turn(a, b, c, d);
+  transpose(a, b, c, d);
   store(0, a), store(1, b), store(2, c), store(3, d);
   __m256d e = x.v.high, f = y.v.high, g = z.v.high, h = w.v.high;
-  turn(e, f, g, h);
+  transpose(e, f, g, h);
   store(4, e), store(5, f), store(6, g), store(7, h);
 }
 

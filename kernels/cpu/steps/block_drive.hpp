@@ -61,7 +61,9 @@ class DriveOnBlocks final : public BlockDrive<Force, Rotates> {
   DrivePower power(BlockSystem const& s, Block const& block, Real strain_rate) const override {
     return sum(block, strain_rate, [&](std::uint32_t i) {
       auto const disk = disk_at(s, block, s.now, i, strain_rate);
-      auto const trial = disk_at(s, block, s.trial, i, strain_rate, disk.position.y);
+      auto const slot = block.first + i;
+      auto const r = simd::load_records(s.trial.record.data() + slot);
+      auto const trial = moving(s, s.trial, slot, r, disk.position.y, strain_rate);
       auto halfway = disk;
       halfway.velocity = Pack(0.5) * (disk.velocity + trial.velocity);
       halfway.spin = 0.5 * (disk.spin + trial.spin);
@@ -110,19 +112,9 @@ class DriveOnBlocks final : public BlockDrive<Force, Rotates> {
 
   DrivenDisk<Pack> disk_at(BlockSystem const& s, Block const& block, BlockState const& state,
                            std::uint32_t i, Real strain_rate) const {
-    auto const r = simd::load_records(state.record.data() + block.first + i);
-    return disk_at(s, block, state, i, strain_rate, r.y);
-  }
-
-  /// In the flow at another y.
-  DrivenDisk<Pack> disk_at(BlockSystem const& s, Block const& block, BlockState const& state,
-                           std::uint32_t i, Real strain_rate, Pack const& y) const {
     auto const slot = block.first + i;
     auto const r = simd::load_records(state.record.data() + slot);
-    DrivenDisk<Pack> disk = sized(s, slot);
-    disk.position = r.position();
-    disk.velocity = {peculiar_x(r.vx, y, strain_rate), r.vy};
-    if constexpr (Rotates) disk.spin = Pack::load(state.spin.data() + slot) + strain_rate / 2;
+    auto disk = moving(s, state, slot, r, r.y, strain_rate);
     if constexpr (Drive::random) {
       for (int k = 0; k < simd::width; ++k) {
         auto const random = stream_.centred(s.disk_of(slot + static_cast<std::uint32_t>(k)),
@@ -132,6 +124,16 @@ class DriveOnBlocks final : public BlockDrive<Force, Rotates> {
         if constexpr (Rotates) disk.random_spin.v[k] = random.z;
       }
     }
+    return disk;
+  }
+
+  /// In the flow at y.
+  static DrivenDisk<Pack> moving(BlockSystem const& s, BlockState const& state, std::uint32_t slot,
+                                 simd::Records const& r, Pack const& y, Real strain_rate) {
+    DrivenDisk<Pack> disk = sized(s, slot);
+    disk.position = r.position();
+    disk.velocity = {peculiar_x(r.vx, y, strain_rate), r.vy};
+    if constexpr (Rotates) disk.spin = Pack::load(state.spin.data() + slot) + strain_rate / 2;
     return disk;
   }
 

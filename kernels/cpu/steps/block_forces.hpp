@@ -25,7 +25,7 @@ struct PackPower {
 };
 
 /// Keeps the largest overlap and counts contacts.
-struct OverlapWatch {
+struct OverlapBound {
   simd::Pack largest = 0.0;
   std::uint32_t touching = 0;
   void operator()(PackOfPairs const& p) {

@@ -3,11 +3,11 @@
 
 #include <string_view>
 
-#include "kernels/cpu/contacts/lane_watch.hpp"
+#include "kernels/cpu/contacts/lane_detector.hpp"
 #include "kernels/cpu/islands/binary_pair.hpp"
 #include "kernels/cpu/islands/flight_sums.hpp"
 #include "kernels/cpu/steps/active_disks.hpp"
-#include "kernels/cpu/steps/speed_watch.hpp"
+#include "kernels/cpu/steps/motion_bounds.hpp"
 #include "kernels/physics/drives/drive_power.hpp"
 #include "kernels/physics/laws/contact.hpp"
 #include "kernels/physics/sums/sums.hpp"
@@ -58,7 +58,7 @@ class BlockStepper {
   /// Second half: the state at t + dt. observed: `force` is as measure() left it. seen: shown the
   /// new motion of each pack of disks, if there is one.
   virtual BlockReport correct(BlockSystem const& system, std::uint32_t b, ShearedBox const& box,
-                              void* force, bool observed, DeviationWatch* seen) const = 0;
+                              void* force, bool observed, FlightDeviation* seen) const = 0;
 
   /// Both halves, bit for bit the same, where few of the near pairs touch: contacts are looked for
   /// first, forces worked out for them alone, and all other disks are moved in one stream, x += v
@@ -81,7 +81,7 @@ class BlockStepper {
   /// Brings `count` pairs of disks that meet no one else through steps; see BinaryCollisions.
   virtual BinaryOutcome collide(BinaryDisk* a, BinaryDisk* b, int count, std::int64_t steps,
                                 Real strain_rate, SampleTimes const& times, BlockSums* sums,
-                                LaneWatch* watch) const = 0;
+                                LaneDetector* detector) const = 0;
 };
 
 }  // namespace bagnold

@@ -59,7 +59,7 @@ struct BlockReport {
   Real fastest2 = 0;           ///< largest (v - gammadot y x^)^2, [d_s^2 / tau_e^2]
   Real largest_overlap = 0;    ///< relative
   std::uint32_t touching = 0;  ///< pairs, those across the edge included
-  Real nan_flag = 0;           ///< 0, or no number where a motion is none
+  Real nan_flag = 0;           ///< 0, or NaN where a motion is
 
   BlockReport& operator+=(BlockReport const& o) {
     fastest2 = std::max(fastest2, o.fastest2);
@@ -76,11 +76,11 @@ struct BlockSystem {
   Blocks::Array<Species> species;  ///< by slot
   SpeciesTable table;
   BlockState now;
-  BlockState trial;              ///< what the first half of a step leaves for the second
-  bool rotates = false;          ///< spins are there
-  std::int64_t arrangement = 0;  ///< counts how often disks got other slots
-  std::int64_t listing = 0;      ///< counts how often the inner lists were taken anew
-  std::int64_t step = 0;
+  BlockState trial;                      ///< what the first half of a step leaves for the second
+  bool rotates = false;                  ///< spins are there
+  std::int64_t arrangement = 0;          ///< counts how often disks got other slots
+  std::int64_t listing = 0;              ///< counts how often the inner lists were taken anew
+  std::int64_t step = 0;                 ///< steps done
   Blocks::Array<std::uint32_t> disk_of;  ///< by slot, the index at the start; if a drive asks
 
   /// (d_i thetadot_i + d_j thetadot_j) / (d_i + d_j) of two slots, [1/tau_e]; 0 without spins.

@@ -73,11 +73,11 @@ struct BlockStep<L, R, S> {
                       bool, Seen const& seen) const {
     Block const& block = s.blocks.block(b);
     refresh_halo(s.blocks, block, s.trial, box);
-    OverlapWatch overlaps;
+    OverlapBound overlaps;
     forces.evaluate(s, block, s.trial, force, overlaps);
     if (drive) drive->add(s, block, s.trial, box.strain_rate, force);
     Kick const kick(s.table, time_step / 2);
-    SpeedWatch speeds{box.strain_rate};
+    SpeedBound speeds{box.strain_rate};
     for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
       auto const slot = block.first + i;
       auto r = simd::load_records(s.now.record.data() + slot);
@@ -133,10 +133,10 @@ struct BlockStep<L, R, S> {
     auto const* const trial = s.trial.record.data() + block.first;
     refresh_halo(s.blocks, block, s.trial, box);
     active.find(s.blocks, b, trial, force);
-    OverlapWatch overlaps;
+    OverlapBound overlaps;
     forces.add(s, block, contact_list, s.trial, force, overlaps);
     Kick const kick(s.table, time_step / 2);
-    SpeedWatch speeds{box.strain_rate};
+    SpeedBound speeds{box.strain_rate};
     auto* to = moved;
     active.each_pack(
         block, active.count(b), s.species.data(), [&](std::uint16_t const* at, simd::Mask big) {
@@ -200,7 +200,7 @@ struct BlockStep<L, R, S> {
     r = simd::make_records(place, after);
   }
 
-  static BlockReport report(SpeedWatch const& speeds, OverlapWatch const& overlaps) {
+  static BlockReport report(SpeedBound const& speeds, OverlapBound const& overlaps) {
     return {simd::largest(speeds.fastest2), simd::largest(overlaps.largest), overlaps.touching,
             simd::sum(speeds.nan_flag)};
   }

@@ -32,9 +32,9 @@ class StepperOf final : public BlockStepper {
   }
 
   BlockReport correct(BlockSystem const& s, std::uint32_t b, ShearedBox const& box, void* force,
-                      bool observed, DeviationWatch* seen) const override {
+                      bool observed, FlightDeviation* seen) const override {
     if (seen != nullptr) return step_.correct(s, b, box, forces(force), observed, *seen);
-    return step_.correct(s, b, box, forces(force), observed, NoDeviationWatch{});
+    return step_.correct(s, b, box, forces(force), observed, NoFlightDeviation{});
   }
 
   BlockReport predict_few(BlockSystem const& s, ActiveDisks const& active, std::uint32_t b,
@@ -60,12 +60,12 @@ class StepperOf final : public BlockStepper {
 
   BinaryOutcome collide(BinaryDisk* a, BinaryDisk* b, int count, std::int64_t steps,
                         Real strain_rate, SampleTimes const& times, BlockSums* sums,
-                        LaneWatch* watch) const override {
+                        LaneDetector* detector) const override {
     BinaryCollisions<Law, Repulsion, typename Step::Scheme> const collisions{
         step_.forces.law, step_.forces.repulsion, table_, step_.time_step,
         strain_rate,      step_.second_stage()};
-    if (watch != nullptr) return collisions.run(a, b, count, steps, times, sums, *watch);
-    return collisions.run(a, b, count, steps, times, sums, NoLaneWatch{});
+    if (detector != nullptr) return collisions.run(a, b, count, steps, times, sums, *detector);
+    return collisions.run(a, b, count, steps, times, sums, NoLaneDetector{});
   }
 
  private:

@@ -88,7 +88,7 @@ struct BlockStep<L, R, S> {
       if (drive) drive->add_second(s, block, force);
     }
     Kick const kick(s.table, time_step);
-    SpeedWatch speeds{box.strain_rate};
+    SpeedBound speeds{box.strain_rate};
     for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
       auto const slot = block.first + i;
       auto r = simd::load_records(s.now.record.data() + slot);
@@ -118,7 +118,7 @@ struct BlockStep<L, R, S> {
     for (std::uint32_t k = 0; k < active.count(b); ++k) simd::at(change, before[k]) = {};
     active.count(b) = 0;
     active.find(s.blocks, b, s.now.record.data() + block.first, force);
-    OverlapWatch overlaps;
+    OverlapBound overlaps;
     forces.add(s, block, contact_list, s.now, force, overlaps);
     Kick const kick(s.table, time_step);
     active.each_pack(
@@ -141,7 +141,7 @@ struct BlockStep<L, R, S> {
       add_second(s, block, force);
     }
     Kick const kick(s.table, time_step);
-    SpeedWatch speeds{box.strain_rate};
+    SpeedBound speeds{box.strain_rate};
     auto const* const list = active.list.data() + block.first;
     for (auto k = active.count(b); k < simd::round_up(active.count(b)); ++k)
       simd::at(force, list[k]) = Force{};

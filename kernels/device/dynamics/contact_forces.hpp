@@ -11,7 +11,7 @@
 
 namespace bagnold {
 
-/// Watches no pair.
+/// Sees no pair.
 struct NoObserver {
   KOKKOS_FUNCTION void operator()(PairForce<Real> const&) const {}
 };

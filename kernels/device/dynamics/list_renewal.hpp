@@ -40,7 +40,7 @@ struct NextStep {
   }
 };
 
-/// Keeps the largest |w|^2 of a disk now and a step later; infinity where it is no number, or not
+/// Keeps the largest |w|^2 of a disk now and a step later; infinity where it is NaN, or not
 /// sound.
 KOKKOS_INLINE_FUNCTION void keep_largest(Real& largest, Real now2, Real next2, bool sound) {
   Real value = now2 > next2 ? now2 : next2;

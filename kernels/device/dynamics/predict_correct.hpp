@@ -48,7 +48,7 @@ struct OverlapLimit {
 
 /// Second half of its step. Reduces (Max) the largest |w|^2 of r_1 and of the next
 /// trial position r_1 + v_1 dt, so that the list can be renewed before it is outrun; infinity where
-/// a number is no number or an overlap is beyond its limit.
+/// a motion is NaN or an overlap is beyond its limit.
 template <ContactLaw Law, class Repulsion, class Space, PredictCorrectScheme Scheme>
 struct Correct {
   ContactForces<Law, Repulsion, Space> forces;  ///< at the trial positions, at t + dt

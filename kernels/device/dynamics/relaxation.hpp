@@ -47,7 +47,7 @@ template <PairLaw Law, class Repulsion, class Space>
 struct LargestOverlap {
   using Value = Kokkos::ValLocScalar<Real, std::int64_t>;
 
-  struct Watch {
+  struct DeepestOverlap {
     Real& largest;
     KOKKOS_FUNCTION void operator()(PairForce<Real> const& pair) const {
       if (pair.relative_overlap > largest) largest = pair.relative_overlap;
@@ -58,7 +58,7 @@ struct LargestOverlap {
 
   KOKKOS_FUNCTION void operator()(std::int64_t i, Value& deepest) const {
     Real largest = 0;
-    forces(static_cast<std::uint32_t>(i), Watch{largest});
+    forces(static_cast<std::uint32_t>(i), DeepestOverlap{largest});
     if (largest > deepest.val) deepest = {largest, i};
   }
 };

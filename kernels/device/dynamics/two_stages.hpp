@@ -69,7 +69,16 @@ struct ChangeForces {
   /// As ContactForces has it, of the whole step.
   template <class Observer>
   KOKKOS_FUNCTION DiskPower power(std::uint32_t i, Observer&& observe) const {
-    auto const [second, both] = damping(i, observe);
+    return power_of_damping(i, damping(i, observe));
+  }
+
+  /// On one disk, of the second stage and of both.
+  struct Damping {
+    Load<rotates> second, both;
+  };
+
+  KOKKOS_FUNCTION DiskPower power_of_damping(std::uint32_t i, Damping const& damping) const {
+    auto const& [second, both] = damping;
     auto const species = forces.species(i);
     Real const half_per_mass = time_step / 2 * forces.table.inverse_mass[species];
     DiskPower power{-half_per_mass * dot(both.force, second.force), 0};
@@ -80,12 +89,6 @@ struct ChangeForces {
     }
     return power;
   }
-
- private:
-  /// On one disk, of the second stage and of both.
-  struct Damping {
-    Load<rotates> second, both;
-  };
 
   template <class Observer>
   KOKKOS_FUNCTION Damping damping(std::uint32_t i, Observer&& observe) const {
@@ -123,6 +126,26 @@ struct ChangeForces {
       observe(pair);
     });
     return total;
+  }
+};
+
+/// The damping of the changes where a drive's second stage changes velocities too.
+template <class Law, class Repulsion, class Space>
+struct DrivenChangeForces {
+  using Forces = ChangeForces<Law, Repulsion, Space>;
+  static constexpr bool rotates = Law::rotates;
+  Forces forces;
+  Kokkos::View<Motion<rotates> const*, Space> driven;  ///< what the drag of the changes changes
+
+  KOKKOS_FUNCTION ContactForces<Law, Repulsion, Space> const& now() const { return forces.now(); }
+
+  template <class Observer>
+  KOKKOS_FUNCTION DiskPower power(std::uint32_t i, Observer&& observe) const {
+    auto const damping = forces.damping(i, observe);
+    DiskPower power = forces.power_of_damping(i, damping);
+    power.dissipation -= Real(0.5) * dot(damping.both.force, driven(i).velocity);
+    if constexpr (rotates) power.dissipation -= Real(0.5) * damping.both.torque * driven(i).spin;
+    return power;
   }
 };
 

@@ -25,7 +25,7 @@ struct ShearSince {
   }
 };
 
-/// turns: of any size; as good as none where they would round up to a whole one.
+/// turns: of any size; taken as none where they would round up to a whole one.
 KOKKOS_INLINE_FUNCTION ShearSince shear_since(DoubleDouble const& turns,
                                               DoubleDouble const& step_strain, Real length,
                                               Real aspect) {

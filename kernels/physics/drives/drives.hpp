@@ -12,7 +12,4 @@ namespace bagnold {
 using Drives = std::tuple<StokesDrag,  //
                           ThermalBath>;
 
-/// The word for none.
-inline constexpr std::string_view no_drive = "none";
-
 }  // namespace bagnold

@@ -14,14 +14,14 @@ constexpr auto rate_key = "shear.strain_rate";
 
 /// value = {place along the curve, y there}: ln p against the place (ln gammadot, or phi) and y
 /// against it, straight between neighbours.
-Found at_pressure(Points const& pressure, Points const& other, double wanted, bool log_x) {
+FitResult at_pressure(Points const& pressure, Points const& other, double wanted, bool log_x) {
   check_points(pressure, 2, "constant pressure");
   auto const place = where_level(with_logarithms(pressure, log_x, true), std::log(wanted));
   if (!place) throw InputError(fmt::format("p = {} lies outside this curve; add points", wanted));
   double const x = log_x ? std::exp(place->value) : place->value;
   auto const y = at_place(with_logarithms(other, log_x, false), place->value, place->error);
-  Found out{{x, y ? y->value : unknown},
-            {place->error * (log_x ? x : 1.0), y ? y->error : unknown}};
+  FitResult out{{x, y ? y->value : unknown},
+                {place->error * (log_x ? x : 1.0), y ? y->error : unknown}};
   out.points = pressure.size();
   return out;
 }

@@ -12,17 +12,17 @@ namespace {
 
 /// The slope of ln y over points first .. last - 1 (all: last = 0) against ln x; value = {x at the
 /// middle of ln x, slope}.
-Found slope(Points const& measured, std::size_t first, std::size_t last) {
+FitResult slope(Points const& measured, std::size_t first, std::size_t last) {
   auto const all = with_logarithms(measured, true, true);
   auto const points = part(all, first, last == 0 ? all.size() : last);
   auto const line = fit_line(points);
   double middle = 0.0;
   for (double const x : points.x) middle += x / static_cast<double>(points.size());
-  Found out{{std::exp(middle), line.value[1]},
-            {0.0, line.error[1]},
-            line.chi2,
-            line.freedom,
-            points.size()};
+  FitResult out{{std::exp(middle), line.value[1]},
+                {0.0, line.error[1]},
+                line.chi2,
+                line.freedom,
+                points.size()};
   out.weighted = points.weighted();
   out.lines.push_back(
       sample_line(std::exp(points.x.front()), std::exp(points.x.back()), true,

@@ -28,10 +28,10 @@ bool is_log(Request const& request) { return own_x(request) != "disks.packing_fr
 /// value = {place, factor} for each direction; NaN where there is no jump. Where points are
 /// resampled the place is drawn from where it may lie between two of them: resampling alone does
 /// not move it.
-Found jumps_of(Points const& measured, Request const& request, Draw const& draw) {
+FitResult jumps_of(Points const& measured, Request const& request, Draw const& draw) {
   bool const log_x = is_log(request);
   auto const points = with_logarithms(measured, log_x, false);
-  Found out;
+  FitResult out;
   out.points = points.size();
   for (auto const direction : directions_of(request)) {
     auto found = find_jump(points, direction, request.least_factor);

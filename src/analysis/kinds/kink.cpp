@@ -11,12 +11,12 @@ namespace bagnold::analysis {
 namespace {
 
 /// value = {x_1, y_1, ...} of the kinks; errors of y are not given: it lies on the curve.
-Found kinks_of(Points const& measured, Request const& request) {
+FitResult kinks_of(Points const& measured, Request const& request) {
   auto const points = with_logarithms(measured, request.log_x, request.log_y);
   auto const fitted = fit_piecewise_linear(points, request.kinks);
   auto const x_of = [&](double x) { return request.log_x ? std::exp(x) : x; };
   auto const y_of = [&](double y) { return request.log_y ? std::exp(y) : y; };
-  Found out{{}, {}, fitted.chi2, fitted.freedom, points.size()};
+  FitResult out{{}, {}, fitted.chi2, fitted.freedom, points.size()};
   out.weighted = points.weighted();
   for (std::size_t k = 3; k < fitted.value.size(); k += 2) {
     double const x = fitted.value[k], place = x_of(x);

@@ -21,7 +21,7 @@ Points with_misfit(Points points, double misfit) {
 /// m of fit_all; 0 where chi2 is one of chance, or no fit is found on the way.
 double misfit_of(Model const& model, Points const& points, Fixed const& fixed,
                  Fit const& first) try {
-  Found found{{}, {}, first.chi2, first.freedom};
+  FitResult found{{}, {}, first.chi2, first.freedom};
   found.weighted = points.weighted();
   if (!beyond_chance(found)) return 0.0;
   double low = 1e-4, high = 1.0;
@@ -36,8 +36,8 @@ double misfit_of(Model const& model, Points const& points, Fixed const& fixed,
   return 0.0;
 }
 
-Found found_from(Model const& model, Points const& points, Fit const& fitted, bool log_x) {
-  Found out{fitted.value, fitted.error, fitted.chi2, fitted.freedom, points.size()};
+FitResult found_from(Model const& model, Points const& points, Fit const& fitted, bool log_x) {
+  FitResult out{fitted.value, fitted.error, fitted.chi2, fitted.freedom, points.size()};
   out.weighted = points.weighted();
   auto const [low, high] = std::ranges::minmax(points.x);
   out.lines.push_back(

@@ -16,7 +16,7 @@ using ModelOf = std::function<Model(Points const&)>;
 /// Where chi2 is beyond chance the law is taken to be off by a share m of y at each point: errors
 /// become (error^2 + m^2 y^2)^(1/2), m such that chi2 equals its degrees of freedom (Mandel and
 /// Paule, Anal. Chem. 42, 1194 (1970)). Else the points of smallest errors, where the law is no
-/// better than elsewhere, would decide alone. Found::chi2 is that of the errors as measured.
+/// better than elsewhere, would decide alone. FitResult::chi2 is that of the errors as measured.
 std::vector<Outcome> fit_all(std::vector<Series> const& series, ModelOf const& model,
                              Fixed const& fixed, bool log_x, Request const& request);
 

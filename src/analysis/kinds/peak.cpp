@@ -23,7 +23,7 @@ Vertex vertex(std::array<double, 3> const& x, std::array<double, 3> const& y) {
 
 /// value = {place, height}: of the parabola through the highest point and its neighbours, errors of
 /// the three carried over to first order.
-Found highest(Points const& points) {
+FitResult highest(Points const& points) {
   check_points(points, 3, "peak");
   auto const at = std::ranges::max_element(points.y) - points.y.begin();
   if (at == 0 || at + 1 == std::ssize(points.y))
@@ -33,7 +33,7 @@ Found highest(Points const& points) {
   std::copy_n(points.x.begin() + at - 1, 3, x.begin());
   std::copy_n(points.y.begin() + at - 1, 3, y.begin());
   auto const best = vertex(x, y);
-  Found out{{best.x, best.y}, {0.0, 0.0}};
+  FitResult out{{best.x, best.y}, {0.0, 0.0}};
   out.points = points.size();
   for (std::size_t k = 0; k < 3; ++k) {
     auto moved = y;

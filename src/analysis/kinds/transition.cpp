@@ -13,7 +13,7 @@ std::string own_y(std::string const& x) {
 }
 
 /// value = {place where the lines meet}; lines from their outer ends to a little beyond it.
-Found meet(Points const& measured, Request const& request) {
+FitResult meet(Points const& measured, Request const& request) {
   auto const points = with_logarithms(measured, request.log_x, request.log_y);
   double const at = request.split ? (request.log_x ? std::log(*request.split) : *request.split) : 0;
   auto const lines = fit_two_lines(points, request.split ? &at : nullptr);
@@ -21,11 +21,11 @@ Found meet(Points const& measured, Request const& request) {
     return logarithm ? std::exp(value) : value;
   };
   double const place = back(lines.meeting.x, request.log_x);
-  Found out{{place},
-            {lines.meeting.error * (request.log_x ? place : 1.0)},
-            lines.first.chi2 + lines.second.chi2,
-            lines.first.freedom + lines.second.freedom,
-            points.size()};
+  FitResult out{{place},
+                {lines.meeting.error * (request.log_x ? place : 1.0)},
+                lines.first.chi2 + lines.second.chi2,
+                lines.first.freedom + lines.second.freedom,
+                points.size()};
   out.weighted = points.weighted();
   double const beyond = 0.05 * (points.x.back() - points.x.front());
   auto const add = [&](Fit const& fit, double low, double high) {

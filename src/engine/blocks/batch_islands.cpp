@@ -7,15 +7,15 @@
 
 namespace bagnold {
 
-bool BatchIslands::run(BlockDisks const& disks, LookaheadWindow& window, WindowScratch& scratch) {
+bool BatchIslands::run(BlockDisks const& disks, Lookahead& lookahead, LookaheadScratch& scratch) {
   if (islands.disks.empty()) return true;
   auto const& needs = disks.stepper->needs;
   if (!batches_.fill(islands, disks.system, needs.lists_contacts, scratch.start)) return false;
   auto& system = batches_.system;
   auto& results = scratch.results;
   auto const count = system.blocks.count;
-  window.work.others += static_cast<Real>(islands.disks.size());
-  window.work.batches += static_cast<Real>(count);
+  lookahead.work.others += static_cast<Real>(islands.disks.size());
+  lookahead.work.batches += static_cast<Real>(count);
   add_units(scratch);
   outcome_.assign(count, {});
   if (scratch.contacts)
@@ -24,25 +24,25 @@ bool BatchIslands::run(BlockDisks const& disks, LookaheadWindow& window, WindowS
   auto const room = system.blocks.most_local * static_cast<std::size_t>(needs.observed_forces) *
                     needs.force_bytes;
   disks.loop->with_scratch<std::byte>(count, room, [&](std::uint32_t b, std::byte* force) {
-    run_batch(b, disks, window, scratch, force);
+    run_batch(b, disks, lookahead, scratch, force);
   });
   for (std::uint32_t b = 0; b < count; ++b) {
     if (outcome_[b].bad) return false;
     Real& touching = results.units[first_unit_ + b].touching;
-    touching = static_cast<Real>(outcome_[b].touching) / static_cast<Real>(window.steps());
-    window.work.touching += touching;
+    touching = static_cast<Real>(outcome_[b].touching) / static_cast<Real>(lookahead.steps());
+    lookahead.work.touching += touching;
   }
   for (std::size_t d = 0; d < islands.disks.size(); ++d) {
     auto const from = batches_.slot_of[d];
     auto& result = results.of(islands.disks[d].slot);
     result.record = system.now.record(from);
     if (system.rotates) result.spin = system.now.spin(from);
-    result.deviation = std::sqrt(batches_.deviation2(from));
+    result.deviation = std::sqrt(batches_.flight_deviation2(from));
   }
   return true;
 }
 
-void BatchIslands::add_units(WindowScratch& scratch) {
+void BatchIslands::add_units(LookaheadScratch& scratch) {
   auto& results = scratch.results;
   first_unit_ = results.units.size();
   for (std::uint32_t b = 0; b < batches_.system.blocks.count; ++b) {
@@ -55,9 +55,9 @@ void BatchIslands::add_units(WindowScratch& scratch) {
   }
 }
 
-/// Brings one batch through the window, step by step or by leaps.
-void BatchIslands::run_batch(std::uint32_t b, BlockDisks const& disks,
-                             LookaheadWindow const& window, WindowScratch& scratch, void* force) {
+/// Brings one batch through the lookahead, step by step or by leaps.
+void BatchIslands::run_batch(std::uint32_t b, BlockDisks const& disks, Lookahead const& lookahead,
+                             LookaheadScratch& scratch, void* force) {
   auto const& system = batches_.system;
   auto const& stepper = *disks.stepper;
   auto const& clock = disks.clock;
@@ -67,17 +67,18 @@ void BatchIslands::run_batch(std::uint32_t b, BlockDisks const& disks,
   auto const slot_of = [&](std::uint32_t batch, std::uint32_t local) { return slot(batch, local); };
   ShearedBox box = scratch.start;  // islands are unfolded: no image is asked for
   box.offset = 0;
-  DeviationWatch watch{batches_.origin.data(), batches_.deviation2.data(), 0, clock.time_step};
+  FlightDeviation flight{batches_.origin.data(), batches_.flight_deviation2.data(), 0,
+                         clock.time_step};
   std::size_t sample = 0;
   bool idle = true;
-  for (std::int64_t s = 0; s < window.steps(); ++s) {
-    if (contacts) contacts.look(system, b, unit, s, slot_of);
+  for (std::int64_t s = 0; s < lookahead.steps(); ++s) {
+    if (contacts) contacts.detect(system, b, unit, s, slot_of);
     if (idle) {
-      auto const last = s + leap(b, clock, s, window.steps() - s, sample, scratch);
-      if (last > s) watch.all_of(system.blocks.block(b), system.now.record.data(), last);
+      auto const last = s + leap(b, clock, s, lookahead.steps() - s, sample, scratch);
+      if (last > s) flight.all_of(system.blocks.block(b), system.now.record.data(), last);
       s = last;
-      if (s == window.steps()) break;
-      if (contacts) contacts.look(system, b, unit, s, slot_of);
+      if (s == lookahead.steps()) break;
+      if (contacts) contacts.detect(system, b, unit, s, slot_of);
     }
     auto report = stepper.predict(system, b, box, force);
     bool const sampled = sample < times.size() && s == times.step(sample);
@@ -88,8 +89,8 @@ void BatchIslands::run_batch(std::uint32_t b, BlockDisks const& disks,
       if (contacts) contacts.sample(system, b, unit, bin, s, slot_of);
       ++sample;
     }
-    watch.time = static_cast<Real>(s + 1) * clock.time_step;
-    report += stepper.correct(system, b, box, force, sampled, &watch);
+    flight.time = static_cast<Real>(s + 1) * clock.time_step;
+    report += stepper.correct(system, b, box, force, sampled, &flight);
     idle = report.touching == 0;
     outcome_[b].touching += report.touching;
     outcome_[b].bad = outcome_[b].bad || report.nan_flag != 0 ||
@@ -100,7 +101,7 @@ void BatchIslands::run_batch(std::uint32_t b, BlockDisks const& disks,
 /// Flies batch b straight for as many steps as none of its pairs touches, which it returns; adds
 /// the configurations sampled on the way.
 std::int64_t BatchIslands::leap(std::uint32_t b, Clock const& clock, std::int64_t from,
-                                std::int64_t most, std::size_t& sample, WindowScratch& scratch) {
+                                std::int64_t most, std::size_t& sample, LookaheadScratch& scratch) {
   auto const& system = batches_.system;
   auto const& times = scratch.times;
   Block const& block = system.blocks.block(b);

@@ -3,19 +3,19 @@
 
 #include "kernels/cpu/islands/batches.hpp"
 #include "src/engine/blocks/block_disks.hpp"
-#include "src/engine/blocks/lookahead_window.hpp"
+#include "src/engine/blocks/lookahead.hpp"
 
 namespace bagnold {
 
 /// Islands of more than two disks, or of two that touch through two images: packed into batches,
-/// which are stepped through a window in cache, with leaps while nothing touches.
+/// which are stepped through a lookahead in cache, with leaps while nothing touches.
 class BatchIslands {
  public:
   Islands islands;
 
-  /// Brings all through the window. False where one is too large, an overlap too deep or a motion
-  /// NaN.
-  bool run(BlockDisks const& disks, LookaheadWindow& window, WindowScratch& scratch);
+  /// Brings all through the lookahead. False where one is too large, an overlap too deep or a
+  /// motion NaN.
+  bool run(BlockDisks const& disks, Lookahead& lookahead, LookaheadScratch& scratch);
 
  private:
   struct Outcome {
@@ -26,11 +26,11 @@ class BatchIslands {
   std::uint32_t slot(std::uint32_t b, std::uint32_t local) const {
     return islands.disks[islands.first_disk[batches_.stretch(b).first_island] + local].slot;
   }
-  void add_units(WindowScratch& scratch);
-  void run_batch(std::uint32_t b, BlockDisks const& disks, LookaheadWindow const& window,
-                 WindowScratch& scratch, void* force);
+  void add_units(LookaheadScratch& scratch);
+  void run_batch(std::uint32_t b, BlockDisks const& disks, Lookahead const& lookahead,
+                 LookaheadScratch& scratch, void* force);
   std::int64_t leap(std::uint32_t b, Clock const& clock, std::int64_t from, std::int64_t most,
-                    std::size_t& sample, WindowScratch& scratch);
+                    std::size_t& sample, LookaheadScratch& scratch);
 
   Batches batches_;
   std::size_t first_unit_ = 0;

@@ -49,8 +49,8 @@ State BlockDisks::state() const {
   state.diameter = diameter;
   state.box_length = clock.box_length;
   state.box_aspect = clock.box_aspect;
-  state.offset = clock.offset(step, step);
-  state.time = clock.time(step);
+  state.offset = clock.offset(system.step, system.step);
+  state.time = clock.time(system.step);
   state.strain_rate = clock.strain_rate;
   return state;
 }
@@ -72,9 +72,9 @@ void BlockDisks::gather(std::vector<Vector>& position, std::vector<Vector>& velo
 }
 
 void BlockDisks::fail() const {
-  failure::check_finite(clock, step, state());
+  failure::check_finite(clock, system.step, state());
   auto const [overlap, disk] = deepest();
-  failure::too_deep(clock, step, disk, overlap);
+  failure::too_deep(clock, system.step, disk, overlap);
 }
 
 /// The largest relative overlap that the forces were last worked out at, and a disk that has it.
@@ -89,7 +89,7 @@ std::pair<Real, std::size_t> BlockDisks::deepest() const {
   };
   for (std::uint32_t b = 0; b < blocks.count; ++b) {
     Block const& block = blocks.block(b);
-    if (at_start) refresh_halo(blocks, block, system.now, box_at(step));
+    if (at_start) refresh_halo(blocks, block, system.now, box_at(system.step));
     for (int c = 0; c < pair_classes; ++c)
       for (std::uint32_t k = 0; k < block.near[inner_list][c]; ++k) {
         auto const pair = blocks.near[inner_list](block.pairs[c] + k);

@@ -24,7 +24,6 @@ struct BlockDisks {
   std::unique_ptr<BlockLoop> loop;
   std::unique_ptr<BlockStepper> stepper;
   Clock clock;
-  std::int64_t step = 0;
   std::int64_t list_step = 0;    ///< of the outer list, since which images move
   std::vector<double> diameter;  ///< [N], [d_s], in the order of the start
   BlockSystem system;

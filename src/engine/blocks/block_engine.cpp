@@ -6,14 +6,14 @@
 
 #include "src/engine/device_copy.hpp"
 #include "src/engine/engine_memory.hpp"
-#include "src/engine/in_box.hpp"
+#include "src/engine/wrap_state.hpp"
 
 namespace bagnold {
 
 namespace {
 
-constexpr std::int64_t look_every = 256;  ///< steps between choices
-constexpr Real most_active = 0.6;         ///< share of the disks in a window
+constexpr std::int64_t choose_every = 256;  ///< steps between choices
+constexpr Real most_active = 0.6;           ///< share of the disks in a lookahead
 
 }  // namespace
 
@@ -25,13 +25,13 @@ BlockEngine::BlockEngine(std::unique_ptr<BlockLoop> loop, std::unique_ptr<BlockS
              .stepper = std::move(stepper),
              .clock = {strain_rate, time_step, snapshot.state.box_length, snapshot.initial_offset,
                        snapshot.initial_time, snapshot.state.box_aspect},
-             .step = snapshot.step,
              .list_step = snapshot.list_step,
              .diameter = std::move(snapshot.state.diameter),
              .system = {}},
       lists_(disks_, skin),
-      single_(disks_, lists_, watch_, stepping),
-      lookahead_(disks_, watch_) {
+      single_(disks_, lists_, detector_, stepping),
+      lookahead_(disks_, detector_) {
+  disks_.system.step = snapshot.step;
   disks_.system.table = table;
   disks_.system.rotates = disks_.stepper->needs.rotates;
   lists_.builds = snapshot.list_builds;
@@ -41,7 +41,7 @@ BlockEngine::BlockEngine(std::unique_ptr<BlockLoop> loop, std::unique_ptr<BlockS
     single_.touching = disks_.count();                              // not known yet: many
     lists_.build(std::move(list));
     single_.prune();
-    in_windows_ = stepping == Stepping::lookahead;
+    looking_ahead_ = stepping == Stepping::lookahead;
   } else {
     auto const listed = vectors(std::exchange(snapshot.list_position, {}));
     lists_.arrange(std::move(list), &listed);
@@ -52,9 +52,10 @@ BlockEngine::BlockEngine(std::unique_ptr<BlockLoop> loop, std::unique_ptr<BlockS
 
 void BlockEngine::advance(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) {
   if (disks_.system.trial.record.extent(0) == 0) lists_.take_scratch();
-  for (auto const end = std::min(disks_.step + steps, sampling.last_step); disks_.step < end;) {
-    if (in_windows_)
-      advance_window(sampling, windows);
+  for (auto const end = std::min(disks_.system.step + steps, sampling.last_step);
+       disks_.system.step < end;) {
+    if (looking_ahead_)
+      advance_lookahead(sampling, windows);
     else
       advance_step(sampling, windows);
   }
@@ -65,7 +66,7 @@ Snapshot BlockEngine::snapshot() const {
   s.state = disks_.state();
   s.list_position = lists_.at_build();
   s.list_step = disks_.list_step;
-  s.step = disks_.step;
+  s.step = disks_.system.step;
   s.initial_offset = disks_.clock.initial_offset;
   s.initial_time = disks_.clock.initial_time;
   s.list_builds = lists_.builds;
@@ -75,23 +76,23 @@ Snapshot BlockEngine::snapshot() const {
   return s;
 }
 
-State BlockEngine::state() const { return in_box(disks_.state()); }
+State BlockEngine::state() const { return wrap_state(disks_.state()); }
 
 /// What must be known to go on bit for bit, beside the state and the list.
 template <class Visit>
 void BlockEngine::for_each_memory(Visit const& visit) {
   visit("fastest", lists_.fastest);  // with few contacts a bound that depends on the steps before
-  visit("outer_drift", lists_.outer_nonaffine_bound);
+  visit("outer_nonaffine_bound", lists_.outer_nonaffine_bound);
   visit("prune_step", lists_.inner.step);
-  visit("inner_drift", lists_.inner.nonaffine_bound);
+  visit("inner_nonaffine_bound", lists_.inner.nonaffine_bound);
   visit("inner_margin", lists_.inner.margin);
   visit("near_pairs", lists_.near_pairs);
   visit("touching", single_.touching);
   visit("few_contacts", single_.few);
-  visit("in_windows", in_windows_);
-  visit("window_allowance", lookahead_.allowance);
-  visit("window_usual_stray", lookahead_.usual);
-  visit("window_allowance_steps", allowance_steps_);
+  visit("looking_ahead", looking_ahead_);
+  visit("lookahead_allowance", lookahead_.allowance);
+  visit("lookahead_usual_deviation", lookahead_.usual);
+  visit("lookahead_allowance_steps", allowance_steps_);
   tuning_.for_each_memory(visit);
   gain_.for_each_memory(visit);
 }
@@ -101,50 +102,51 @@ template <class Visit>
 void BlockEngine::for_each_counter(Visit const& visit) {
   visit("pairs_evaluated", single_.counters.pairs_evaluated);
   visit("prunings", single_.counters.prunings);
-  visit("steps_dense", single_.counters.few_contacts);
+  visit("steps_few_contacts", single_.counters.few_contacts);
   visit("steps_one_by_one", single_.counters.steps);
-  visit("windows", lookahead_.counters.windows);
-  visit("steps_in_windows", lookahead_.counters.steps);
-  visit("windows_refused", windows_refused_);
+  visit("lookaheads", lookahead_.counters.lookaheads);
+  visit("lookahead_steps", lookahead_.counters.steps);
+  visit("lookaheads_refused", lookaheads_refused_);
   visit("pairs_missed_and_added", lookahead_.counters.again);
   visit("binary_islands", lookahead_.counters.binary);
   visit("binary_steps", lookahead_.counters.binary_steps);
   visit("disks_in_larger_islands", lookahead_.counters.others);
-  visit("touching_in_windows", lookahead_.counters.touching);
+  visit("touching_in_lookahead", lookahead_.counters.touching);
 }
 
 void BlockEngine::advance_step(Sampling const& sampling, OpenWindows& windows) {
   single_.advance(sampling, windows);
-  if (stepping_ != Stepping::automatic || disks_.step % look_every != 0) return;
-  gain_.steps_done(look_every, single_.contacts_per_disk());
-  in_windows_ = gain_.enter();
+  if (stepping_ != Stepping::automatic || disks_.system.step % choose_every != 0) return;
+  gain_.steps_done(choose_every, single_.contacts_per_disk());
+  looking_ahead_ = gain_.enter();
 }
 
-/// Windows end at multiples of their length, so that it does not matter where a run is interrupted.
-void BlockEngine::advance_window(Sampling const& sampling, OpenWindows& windows) {
+/// Lookaheads end at multiples of their length, so that it does not matter where a run is
+/// interrupted.
+void BlockEngine::advance_lookahead(Sampling const& sampling, OpenWindows& windows) {
   auto const length = tuning_.steps();
-  auto const begin = disks_.step;
+  auto const begin = disks_.system.step;
   auto const end = std::min((begin / length + 1) * length, sampling.last_step);
   lookahead_.cautious = tuning_.cautious();
   set_allowance(length);
   Real farthest = lists_.farthest_at(end);
-  LookaheadWindow window{begin, end, lists_.room_at(end, farthest)};
-  if (window.most_deviation < 2 * lookahead_.allowance && disks_.list_step != begin) {
+  Lookahead lookahead{begin, end, lists_.room_at(end, farthest)};
+  if (lookahead.most_deviation < 2 * lookahead_.allowance && disks_.list_step != begin) {
     single_.rebuild();
     farthest = lists_.farthest_at(end);
-    window.most_deviation = lists_.room_at(end, farthest);
+    lookahead.most_deviation = lists_.room_at(end, farthest);
   }
-  if (!lookahead_.run(window, sampling, windows,
+  if (!lookahead_.run(lookahead, sampling, windows,
                       stepping_ == Stepping::lookahead ? 1 : most_active))
-    return step_through(window, sampling, windows);
-  disks_.step = end;
-  lists_.outer_nonaffine_bound = farthest + window.deviation;
-  if (window.steps() != length) return;
-  tuning_.done(cost_of(window) / static_cast<Real>(length));
-  weigh(window, 2 * window.contacts / static_cast<Real>(disks_.count()), 0);
+    return step_through(lookahead, sampling, windows);
+  disks_.system.step = end;
+  lists_.outer_nonaffine_bound = farthest + lookahead.deviation;
+  if (lookahead.steps() != length) return;
+  tuning_.done(cost_of(lookahead) / static_cast<Real>(length));
+  weigh(lookahead, 2 * lookahead.contacts / static_cast<Real>(disks_.count()), 0);
 }
 
-/// How far a disk may deviate grows with the length of the window.
+/// How far a disk may deviate grows with the length of the lookahead.
 void BlockEngine::set_allowance(std::int64_t length) {
   Real const longer = static_cast<Real>(length) / static_cast<Real>(allowance_steps_);
   if (lookahead_.allowance == 0)
@@ -159,36 +161,37 @@ void BlockEngine::set_allowance(std::int64_t length) {
   allowance_steps_ = length;
 }
 
-/// Steps through a window that cannot be done as one.
-void BlockEngine::step_through(LookaheadWindow const& window, Sampling const& sampling,
+/// Steps through a lookahead that cannot be done as one.
+void BlockEngine::step_through(Lookahead const& lookahead, Sampling const& sampling,
                                OpenWindows& windows) {
-  ++windows_refused_;
+  ++lookaheads_refused_;
   lookahead_.allowance /= 2;
   lists_.fastest = disks_.fastest();
   lists_.outer_nonaffine_bound = lists_.farthest();
   single_.prune();
-  while (disks_.step < window.end) single_.advance(sampling, windows);
+  while (disks_.system.step < lookahead.end) single_.advance(sampling, windows);
   auto const contacts = single_.contacts_per_disk();
-  if (!tuning_.refused()) weigh(window, contacts, single_.cost(contacts));
+  if (!tuning_.refused()) weigh(lookahead, contacts, single_.cost(contacts));
 }
 
-/// Whether windows go on, after one that was done (then `stepped_through` is 0), or was tried in
+/// Whether lookaheads go on, after one that was done (then `stepped_through` is 0), or was tried in
 /// vain and stepped through for so many cycles a disk-step.
-void BlockEngine::weigh(LookaheadWindow const& window, Real contacts, Real stepped_through) {
+void BlockEngine::weigh(Lookahead const& lookahead, Real contacts, Real stepped_through) {
   if (stepping_ != Stepping::automatic) return;
-  auto const steps = static_cast<Real>(window.steps());
-  in_windows_ = gain_.window_done(steps, contacts, cost_of(window) + steps * stepped_through,
-                                  steps * single_.cost(contacts));
-  if (in_windows_) return;
+  auto const steps = static_cast<Real>(lookahead.steps());
+  looking_ahead_ =
+      gain_.lookahead_done(steps, contacts, cost_of(lookahead) + steps * stepped_through,
+                           steps * single_.cost(contacts));
+  if (looking_ahead_) return;
   lists_.fastest = disks_.fastest();
   single_.prune();
 }
 
 /// [cycles a disk].
-Real BlockEngine::cost_of(LookaheadWindow const& window) const {
+Real BlockEngine::cost_of(Lookahead const& lookahead) const {
   auto const disks = static_cast<Real>(disks_.count());
-  return window.work.cost(static_cast<Real>(window.steps()), disks,
-                          static_cast<Real>(disks_.system.blocks.outer.extent(0))) /
+  return lookahead.work.cost(static_cast<Real>(lookahead.steps()), disks,
+                             static_cast<Real>(disks_.system.blocks.outer.extent(0))) /
          disks;
 }
 

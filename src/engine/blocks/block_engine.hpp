@@ -9,7 +9,7 @@
 namespace bagnold {
 
 /// A scheme on blocks of neighbouring disks, pairs and disks a pack at a time: step by step where
-/// contacts are many, in windows of steps where most disks fly free.
+/// contacts are many, in lookaheads where most disks fly free.
 class BlockEngine final : public Simulation {
  public:
   /// Takes the snapshot's arrays.
@@ -21,7 +21,7 @@ class BlockEngine final : public Simulation {
     auto const& needs = disks_.stepper->needs;
     return engine_columns(needs.rotates, needs.driven);
   }
-  std::int64_t step() const override { return disks_.step; }
+  std::int64_t step() const override { return disks_.system.step; }
   void advance(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) override;
   Snapshot snapshot() const override;
   State state() const override;
@@ -34,23 +34,23 @@ class BlockEngine final : public Simulation {
   void for_each_counter(Visit const& visit);
 
   void advance_step(Sampling const& sampling, OpenWindows& windows);
-  void advance_window(Sampling const& sampling, OpenWindows& windows);
-  void step_through(LookaheadWindow const& window, Sampling const& sampling, OpenWindows& windows);
+  void advance_lookahead(Sampling const& sampling, OpenWindows& windows);
+  void step_through(Lookahead const& lookahead, Sampling const& sampling, OpenWindows& windows);
   void set_allowance(std::int64_t length);
-  void weigh(LookaheadWindow const& window, Real contacts, Real stepped_through);
-  Real cost_of(LookaheadWindow const& window) const;
+  void weigh(Lookahead const& lookahead, Real contacts, Real stepped_through);
+  Real cost_of(Lookahead const& lookahead) const;
 
   Stepping stepping_;
   BlockDisks disks_;
   BlockLists lists_;
-  ContactWatch watch_;
+  ContactDetector detector_;
   SingleSteps single_;
   LookaheadSteps lookahead_;
   LookaheadTuning tuning_;
   LookaheadGain gain_;
-  bool in_windows_ = false;
-  std::int64_t allowance_steps_ = 0;  ///< length of the windows that the allowance is for
-  std::int64_t windows_refused_ = 0;
+  bool looking_ahead_ = false;
+  std::int64_t allowance_steps_ = 0;  ///< length of the lookaheads that the allowance is for
+  std::int64_t lookaheads_refused_ = 0;
 };
 
 }  // namespace bagnold

@@ -21,8 +21,8 @@ std::uint32_t block_size(std::size_t disks) {
 }  // namespace
 
 void BlockLists::build(DiskList list) {
-  disks_.list_step = disks_.step;
-  auto const box = disks_.box_at(disks_.step);
+  disks_.list_step = disks_.system.step;
+  auto const box = disks_.box_at(disks_.system.step);
   for (std::size_t i = 0; i < disks_.count(); ++i) wrap(box, list.position[i], list.velocity[i].x);
   arrange(std::move(list));
   ++builds;
@@ -71,7 +71,7 @@ std::vector<std::array<double, 2>> BlockLists::at_build() const {
 }
 
 bool BlockLists::holds_next(std::int64_t since, Real nonaffine_bound, Real skin) const {
-  Real const strain = std::abs(disks_.clock.strain_between(since, disks_.step + 1));
+  Real const strain = std::abs(disks_.clock.strain_between(since, disks_.system.step + 1));
   if (strain > 0.5) return false;
   // nonaffine_bound adds up |v - gammadot y x^|; w is taken about the flow at the place of the
   // build, which differs by gammadot w_y.
@@ -89,7 +89,7 @@ void BlockLists::prune(ListUse use) {
   use.kept = near_pairs;
   use.per_step = 2 * disks_.clock.time_step * fastest;
   inner.margin = best_margin(use, inner.margin, skin_);
-  inner.step = disks_.step;
+  inner.step = disks_.system.step;
   inner.nonaffine_bound = 0;
   if (!inner_holds()) inner.margin = skin_;
   fill_inner();
@@ -101,7 +101,7 @@ void BlockLists::prune(ListUse use) {
 void BlockLists::fill_inner() {
   auto& blocks = disks_.system.blocks;
   auto const& now = disks_.system.now;
-  auto const box = disks_.box_at(disks_.step);
+  auto const box = disks_.box_at(disks_.system.step);
   (*disks_.loop)(blocks.count, [&](std::uint32_t b) {
     Block& block = blocks.block(b);
     refresh_halo(blocks, block, now, box);
@@ -111,7 +111,7 @@ void BlockLists::fill_inner() {
 }
 
 Real BlockLists::farthest() const {
-  Real const strain = disks_.clock.strain_between(disks_.list_step, disks_.step);
+  Real const strain = disks_.clock.strain_between(disks_.list_step, disks_.system.step);
   Real largest2 = 0;
   for (std::size_t i = 0; i < disks_.count(); ++i) {
     auto const slot = disks_.system.blocks.slot_of(i);
@@ -123,7 +123,7 @@ Real BlockLists::farthest() const {
 
 Real BlockLists::farthest_at(std::int64_t step) {
   auto const& system = disks_.system;
-  Real const duration = static_cast<Real>(step - disks_.step) * disks_.clock.time_step;
+  Real const duration = static_cast<Real>(step - disks_.system.step) * disks_.clock.time_step;
   Real const strain = disks_.clock.strain_between(disks_.list_step, step);
   far2_.assign(system.blocks.count, 0);
   (*disks_.loop)(system.blocks.count, [&](std::uint32_t b) {

@@ -49,7 +49,7 @@ class BlockLists {
   Real farthest() const;
   Real farthest_at(std::int64_t step);
 
-  /// How far a disk may still stray from straight flights to `step`, whose farthest |w| that is,
+  /// How far a disk may still deviate from straight flights to `step`, whose farthest |w| that is,
   /// [d_s].
   Real room_at(std::int64_t step, Real farthest) const;
 

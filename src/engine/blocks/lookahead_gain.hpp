@@ -7,8 +7,8 @@
 
 namespace bagnold {
 
-/// What a window took, repetitions included.
-struct WindowWork {
+/// What a lookahead took, repetitions included.
+struct LookaheadWork {
   Real binary = 0;        ///< islands of two disks
   Real binary_steps = 0;  ///< of a pair
   Real others = 0;        ///< disks in larger islands
@@ -16,18 +16,18 @@ struct WindowWork {
   Real touching = 0;      ///< pairs in batches, mean over steps
 
   /// [cycles at 2.6 GHz], counted, not timed, so that what is chosen by it is the same on every
-  /// machine. Fitted to times of windows of 16 to 256 steps (CD_n 0.78 and CD_rot 0.76, Q = 1 and
-  /// 50, rates from 1e-4 to 1e-6, N = 1024 and 65536, both schemes): 0.66 to 1.3 of these, in four
-  /// cases of five 0.8 to 1.1.
+  /// machine. Fitted to times of lookaheads of 16 to 256 steps (CD_n 0.78 and CD_rot 0.76, Q = 1
+  /// and 50, rates from 1e-4 to 1e-6, N = 1024 and 65536, both schemes): 0.66 to 1.3 of these, in
+  /// four cases of five 0.8 to 1.1.
   Real cost(Real steps, Real disks, Real outer_pairs) const {
     return 3.3 * outer_pairs + 6 * disks + 850 * binary + 57 * binary_steps + 250 * others +
            (17 * others + 305 * batches + 32 * touching) * steps;
   }
 };
 
-/// Whether windows cost less than to step all disks, of which Z decides most. Windows are tried
-/// once Z, in the mean over some thousand steps as far as it is known, is low enough, and given up
-/// when they have lost too much.
+/// Whether lookaheads cost less than to step all disks, of which Z decides most. Lookaheads are
+/// tried once Z, in the mean over some thousand steps as far as it is known, is low enough, and
+/// given up when they have lost too much.
 class LookaheadGain {
  public:
   /// Steps were done one by one.
@@ -35,10 +35,10 @@ class LookaheadGain {
 
   bool enter() const { return contacts_ <= enter_below_; }
 
-  /// A window of so many steps was done; costs are those of a disk, [cycles]. Whether windows go
-  /// on. If not but had they paid in all, they will again once Z is lower; else at lower Z still,
-  /// if at all.
-  bool window_done(Real steps, Real contacts, Real cost, Real one_by_one) {
+  /// A lookahead of so many steps was done; costs are those of a disk, [cycles]. Whether lookaheads
+  /// go on. If not but had they paid in all, they will again once Z is lower; else at lower Z
+  /// still, if at all.
+  bool lookahead_done(Real steps, Real contacts, Real cost, Real one_by_one) {
     remember(steps, contacts);
     lost_ = std::max<Real>(0, lost_ + cost - one_by_one);
     lost_since_entry_ += cost - one_by_one;
@@ -52,9 +52,9 @@ class LookaheadGain {
   /// What must be kept to go on as before.
   template <class Visit>
   void for_each_memory(Visit const& visit) {
-    visit("enter_windows_below", enter_below_);
+    visit("enter_lookahead_below", enter_below_);
     visit("usual_contacts", contacts_);
-    visit("lost_in_windows", lost_);
+    visit("lost_in_lookahead", lost_);
     visit("lost_since_entry", lost_since_entry_);
   }
 
@@ -69,7 +69,7 @@ class LookaheadGain {
 
   Real enter_below_ = 0.3;  ///< contacts per disk
   Real contacts_ = 0;       ///< Z, running mean; 0: not known yet
-  Real lost_ = 0;           ///< what windows cost more, since they last paid, [cycles a disk]
+  Real lost_ = 0;           ///< what lookaheads cost more, since they last paid, [cycles a disk]
   Real lost_since_entry_ = 0;
 };
 

@@ -6,42 +6,44 @@
 
 namespace bagnold {
 
-bool LookaheadSteps::run(LookaheadWindow& window, Sampling const& sampling, OpenWindows& windows,
+bool LookaheadSteps::run(Lookahead& lookahead, Sampling const& sampling, OpenWindows& windows,
                          Real most_active) {
   auto& results = scratch_.results;
   for (auto const& disk : results.disks) in_batch_[disk.slot] = 0;
   results.forget();
-  if (window.most_deviation < 0) return false;
+  if (lookahead.most_deviation < 0) return false;
   make_room();
-  list_samples(window, sampling);
-  Real const duration = static_cast<Real>(window.steps()) * disks_.clock.time_step;
-  scratch_.start = disks_.box_at(window.begin);
-  scratch_.contacts.begin(watch_, disks_.system, scratch_.start, window.begin, sampling, windows);
+  list_samples(lookahead, sampling);
+  Real const duration = static_cast<Real>(lookahead.steps()) * disks_.clock.time_step;
+  scratch_.start = disks_.box_at(lookahead.begin);
+  scratch_.contacts.begin(detector_, disks_.system, scratch_.start, lookahead.begin, sampling,
+                          windows);
   predict(duration);
   Real const most = most_active * static_cast<Real>(disks_.count());
   while (!todo_.empty()) {
     finder_.find(todo_, islands_);
     if (!islands_.unfolds) return false;
     sort_islands();
-    auto const active = window.work.others + static_cast<Real>(batch_islands_.islands.disks.size());
+    auto const active =
+        lookahead.work.others + static_cast<Real>(batch_islands_.islands.disks.size());
     if (active > most) return false;
-    if (!pair_islands_.run(disks_, islands_, window, scratch_)) return false;
-    if (!batch_islands_.run(disks_, window, scratch_)) return false;
-    window.deviation = results.largest_deviation();
-    if (window.deviation > window.most_deviation) return false;
+    if (!pair_islands_.run(disks_, islands_, lookahead, scratch_)) return false;
+    if (!batch_islands_.run(disks_, lookahead, scratch_)) return false;
+    lookahead.deviation = results.largest_deviation();
+    if (lookahead.deviation > lookahead.most_deviation) return false;
     find_missed(duration);
   }
-  measure(window, sampling, windows);
+  measure(lookahead, sampling, windows);
   if (scratch_.contacts)
-    scratch_.contacts.tell(window.end, scratch_.times, sampling, windows,
+    scratch_.contacts.tell(lookahead.end, scratch_.times, sampling, windows,
                            [&](std::size_t unit) { return results.units[unit].alive; });
-  commit(disks_.box_at(window.end), duration);
+  commit(disks_.box_at(lookahead.end), duration);
   adapt_allowance();
-  count(window);
+  count(lookahead);
   return true;
 }
 
-/// Room by slot, which runs without windows do not need.
+/// Room by slot, which runs without lookaheads do not need.
 void LookaheadSteps::make_room() {
   if (arrangement_ == disks_.system.arrangement) return;
   auto const slots = disks_.system.blocks.slots;
@@ -51,11 +53,11 @@ void LookaheadSteps::make_room() {
   arrangement_ = disks_.system.arrangement;
 }
 
-void LookaheadSteps::list_samples(LookaheadWindow const& window, Sampling const& sampling) {
+void LookaheadSteps::list_samples(Lookahead const& lookahead, Sampling const& sampling) {
   scratch_.times.clear();
-  auto const first = sampling.window(window.begin);
-  for (auto s = sampling.next(window.begin); s < window.end; s = sampling.next(s + 1))
-    scratch_.times.add(s - window.begin, static_cast<std::size_t>(sampling.window(s) - first),
+  auto const first = sampling.window(lookahead.begin);
+  for (auto s = sampling.next(lookahead.begin); s < lookahead.end; s = sampling.next(s + 1))
+    scratch_.times.add(s - lookahead.begin, static_cast<std::size_t>(sampling.window(s) - first),
                        disks_.clock.time_step);
 }
 
@@ -88,8 +90,8 @@ void LookaheadSteps::add_near() {
     mark(pair.b.index());
   }
   for (auto const& of_block : forecast_)
-    for (auto const& [pair, straying] : of_block.near)
-      if (meets[pair.a] + meets[pair.b.index()] >= straying) todo_.push_back(pair);
+    for (auto const& [pair, deviating] : of_block.near)
+      if (meets[pair.a] + meets[pair.b.index()] >= deviating) todo_.push_back(pair);
   for (auto const slot : meeting) meets[slot] = 0;
 }
 
@@ -187,7 +189,7 @@ void LookaheadSteps::take_unit_of(std::uint32_t slot) {
 
 /// Adds the sampled configurations: batches as they were seen; all other disks as if in free
 /// flight, by closed forms, and what collisions changed.
-void LookaheadSteps::measure(LookaheadWindow const& window, Sampling const& sampling,
+void LookaheadSteps::measure(Lookahead const& lookahead, Sampling const& sampling,
                              OpenWindows& windows) {
   auto const& times = scratch_.times;
   auto const& results = scratch_.results;
@@ -208,12 +210,12 @@ void LookaheadSteps::measure(LookaheadWindow const& window, Sampling const& samp
     free.add_to(total, powers);
     for (auto const& unit : results.units)
       if (unit.alive) total += results.sums[unit.sums + bin];
-    windows.add(sampling.window(window.begin) + static_cast<std::int64_t>(bin),
+    windows.add(sampling.window(lookahead.begin) + static_cast<std::int64_t>(bin),
                 disks_.columns_of(total), powers.n);
   }
 }
 
-/// Moves free disks to the end of the window, and puts the others there.
+/// Moves free disks to the end of the lookahead, and puts the others there.
 void LookaheadSteps::commit(ShearedBox const& end, Real duration) {
   auto& all = disks_.system;
   (*disks_.loop)(all.blocks.count, [&](std::uint32_t b) {
@@ -231,8 +233,8 @@ void LookaheadSteps::commit(ShearedBox const& end, Real duration) {
   }
 }
 
-/// The allowance so large that a disk deviates by more in one window out of twenty: more pairs
-/// near, or more blocks looked through again.
+/// The allowance so large that a disk deviates by more in one lookahead out of twenty: more pairs
+/// near, or more blocks searched again.
 void LookaheadSteps::adapt_allowance() {
   auto const& disks = scratch_.results.disks;
   std::size_t beyond = 0;
@@ -244,15 +246,15 @@ void LookaheadSteps::adapt_allowance() {
   usual = std::min(usual, allowance);
 }
 
-void LookaheadSteps::count(LookaheadWindow& window) {
+void LookaheadSteps::count(Lookahead& lookahead) {
   for (auto const& unit : scratch_.results.units)
-    if (unit.alive) window.contacts += unit.touching;
-  ++counters.windows;
-  counters.steps += window.steps();
-  counters.binary += static_cast<std::int64_t>(window.work.binary);
-  counters.binary_steps += static_cast<std::int64_t>(window.work.binary_steps);
-  counters.others += static_cast<std::int64_t>(window.work.others);
-  counters.touching += std::llround(window.contacts * static_cast<Real>(window.steps()));
+    if (unit.alive) lookahead.contacts += unit.touching;
+  ++counters.lookaheads;
+  counters.steps += lookahead.steps();
+  counters.binary += static_cast<std::int64_t>(lookahead.work.binary);
+  counters.binary_steps += static_cast<std::int64_t>(lookahead.work.binary_steps);
+  counters.others += static_cast<std::int64_t>(lookahead.work.others);
+  counters.touching += std::llround(lookahead.contacts * static_cast<Real>(lookahead.steps()));
 }
 
 }  // namespace bagnold

@@ -5,24 +5,24 @@
 #include "kernels/cpu/islands/predict_contacts.hpp"
 #include "src/engine/blocks/batch_islands.hpp"
 #include "src/engine/blocks/block_disks.hpp"
-#include "src/engine/blocks/lookahead_window.hpp"
+#include "src/engine/blocks/lookahead.hpp"
 #include "src/engine/blocks/pair_islands.hpp"
 #include "src/engine/sampling.hpp"
 
 namespace bagnold {
 
-/// The step of a scheme where most disks fly straight: a window of many steps at a time.
+/// The step of a scheme where most disks fly straight: a lookahead of many steps at a time.
 ///
-/// From straight flights it predicts which disks meet within the window, steps only these, island
-/// by island, and moves all others at once: for a disk that touches nothing the scheme is x += v
-/// dt. A disk that meets another deviates from its straight flight; how far is watched at every
-/// step. Pairs that could have touched for that, unforeseen, are added, and their islands are done
-/// again, until there are none.
+/// From straight flights it predicts which disks meet within the lookahead, steps only these,
+/// island by island, and moves all others at once: for a disk that touches nothing the scheme is x
+/// += v dt. A disk that meets another deviates from its straight flight; how far is measured at
+/// every step. Pairs that could have touched for that, unforeseen, are added, and their islands are
+/// done again, until there are none.
 class LookaheadSteps {
  public:
-  /// What windows cost and find; none of it is time, so it is the same on every machine.
+  /// What lookaheads cost and find; none of it is time, so it is the same on every machine.
   struct Counters {
-    std::int64_t windows = 0, steps = 0;
+    std::int64_t lookaheads = 0, steps = 0;
     std::int64_t again = 0;         ///< pairs found to have been missed, and added
     std::int64_t binary = 0;        ///< islands of two disks
     std::int64_t binary_steps = 0;  ///< of a pair
@@ -35,36 +35,36 @@ class LookaheadSteps {
   Real usual = 0;         ///< deviation that one disk in a hundred exceeds, [d_s]
   bool cautious = false;  ///< near pairs of disks that meet others are stepped from the first
 
-  LookaheadSteps(BlockDisks& disks, ContactWatch& watch) : disks_(disks), watch_(watch) {}
+  LookaheadSteps(BlockDisks& disks, ContactDetector& detector)
+      : disks_(disks), detector_(detector) {}
 
-  /// Does the window, adding its sampled configurations to `windows`. False, and nothing is
+  /// Does the lookahead, adding its sampled configurations to `windows`. False, and nothing is
   /// changed, if more than that share of the disks take part, one comes too far for the list, or a
   /// number is NaN or an overlap too large: then step by step.
-  bool run(LookaheadWindow& window, Sampling const& sampling, OpenWindows& windows,
-           Real most_active);
+  bool run(Lookahead& lookahead, Sampling const& sampling, OpenWindows& windows, Real most_active);
 
  private:
   void make_room();
-  void list_samples(LookaheadWindow const& window, Sampling const& sampling);
+  void list_samples(Lookahead const& lookahead, Sampling const& sampling);
   void predict(Real duration);
   void add_near();
   void sort_islands();
   void find_missed(Real duration);
   void add_if_missed(SlotPair const& pair, Real duration);
   void take_unit_of(std::uint32_t slot);
-  void measure(LookaheadWindow const& window, Sampling const& sampling, OpenWindows& windows);
+  void measure(Lookahead const& lookahead, Sampling const& sampling, OpenWindows& windows);
   void commit(ShearedBox const& end, Real duration);
   void adapt_allowance();
-  void count(LookaheadWindow& window);
+  void count(Lookahead& lookahead);
 
   BlockDisks& disks_;
-  ContactWatch& watch_;
+  ContactDetector& detector_;
   std::int64_t arrangement_ = 0;  ///< of the system, that there is room for
   IslandFinder finder_;
   Islands islands_;
   PairIslands pair_islands_;
   BatchIslands batch_islands_;
-  WindowScratch scratch_;
+  LookaheadScratch scratch_;
   std::vector<Forecast> forecast_;  ///< by block
   std::vector<SlotPair> todo_;
   std::vector<std::uint8_t> in_batch_;  ///< by slot

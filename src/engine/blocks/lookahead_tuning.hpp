@@ -8,10 +8,10 @@
 
 namespace bagnold {
 
-/// How long windows are, and whether near pairs are stepped from the first (cautious) or only once
-/// they turn out to have been missed. Finds the cheapest by trying: most windows are done in the
-/// best way known, now and then a few in one of its neighbours, which takes over if it costs less.
-/// Costs are counted, not timed, so that the choice is the same on every machine.
+/// How long lookaheads are, and whether near pairs are stepped from the first (cautious) or only
+/// once they turn out to have been missed. Finds the cheapest by trying: most lookaheads are done
+/// in the best way known, now and then a few in one of its neighbours, which takes over if it costs
+/// less. Costs are counted, not timed, so that the choice is the same on every machine.
 class LookaheadTuning {
  public:
   static constexpr int shortest = 4, longest = 14;  ///< log2 of steps
@@ -19,7 +19,7 @@ class LookaheadTuning {
   std::int64_t steps() const { return std::int64_t{1} << level(); }
   bool cautious() const { return trying() == 3 ? best_cautious_ == 0 : best_cautious_ != 0; }
 
-  /// A window of full length was done at this cost, [cycles a step].
+  /// A lookahead of full length was done at this cost, [cycles a step].
   void done(Real cost) {
     if (trying() == 0) {
       cost_ = cost_ == 0 ? cost : 0.875 * cost_ + 0.125 * cost;
@@ -33,7 +33,7 @@ class LookaheadTuning {
     next();
   }
 
-  /// A window could not be done. Whether there is a shorter one.
+  /// A lookahead could not be done. Whether there is a shorter one.
   bool refused() {
     bool const tried = trying() != 0;
     phase_ += period - phase_ % period;  // no more of that
@@ -48,11 +48,11 @@ class LookaheadTuning {
   /// What must be kept to go on as before.
   template <class Visit>
   void for_each_memory(Visit const& visit) {
-    visit("window_level", best_level_);
-    visit("window_cautious", best_cautious_);
-    visit("window_phase", phase_);
-    visit("window_cost", cost_);
-    visit("window_trial_cost", trial_cost_);
+    visit("lookahead_level", best_level_);
+    visit("lookahead_cautious", best_cautious_);
+    visit("lookahead_phase", phase_);
+    visit("lookahead_cost", cost_);
+    visit("lookahead_trial_cost", trial_cost_);
   }
 
  private:
@@ -82,7 +82,7 @@ class LookaheadTuning {
 
   std::int64_t best_level_ = 6;
   std::int64_t best_cautious_ = 0;
-  std::int64_t phase_ = 0;  ///< windows
+  std::int64_t phase_ = 0;  ///< lookaheads
   Real cost_ = 0;           ///< of the best known, running mean; 0: not known
   Real trial_cost_ = 0;
 };

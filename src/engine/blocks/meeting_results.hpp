@@ -9,7 +9,7 @@
 
 namespace bagnold {
 
-/// What has been worked out, in one window of steps, of the disks that meet others.
+/// What has been worked out, in one lookahead, of the disks that meet others.
 struct MeetingResults {
   static constexpr std::uint32_t none = ~std::uint32_t{0};
 
@@ -24,7 +24,7 @@ struct MeetingResults {
   struct Disk {
     std::uint32_t slot, unit;
     Image image;
-    simd::Record record;  ///< at the end of the window
+    simd::Record record;  ///< at the end of the lookahead
     Real spin;
     Real deviation;  ///< largest, from its straight flight, [d_s]
   };

@@ -18,13 +18,13 @@ void keep(MeetingResults& results, std::uint32_t slot, BinaryDisk const& disk) {
   auto& result = results.of(slot);
   result.record = disk.record;
   result.spin = disk.spin;
-  result.deviation = std::sqrt(disk.stray2);
+  result.deviation = std::sqrt(disk.flight_deviation2);
 }
 
 }  // namespace
 
-bool PairIslands::run(BlockDisks const& disks, Islands const& islands, LookaheadWindow& window,
-                      WindowScratch& scratch) {
+bool PairIslands::run(BlockDisks const& disks, Islands const& islands, Lookahead& lookahead,
+                      LookaheadScratch& scratch) {
   auto const count = static_cast<std::uint32_t>(pairs.size());
   if (count == 0) return true;
   auto const& all = disks.system;
@@ -36,12 +36,12 @@ bool PairIslands::run(BlockDisks const& disks, Islands const& islands, Lookahead
     results.add_disk(islands.disks[pair.a]);
     results.add_disk(islands.disks[pair.b]);
   }
-  auto const lane_watch = [&](std::uint32_t begin, std::uint32_t end) {
-    LaneWatch watch;
+  auto const detector_of = [&](std::uint32_t begin, std::uint32_t end) {
+    LaneDetector detector;
     for (auto i = begin; i < end; ++i)
-      scratch.contacts.set_lane(all, watch, static_cast<int>(i - begin), first_unit + i,
+      scratch.contacts.set_lane(all, detector, static_cast<int>(i - begin), first_unit + i,
                                 islands.disks[pairs[i].a].slot, islands.disks[pairs[i].b].slot);
-    return watch;
+    return detector;
   };
   auto const groups = (count + lanes - 1) / lanes;
   outcome_.assign(groups, {});
@@ -53,13 +53,13 @@ bool PairIslands::run(BlockDisks const& disks, Islands const& islands, Lookahead
       b[i - begin] = disk_of(all, scratch.start, islands.disks[pairs[i].b]);
     }
     auto* const sums = results.sums.data() + results.units[first_unit + begin].sums;
-    auto const collide = [&](LaneWatch* watch) {
-      outcome_[g] = disks.stepper->collide(a, b, static_cast<int>(end - begin), window.steps(),
-                                           disks.clock.strain_rate, scratch.times, sums, watch);
+    auto const collide = [&](LaneDetector* detector) {
+      outcome_[g] = disks.stepper->collide(a, b, static_cast<int>(end - begin), lookahead.steps(),
+                                           disks.clock.strain_rate, scratch.times, sums, detector);
     };
     if (scratch.contacts) {
-      auto watch = lane_watch(begin, end);
-      collide(&watch);
+      auto detector = detector_of(begin, end);
+      collide(&detector);
     } else {
       collide(nullptr);
     }
@@ -70,10 +70,11 @@ bool PairIslands::run(BlockDisks const& disks, Islands const& islands, Lookahead
   });
   for (auto const& outcome : outcome_) {
     if (outcome.bad) return false;
-    window.contacts += static_cast<Real>(outcome.touching) / static_cast<Real>(window.steps());
-    window.work.binary_steps += static_cast<Real>(outcome.steps);
+    lookahead.contacts +=
+        static_cast<Real>(outcome.touching) / static_cast<Real>(lookahead.steps());
+    lookahead.work.binary_steps += static_cast<Real>(outcome.steps);
   }
-  window.work.binary += count;
+  lookahead.work.binary += count;
   return true;
 }
 

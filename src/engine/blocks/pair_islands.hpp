@@ -2,7 +2,7 @@
 #pragma once
 
 #include "src/engine/blocks/block_disks.hpp"
-#include "src/engine/blocks/lookahead_window.hpp"
+#include "src/engine/blocks/lookahead.hpp"
 
 namespace bagnold {
 
@@ -11,9 +11,9 @@ class PairIslands {
  public:
   std::vector<Islands::Pair> pairs;  ///< places in the islands' disks
 
-  /// Brings all through the window. False where an overlap is too large or a motion NaN.
-  bool run(BlockDisks const& disks, Islands const& islands, LookaheadWindow& window,
-           WindowScratch& scratch);
+  /// Brings all through the lookahead. False where an overlap is too large or a motion NaN.
+  bool run(BlockDisks const& disks, Islands const& islands, Lookahead& lookahead,
+           LookaheadScratch& scratch);
 
  private:
   std::vector<BinaryOutcome> outcome_;  ///< by eight pairs

@@ -12,13 +12,12 @@ namespace bagnold {
 void SingleSteps::advance(Sampling const& sampling, OpenWindows& windows) {
   keep_lists();
   make_room();
-  auto const step = disks_.step;
+  auto const step = disks_.system.step;
   bool const sampled = sampling.sampled(step);
-  disks_.system.step = step;
   if (windows.contacts) {  // they are looked for in all blocks, between the halves of the step
     auto const count = disks_.system.blocks.count;
     first_half(0, count);
-    watch_.look(*disks_.loop, disks_.system, disks_.box_at(step), step, sampling, windows);
+    detector_.detect(*disks_.loop, disks_.system, disks_.box_at(step), step, sampling, windows);
     second_half(0, count, sampled);
   } else {
     Wavefront::Stage from{0, 0};
@@ -42,7 +41,7 @@ void SingleSteps::keep_lists() {
     if (!lists_.outer_holds(1.25 * lists_.outer_nonaffine_bound)) {
       rebuild();
       if (!lists_.outer_holds(lists_.outer_nonaffine_bound))
-        failure::too_fast(disks_.clock, disks_.step, disks_.fastest_disk(),
+        failure::too_fast(disks_.clock, disks_.system.step, disks_.fastest_disk(),
                           lists_.fastest * disks_.clock.time_step, lists_.skin());
     }
   }
@@ -104,7 +103,7 @@ void SingleSteps::make_room() {
 void SingleSteps::first_half(std::uint32_t begin, std::uint32_t end) {
   auto const& system = disks_.system;
   auto const& stepper = *disks_.stepper;
-  auto const box = disks_.box_at(disks_.step);
+  auto const box = disks_.box_at(disks_.system.step);
   auto const room = system.blocks.most_local * stepper.needs.force_bytes;
   disks_.loop->with_scratch<std::byte>(end - begin, room, [&](std::uint32_t k, std::byte* force) {
     auto const b = lists_.wavefront().first_half[begin + k];
@@ -118,7 +117,7 @@ void SingleSteps::second_half(std::uint32_t begin, std::uint32_t end, bool sampl
   if (begin == end) return;
   auto const& system = disks_.system;
   auto const& stepper = *disks_.stepper;
-  auto const box = disks_.box_at(disks_.step + 1);
+  auto const box = disks_.box_at(disks_.system.step + 1);
   auto const rate = disks_.clock.strain_rate;
   std::size_t const most = system.blocks.most_local;
   std::size_t const moved = few ? most * sizeof(simd::Record) : 0;
@@ -138,7 +137,7 @@ void SingleSteps::second_half(std::uint32_t begin, std::uint32_t end, bool sampl
 }
 
 void SingleSteps::count_step() {
-  ++disks_.step;
+  ++disks_.system.step;
   ++counters.steps;
   counters.few_contacts += few;
   BlockReport total;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "src/engine/blocks/block_lists.hpp"
-#include "src/engine/contacts/contact_watch.hpp"
+#include "src/engine/contacts/contact_detector.hpp"
 #include "src/engine/sampling.hpp"
 
 namespace bagnold {
@@ -26,8 +26,8 @@ class SingleSteps {
   std::uint64_t touching = 0;  ///< pairs at the last step, those across edges twice
   bool few = false;            ///< steps for few contacts, until the next pruning
 
-  SingleSteps(BlockDisks& disks, BlockLists& lists, ContactWatch& watch, Stepping stepping)
-      : disks_(disks), lists_(lists), watch_(watch), stepping_(stepping) {}
+  SingleSteps(BlockDisks& disks, BlockLists& lists, ContactDetector& detector, Stepping stepping)
+      : disks_(disks), lists_(lists), detector_(detector), stepping_(stepping) {}
 
   /// One step of all disks.
   void advance(Sampling const& sampling, OpenWindows& windows);
@@ -61,7 +61,7 @@ class SingleSteps {
 
   BlockDisks& disks_;
   BlockLists& lists_;
-  ContactWatch& watch_;
+  ContactDetector& detector_;
   Stepping stepping_;
   ActiveDisks active_;
   std::int64_t arrangement_ = 0, listing_ = 0;  ///< of the system, that there is room for

@@ -13,7 +13,7 @@ struct ContactColumns {
     ended,                         ///< contacts whose beginning was seen
     duration,                      ///< of these, whole, [steps]
     binary,  ///< of these, those in which neither disk ever touched a third one
-    steps,   ///< configurations looked at for all this
+    steps,   ///< configurations evaluated for all this
     count
   };
 };

@@ -90,8 +90,8 @@ void ContactRecord::add(int column, double value, std::int64_t window, OpenWindo
   sums[first_column_ + static_cast<std::size_t>(column)] += value;
 }
 
-void ContactRecord::looked(std::int64_t begin, std::int64_t end, Sampling const& sampling,
-                           OpenWindows& windows) {
+void ContactRecord::evaluated(std::int64_t begin, std::int64_t end, Sampling const& sampling,
+                              OpenWindows& windows) {
   due_.erase(due_.begin(), due_.lower_bound(end));
   while (begin < end) {
     auto const window = sampling.window(begin);

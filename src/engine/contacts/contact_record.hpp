@@ -22,7 +22,7 @@ class ContactListener {
   /// Only of contacts that were seen to begin. duration: whole, [steps].
   virtual void ends(ContactEvent const& event, std::int64_t duration) = 0;
 
-  /// Of one that ends and was looked at, see SampleChoice: its velocities at a random step.
+  /// Of one that ends and was sampled, see SampleChoice: its velocities at a random step.
   virtual void sampled(OpenContact const&) {}
 
   /// Of contacts in evaluated configurations: sums over all of them, and those with a rank below
@@ -43,7 +43,7 @@ class ContactRecord {
   static constexpr std::size_t largest_cluster = 64;
 
   /// first_column: of ContactColumns in the windows. The listener hears of events from first_step
-  /// on. choice: when velocities are looked at, if at all.
+  /// on. choice: when velocities are sampled, if at all.
   ContactRecord(std::size_t disks, int first_column, std::int64_t first_step,
                 std::shared_ptr<ContactListener> listener, SampleChoice choice = {})
       : table(disks),
@@ -58,24 +58,25 @@ class ContactRecord {
   /// Contacts that were open in a run that goes on.
   void restore(std::vector<OpenContact> const& contacts);
 
-  /// Contacts to be looked at in the configuration at `step`, whose events have been told.
+  /// Contacts to be sampled in the configuration at `step`, whose events have been told.
   std::vector<OpenContact> due(std::int64_t step) const;
 
-  /// A look, told after the beginning of the contact and before its end.
+  /// A sample, told after the beginning of the contact and before its end.
   void add(ContactSample const& sample);
 
   /// Events of configurations that have not been told of, in any order, which are used up.
   void add(std::vector<ContactEvent>& events, Sampling const& sampling, OpenWindows& windows);
 
-  /// The same with the looks at contacts among them.
+  /// The same with the samples of contacts among them.
   void add(std::vector<ContactEvent>& events, std::vector<ContactSample>& samples,
            Sampling const& sampling, OpenWindows& windows);
 
   /// Adds to a column of a window.
   void add(int column, double value, std::int64_t window, OpenWindows& windows) const;
 
-  /// Configurations begin .. end - 1 have been looked at.
-  void looked(std::int64_t begin, std::int64_t end, Sampling const& sampling, OpenWindows& windows);
+  /// Configurations begin .. end - 1 have been evaluated.
+  void evaluated(std::int64_t begin, std::int64_t end, Sampling const& sampling,
+                 OpenWindows& windows);
 
   /// Sums over one evaluated configuration, or several, of a window; step: of any of them.
   void add(ContactMotion const& motion, std::int64_t step, Sampling const& sampling,

@@ -15,8 +15,8 @@ struct OpenContact {
   std::uint32_t a = 0, b = 0;  ///< disks by their index at the start, a < b
   std::int64_t begin = 0;  ///< the first configuration in contact; 0: it was there from the start
   bool binary = true;      ///< neither disk has touched a third one since
-  std::int64_t due = SampleChoice::never;  ///< the next look at its velocities
-  ContactVelocities velocities = {};       ///< at the last look
+  std::int64_t due = SampleChoice::never;  ///< the next sample of its velocities
+  ContactVelocities velocities = {};       ///< at the last sample
 };
 
 /// All contacts between the disks of one system, and so the graph of who touches whom.

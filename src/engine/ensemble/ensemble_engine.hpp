@@ -5,11 +5,11 @@
 #include <limits>
 
 #include "src/engine/backends.hpp"
+#include "src/engine/download_state.hpp"
 #include "src/engine/ensemble/advance_systems.hpp"
 #include "src/engine/ensemble/ensemble.hpp"
-#include "src/engine/in_box.hpp"
-#include "src/engine/state_of_views.hpp"
-#include "src/engine/why_unsound.hpp"
+#include "src/engine/throw_unsound.hpp"
+#include "src/engine/wrap_state.hpp"
 
 namespace bagnold {
 
@@ -64,7 +64,7 @@ class EnsembleEngine final : public Ensemble {
     auto const& p = progress_[system];
     Clock const& clock = constants_[system].clock;
     if (p.wait == Wait::unsound)
-      why_unsound(space_, forces(system), clock, p.step, raw_state(system));
+      throw_unsound(space_, forces(system), clock, p.step, raw_state(system));
     if (p.wait == Wait::too_fast)
       failure::too_fast(clock, p.step, static_cast<std::size_t>(p.farthest.loc),
                         std::sqrt(p.farthest.val), rules_.skin);
@@ -84,7 +84,7 @@ class EnsembleEngine final : public Ensemble {
     return s;
   }
 
-  State state(std::size_t system) const override { return in_box(raw_state(system)); }
+  State state(std::size_t system) const override { return wrap_state(raw_state(system)); }
 
  private:
   using Views = EnsembleViews<rotates, Space, Scheme>;
@@ -190,7 +190,7 @@ class EnsembleEngine final : public Ensemble {
   }
 
   State raw_state(std::size_t system) const {
-    return state_of_views<rotates>(part(views_.position, system), part(views_.motion, system),
+    return download_state<rotates>(part(views_.position, system), part(views_.motion, system),
                                    diameter_[system], constants_[system].clock,
                                    progress_[system].step);
   }

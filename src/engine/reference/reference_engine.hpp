@@ -10,12 +10,12 @@
 #include "kernels/device/dynamics/stepped_system.hpp"
 #include "kernels/device/neighbors/verlet_list.hpp"
 #include "kernels/device/sums/measure.hpp"
+#include "src/engine/download_state.hpp"
 #include "src/engine/drive_columns.hpp"
-#include "src/engine/in_box.hpp"
 #include "src/engine/reference/row_contacts.hpp"
 #include "src/engine/simulation.hpp"
-#include "src/engine/state_of_views.hpp"
-#include "src/engine/why_unsound.hpp"
+#include "src/engine/throw_unsound.hpp"
+#include "src/engine/wrap_state.hpp"
 
 namespace bagnold {
 
@@ -76,7 +76,8 @@ class ReferenceEngine final : public Simulation {
       bool const sampled = sampling.sampled(step);
       Sums<rotates> sums;
       if (sampled) sums = measure();
-      if (windows.contacts) look_along_rows(system_.forces(box_at(step)), step, sampling, windows);
+      if (windows.contacts)
+        detect_along_rows(system_.forces(box_at(step)), step, sampling, windows);
       if (sampled && !drive_) windows.add(sampling.window(step), sums.value, 1);
       auto const power = do_step(sampled && drive_);
       if (sampled && drive_) add_driven(sums, power, sampling.window(step), windows);
@@ -95,7 +96,7 @@ class ReferenceEngine final : public Simulation {
     return s;
   }
 
-  State state() const override { return in_box(raw_state()); }
+  State state() const override { return wrap_state(raw_state()); }
 
  private:
   static constexpr bool trial_is_change = TwoStageScheme<Scheme>;
@@ -109,7 +110,7 @@ class ReferenceEngine final : public Simulation {
   ShearedBox box_at(std::int64_t step) const { return clock_.box(step, list_step_); }
 
   [[noreturn]] void stop_unsound() const {
-    why_unsound(loops_.space, system_.forces(box_at(step_)), clock_, step_, raw_state());
+    throw_unsound(loops_.space, system_.forces(box_at(step_)), clock_, step_, raw_state());
   }
 
   /// The disks as the drive sees them where the step begins.
@@ -207,15 +208,31 @@ class ReferenceEngine final : public Simulation {
 
   Sums<rotates> measure() {
     auto const forces = system_.measured_forces(box_at(step_));
+    if constexpr (trial_is_change) {
+      if (drive_)
+        return sums_of(DrivenChangeForces<Law, Repulsion, Space>{forces, driven_changes()});
+    }
+    return sums_of(forces);
+  }
+
+  template <class Forces>
+  Sums<rotates> sums_of(Forces const& forces) {
     loops_.for_all("observables::MeasureBlock", blocks(),
-                   MeasureBlock<std::remove_cv_t<decltype(forces)>, Space>{forces, block_sums_});
+                   MeasureBlock<Forces, Space>{forces, block_sums_});
     Sums<rotates> total;
     for (auto const& block : to_host(block_sums_)) total += block;
     return total;
   }
 
+  /// What the drive's second stage will change.
+  Motions driven_changes() const {
+    Motions const changes("observables::driven_changes", system_.disks.motion.extent(0));
+    drive_->kick_changes(loops_.space, driven(), system_.disks.trial_motion, changes);
+    return changes;
+  }
+
   State raw_state() const {
-    return state_of_views(system_.disks.position, system_.disks.motion, diameter_, clock_, step_);
+    return download_state(system_.disks.position, system_.disks.motion, diameter_, clock_, step_);
   }
 
   Launches<Space> loops_{};

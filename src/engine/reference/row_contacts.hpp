@@ -7,11 +7,11 @@
 namespace bagnold {
 
 /// Sees contacts begin and end from the rows of a full list, on the host, pair by pair: plain, and
-/// what ContactWatch is held against.
-/// Where velocities of contacts are asked for, they are looked at last, as ContactRecord wants it.
+/// what ContactDetector is held against.
+/// Where velocities of contacts are asked for, they are sampled last, as ContactRecord wants it.
 template <ContactLaw Law, class Repulsion, class Space>
-void look_along_rows(ContactForces<Law, Repulsion, Space> const& forces, std::int64_t step,
-                     Sampling const& sampling, OpenWindows& windows) {
+void detect_along_rows(ContactForces<Law, Repulsion, Space> const& forces, std::int64_t step,
+                       Sampling const& sampling, OpenWindows& windows) {
   auto const on_host = [](auto const& view) {
     return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
   };
@@ -62,7 +62,7 @@ void look_along_rows(ContactForces<Law, Repulsion, Space> const& forces, std::in
   record.add(events, sampling, windows);
   for (auto const& sample : touched)
     if (record.table.find(sample.a, sample.b)->due == step) record.add(sample);
-  record.looked(step, step + 1, sampling, windows);
+  record.evaluated(step, step + 1, sampling, windows);
 }
 
 }  // namespace bagnold

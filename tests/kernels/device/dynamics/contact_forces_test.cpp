@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kernels/device/dynamics/contact_forces.hpp"
 
-#include "tests/kernels/device/dynamics/felt.hpp"
+#include "tests/kernels/device/dynamics/disk_contacts.hpp"
 
 namespace bagnold::test {
 namespace {
@@ -81,20 +81,20 @@ TYPED_TEST(ContactForcesOn, AreThoseByHandAcrossEveryEdge) {
       ASSERT_GE(std::min(x, y), 0.0);
       ASSERT_LT(std::max(x, y), state.box_length);
     }
-    auto const felt = this->felt(state, strain_rate);
+    auto const on_disks = this->on_disks(state, strain_rate);
     for (int disk : {0, 1}) {
       double const sign = disk == 0 ? 1.0 : -1.0;
-      auto const& f = felt[disk];
+      auto const& f = on_disks[disk];
       EXPECT_EQ(f.contacts, 1);
       EXPECT_NEAR(sign * dot(f.elastic, n), 0.25 / 1.2, 1e-14);  // P1, P2 Eq. (2), alpha = 2
       EXPECT_NEAR(dot(f.elastic, t), 0.0, 1e-14);
       EXPECT_NEAR(sign * dot(f.dissipative, n), this->expected.normal, 1e-14);
       EXPECT_NEAR(sign * dot(f.dissipative, t), this->expected.tangential, 1e-14);
-      EXPECT_EQ(f.action.force.x, f.elastic.x + f.dissipative.x);
-      EXPECT_EQ(f.action.force.y, f.elastic.y + f.dissipative.y);
+      EXPECT_EQ(f.load.force.x, f.elastic.x + f.dissipative.x);
+      EXPECT_EQ(f.load.force.y, f.elastic.y + f.dissipative.y);
     }
-    EXPECT_NEAR(felt[0].torque(), this->expected.torque_0, 1e-14);
-    EXPECT_NEAR(felt[1].torque(), this->expected.torque_1, 1e-14);
+    EXPECT_NEAR(on_disks[0].torque(), this->expected.torque_0, 1e-14);
+    EXPECT_NEAR(on_disks[1].torque(), this->expected.torque_1, 1e-14);
   }
 }
 
@@ -110,41 +110,41 @@ TYPED_TEST(ContactForcesOn, EndAtTheContactDistance) {
       state.velocity = {{-0.2, 0.0}, {0.0, 0.0}};
       state.spin = {0.0, 0.0};
       state.diameter = {d_0, d_1};
-      return this->felt(state, strain_rate);
+      return this->on_disks(state, strain_rate);
     };
     for (double beyond : {0.0, 1e-12, 0.2}) {
-      for (auto const& felt : at(contact_distance + beyond)) {
-        EXPECT_EQ(felt.contacts, 0);
-        EXPECT_EQ(felt.action.force.x, 0.0);
-        EXPECT_EQ(felt.action.force.y, 0.0);
-        EXPECT_EQ(felt.torque(), 0.0);
+      for (auto const& on_disks : at(contact_distance + beyond)) {
+        EXPECT_EQ(on_disks.contacts, 0);
+        EXPECT_EQ(on_disks.load.force.x, 0.0);
+        EXPECT_EQ(on_disks.load.force.y, 0.0);
+        EXPECT_EQ(on_disks.torque(), 0.0);
       }
     }
     auto const touching = at(contact_distance - 1e-12);
     EXPECT_EQ(touching[0].contacts, 1);
-    EXPECT_NEAR(touching[0].action.force.x, -0.2 * this->expected.normal, 1e-11);
-    EXPECT_EQ(touching[1].action.force.x, -touching[0].action.force.x);
+    EXPECT_NEAR(touching[0].load.force.x, -0.2 * this->expected.normal, 1e-11);
+    EXPECT_EQ(touching[1].load.force.x, -touching[0].load.force.x);
   }
 }
 
 TYPED_TEST(ContactForcesOn, AreThoseOfTheReferenceAtAnyStrain) {
-  auto p = reference::parameters(this->model);
+  auto p = this->parameters();
   for (double strain : {0.0, 0.3, 0.999}) {
     for (std::size_t count : {24, 80, 200}) {
       State state = reference::scattered(count, count);
       state.offset = strain * state.box_length;
-      auto const expect_same = [&](auto const& felt) {
+      auto const expect_same = [&](auto const& on_disks) {
         auto const expected = reference::forces_and_torques(p, state, strain);
         for (std::size_t i = 0; i < count; ++i) {
-          EXPECT_NEAR(felt[i].action.force.x, expected[i][0], 1e-13);
-          EXPECT_NEAR(felt[i].action.force.y, expected[i][1], 1e-13);
-          EXPECT_NEAR(felt[i].torque(), expected[i][2], 1e-13);
+          EXPECT_NEAR(on_disks[i].load.force.x, expected[i][0], 1e-13);
+          EXPECT_NEAR(on_disks[i].load.force.y, expected[i][1], 1e-13);
+          EXPECT_NEAR(on_disks[i].torque(), expected[i][2], 1e-13);
         }
       };
-      p.force_exponent = 2.0;
-      expect_same(this->felt(state, p.strain_rate));
-      p.force_exponent = 2.5;
-      expect_same(this->template felt<HertzianRepulsion>(state, p.strain_rate));
+      for_each_type<Repulsions>([&]<class R>(std::type_identity<R>) {
+        p.force_exponent = R::force_exponent;
+        expect_same(this->template on_disks<R>(state, p.strain_rate));
+      });
     }
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tests/kernels/device/dynamics/felt.hpp"
+#include "tests/kernels/device/dynamics/disk_contacts.hpp"
 
 namespace bagnold::test {
 namespace {
@@ -38,27 +38,27 @@ TYPED_TEST_SUITE(ThirdLawOn, EveryLawOnEveryBackend, TypeNames);
 
 /// Each disk works out its own half of a pair, from its own row.
 TYPED_TEST(ThirdLawOn, PairsFeelExactNegatives) {
-  auto p = reference::parameters(this->model);
+  auto p = this->parameters();
   for (double rate : {0.0, 0.05, -0.3}) {
     p.strain_rate = rate;
     State const state = lonely_pairs(p);
-    auto const felt = this->felt(state, rate);
-    for (std::size_t i = 0; i < felt.size(); i += 2) {
-      ASSERT_EQ(felt[i].contacts, 1);
-      ASSERT_EQ(felt[i + 1].contacts, 1);
-      EXPECT_EQ(felt[i].action.force.x, -felt[i + 1].action.force.x);
-      EXPECT_EQ(felt[i].action.force.y, -felt[i + 1].action.force.y);
+    auto const on_disks = this->on_disks(state, rate);
+    for (std::size_t i = 0; i < on_disks.size(); i += 2) {
+      ASSERT_EQ(on_disks[i].contacts, 1);
+      ASSERT_EQ(on_disks[i + 1].contacts, 1);
+      EXPECT_EQ(on_disks[i].load.force.x, -on_disks[i + 1].load.force.x);
+      EXPECT_EQ(on_disks[i].load.force.y, -on_disks[i + 1].load.force.y);
     }
   }
 }
 
 /// d/dt (orbital + spin angular momentum) = r_ij x f_ij + torques on both.
 TYPED_TEST(ThirdLawOn, PairsKeepTheirAngularMomentum) {
-  if (this->model == Model::CD) GTEST_SKIP() << "CD has no spins to take up its torques";
-  auto const p = reference::parameters(this->model);
-  auto const felt = this->felt(lonely_pairs(p), p.strain_rate);
-  for (std::size_t i = 0; i < felt.size(); i += 2)
-    EXPECT_NEAR(felt[i].moment + felt[i].torque() + felt[i + 1].torque(), 0.0, 1e-15);
+  auto const p = this->parameters();
+  if (p.model == Model::CD) GTEST_SKIP() << "CD has no spins to take up its torques";
+  auto const on_disks = this->on_disks(lonely_pairs(p), p.strain_rate);
+  for (std::size_t i = 0; i < on_disks.size(); i += 2)
+    EXPECT_NEAR(on_disks[i].moment + on_disks[i].torque() + on_disks[i + 1].torque(), 0.0, 1e-15);
 }
 
 /// A heap in the middle of a wide box, where no image acts.
@@ -66,19 +66,19 @@ TYPED_TEST(ThirdLawOn, HeapsKeepTheirMomenta) {
   State state = reference::scattered(60, 2);
   for (auto& [x, y] : state.position) x += 10.0, y += 10.0;
   state.box_length += 20.0;
-  auto const felt = this->felt(state, 0.0);
+  auto const on_disks = this->on_disks(state, 0.0);
   Vec2<Real> force;
   double turning = 0.0;
   int contacts = 0;
   for (std::size_t i = 0; i < state.count(); ++i) {
-    force += felt[i].action.force;
-    turning += cross(vectors(state.position)[i], felt[i].action.force) + felt[i].torque();
-    contacts += felt[i].contacts;
+    force += on_disks[i].load.force;
+    turning += cross(vectors(state.position)[i], on_disks[i].load.force) + on_disks[i].torque();
+    contacts += on_disks[i].contacts;
   }
   EXPECT_GT(contacts, 100);
   EXPECT_NEAR(force.x, 0.0, 1e-13);
   EXPECT_NEAR(force.y, 0.0, 1e-13);
-  if (this->model != Model::CD) {  // no spins to take up the torque of its force
+  if (this->parameters().model != Model::CD) {  // no spins to take up the torque of its force
     EXPECT_NEAR(turning, 0.0, 1e-12);
   }
 }

@@ -15,11 +15,11 @@ namespace bagnold {
 ///
 /// Which pairs were in contact a step before is kept for each place of the inner lists; where these
 /// were taken anew, the record's table of open contacts says it, which knows nothing of lists.
-class ContactWatch {
+class ContactDetector {
  public:
   /// What has begun or ended in the configuration at `step`, and its sums if it is sampled.
-  void look(BlockLoop& loop, BlockSystem const& all, ShearedBox const& box, std::int64_t step,
-            Sampling const& sampling, OpenWindows& windows);
+  void detect(BlockLoop& loop, BlockSystem const& all, ShearedBox const& box, std::int64_t step,
+              Sampling const& sampling, OpenWindows& windows);
 
   /// Ends the contacts that are none any more in the configuration at `step`, wherever lists stand.
   void close_parted(BlockSystem const& all, ShearedBox const& box, std::int64_t step,

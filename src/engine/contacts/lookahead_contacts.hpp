@@ -2,20 +2,20 @@
 #pragma once
 
 #include "kernels/cpu/contacts/contact_changes.hpp"
-#include "kernels/cpu/contacts/lane_watch.hpp"
+#include "kernels/cpu/contacts/lane_detector.hpp"
 #include "kernels/cpu/islands/sample_times.hpp"
-#include "src/engine/contacts/contact_watch.hpp"
+#include "src/engine/contacts/contact_detector.hpp"
 
 namespace bagnold {
 
-/// The contacts of a window of steps, kept by unit (what is done at one go) until it is known which
-/// units count.
-class WindowContacts {
+/// The contacts of a lookahead, kept by unit (what is done at one go) until it is known
+/// which units count.
+class LookaheadContacts {
  public:
-  /// Before a window, when all contacts of the configurations before it have been told; first
+  /// Before a lookahead, when all contacts of the configurations before it have been told; first
   /// closes those that have parted in its own first one, which no unit may see.
-  void begin(ContactWatch& watch, BlockSystem const& all, ShearedBox const& box, std::int64_t step,
-             Sampling const& sampling, OpenWindows& windows) {
+  void begin(ContactDetector& detector, BlockSystem const& all, ShearedBox const& box,
+             std::int64_t step, Sampling const& sampling, OpenWindows& windows) {
     on_ = windows.contacts != nullptr;
     if (!on_) return;
     for (auto& events : events_) events.clear();
@@ -24,8 +24,8 @@ class WindowContacts {
     motion_.clear();
     units_ = 0;
     begin_ = step;
-    watch.close_parted(all, box, step, sampling, windows);
-    watch_ = &watch;
+    detector.close_parted(all, box, step, sampling, windows);
+    detector_ = &detector;
     table_ = &windows.contacts->table;
     choice_ = windows.contacts->choice;
     picker_ = windows.contacts->picker();
@@ -47,15 +47,15 @@ class WindowContacts {
   }
 
   /// A pair of slots, as a unit, is to be lane k.
-  void set_lane(BlockSystem const& all, LaneWatch& lanes, int k, std::size_t unit,
+  void set_lane(BlockSystem const& all, LaneDetector& lanes, int k, std::size_t unit,
                 std::uint32_t slot_a, std::uint32_t slot_b) {
     lanes.begin = begin_;
     lanes.choice = choice_;
     lanes.picker = picker_;
     lanes.strain_rate = strain_rate_;
     auto& lane = lanes.lane[k];
-    lane = {watch_->disk(slot_a),          watch_->disk(slot_b), &events_[unit],
-            motion_.data() + unit * bins_, &samples_[unit],      &picks_[unit]};
+    lane = {detector_->disk(slot_a),       detector_->disk(slot_b), &events_[unit],
+            motion_.data() + unit * bins_, &samples_[unit],         &picks_[unit]};
     Real const a = all.table.diameter[all.species(slot_a)];
     Real const b = all.table.diameter[all.species(slot_b)];
     lane.share_a = a / (a + b);
@@ -71,35 +71,35 @@ class WindowContacts {
   template <class Slot>
   void list_batches(Blocks const& blocks, Slot const& slot) {
     touched_.assign(blocks.block(blocks.count - 1).pairs[pair_classes] / simd::width, 0);
-    watched_.resize(std::max<std::size_t>(watched_.size(), blocks.count));
+    sampled_.resize(std::max<std::size_t>(sampled_.size(), blocks.count));
     for (std::uint32_t b = 0; b < blocks.count; ++b) {
-      watched_[b].clear();
+      sampled_[b].clear();
       fill_touched(blocks, blocks.block(b), touched_.data(), [&](simd::LocalPair const& pair) {
         auto const* const contact = open(slot(b, pair.a()), slot(b, pair.b()));
         if (choice_ && contact != nullptr)
-          watched_[b].push_back({pair.a(), pair.b(), contact->begin, contact->due});
+          sampled_[b].push_back({pair.a(), pair.b(), contact->begin, contact->due});
         return contact != nullptr;
       });
     }
   }
 
-  /// What begins or ends in batch b of `step` after `steps` steps of the window, and velocities.
+  /// What begins or ends in batch b of `step` after `steps` steps of the lookahead, and velocities.
   template <class Slot>
-  void look(BlockSystem const& step, std::uint32_t b, std::size_t unit, std::int64_t steps,
-            Slot const& slot) {
+  void detect(BlockSystem const& step, std::uint32_t b, std::size_t unit, std::int64_t steps,
+              Slot const& slot) {
     Block const& block = step.blocks.block(b);
     auto const* const records = step.now.record.data() + block.first;
     auto const now = begin_ + steps;
-    auto const disk = [&](std::uint32_t local) { return watch_->disk(slot(b, local)); };
+    auto const disk = [&](std::uint32_t local) { return detector_->disk(slot(b, local)); };
     contact_changes(step.blocks, block, records, touched_.data(),
                     [&](simd::LocalPair const& pair, bool begins, Vec2<Real> const& separation,
                         Vec2<Real> const& velocity) {
                       events_[unit].push_back(contact_event(now, begins, disk(pair.a()),
                                                             disk(pair.b()), separation, velocity));
-                      if (choice_) begin_or_end(watched_[b], pair, begins, now);
+                      if (choice_) begin_or_end(sampled_[b], pair, begins, now);
                     });
     if (!choice_) return;
-    for (auto& contact : watched_[b]) {
+    for (auto& contact : sampled_[b]) {
       if (contact.due != now) continue;
       auto const &p = records[contact.a], &q = records[contact.b];
       Real const spin = step.common_spin(block.first + contact.a, block.first + contact.b);
@@ -111,7 +111,7 @@ class WindowContacts {
     }
   }
 
-  /// Adds a batch's sums after `steps` steps of the window to a measurement window.
+  /// Adds a batch's sums after `steps` steps of the lookahead to a measurement window.
   template <class Slot>
   void sample(BlockSystem const& step, std::uint32_t b, std::size_t unit, std::size_t bin,
               std::int64_t steps, Slot const& slot) {
@@ -121,13 +121,13 @@ class WindowContacts {
         [&](int c, simd::LocalPair const& pair) { return step.common_spin(block, c, pair); },
         [&](simd::LocalPair const& pair, Vec2<Real> const& separation, Vec2<Real> const& velocity,
             Real spin) {
-          picker_(picks_[unit], begin_ + steps, watch_->disk(slot(b, pair.a())),
-                  watch_->disk(slot(b, pair.b())),
+          picker_(picks_[unit], begin_ + steps, detector_->disk(slot(b, pair.a())),
+                  detector_->disk(slot(b, pair.b())),
                   [&] { return contact_velocities(separation, velocity, spin, strain_rate_); });
         });
   }
 
-  /// After a window that counts: tells of the units for which counts(unit) holds.
+  /// After a lookahead that counts: tells of the units for which counts(unit) holds.
   template <class Counts>
   void tell(std::int64_t end, SampleTimes const& times, Sampling const& sampling,
             OpenWindows& windows, Counts const& counts) {
@@ -135,43 +135,44 @@ class WindowContacts {
     std::vector<ContactMotion> motion(times.bins());
     for (std::size_t unit = 0; unit < units_; ++unit) {
       if (!counts(unit)) continue;
-      watch_->take(events_[unit]);
-      watch_->take(samples_[unit]);
+      detector_->take(events_[unit]);
+      detector_->take(samples_[unit]);
       record.add(picks_[unit]);
       for (std::size_t bin = 0; bin < times.bins(); ++bin)
         motion[bin] += motion_[unit * bins_ + bin];
     }
-    watch_->tell(sampling, windows);
+    detector_->tell(sampling, windows);
     for (std::size_t k = 0; k < times.size(); ++k)
       if (k == 0 || times.bin(k) != times.bin(k - 1))
         record.add(motion[times.bin(k)], begin_ + times.step(k), sampling, windows);
-    record.looked(begin_, end, sampling, windows);
+    record.evaluated(begin_, end, sampling, windows);
   }
 
  private:
-  /// A contact of a batch whose velocities will be looked at.
-  struct Watched {
+  /// A contact of a batch whose velocities will be sampled.
+  struct SampledContact {
     std::uint32_t a, b;  ///< in the batch
     std::int64_t begin, due;
   };
 
   OpenContact const* open(std::uint32_t slot_a, std::uint32_t slot_b) const {
-    return table_->find(watch_->disk(slot_a), watch_->disk(slot_b));
+    return table_->find(detector_->disk(slot_a), detector_->disk(slot_b));
   }
 
-  void begin_or_end(std::vector<Watched>& watched, simd::LocalPair const& pair, bool begins,
+  void begin_or_end(std::vector<SampledContact>& sampled, simd::LocalPair const& pair, bool begins,
                     std::int64_t now) const {
     if (begins)
-      watched.push_back(
+      sampled.push_back(
           {pair.a(), pair.b(), now, now == 0 ? SampleChoice::never : choice_.first(now)});
     else
-      std::erase_if(watched, [&](Watched const& w) { return w.a == pair.a() && w.b == pair.b(); });
+      std::erase_if(sampled,
+                    [&](SampledContact const& w) { return w.a == pair.a() && w.b == pair.b(); });
   }
 
   bool on_ = false;
-  ContactWatch* watch_ = nullptr;
+  ContactDetector* detector_ = nullptr;
   ContactTable const* table_ = nullptr;
-  std::int64_t begin_ = 0;  ///< of the window, [steps]
+  std::int64_t begin_ = 0;  ///< of the lookahead, [steps]
   std::size_t units_ = 0, bins_ = 0;
   std::vector<std::vector<ContactEvent>> events_;  ///< by unit
   std::vector<ContactMotion> motion_;              ///< [units][bins]
@@ -179,9 +180,9 @@ class WindowContacts {
   SampleChoice choice_;
   ContactPicker picker_;
   Real strain_rate_ = 0;
-  std::vector<std::vector<ContactSample>> samples_;  ///< by unit
-  std::vector<std::vector<ContactPick>> picks_;      ///< by unit
-  std::vector<std::vector<Watched>> watched_;        ///< by batch
+  std::vector<std::vector<ContactSample>> samples_;   ///< by unit
+  std::vector<std::vector<ContactPick>> picks_;       ///< by unit
+  std::vector<std::vector<SampledContact>> sampled_;  ///< by batch
 };
 
 }  // namespace bagnold

@@ -10,7 +10,7 @@
 namespace bagnold {
 
 /// Sees the contacts of eight pairs begin and end, one pair a lane, each at its own time.
-struct LaneWatch {
+struct LaneDetector {
   struct Lane {
     std::uint32_t a = 0, b = 0;  ///< disks by their index at the start
     std::vector<ContactEvent>* events = nullptr;
@@ -24,15 +24,15 @@ struct LaneWatch {
   SampleChoice choice;
   ContactPicker picker;
   Real strain_rate = 0;    ///< gammadot, [1/tau_e]
-  std::int64_t begin = 0;  ///< of the window, [steps]
+  std::int64_t begin = 0;  ///< of the lookahead, [steps]
   unsigned touched = 0;    ///< lanes in contact
   Lane lane[simd::width];
 
   /// Configurations of the active lanes; step: of each lane, from `begin`.
   /// spin: of disks a, and of disks b.
-  void look(simd::Mask active, simd::Mask touching, simd::Pack step,
-            Vec2<simd::Pack> const& separation, Vec2<simd::Pack> const& velocity,
-            Vec2<simd::Pack> const& spin) {
+  void detect(simd::Mask active, simd::Mask touching, simd::Pack step,
+              Vec2<simd::Pack> const& separation, Vec2<simd::Pack> const& velocity,
+              Vec2<simd::Pack> const& spin) {
     auto const changed = (touching.lanes() ^ touched) & active.lanes();
     touched ^= changed;
     for (auto lanes = changed; lanes != 0; lanes &= lanes - 1) {
@@ -54,7 +54,7 @@ struct LaneWatch {
     }
   }
 
-  /// One lane's configuration is evaluated, `step` steps after `begin`. spin: as in look().
+  /// One lane's configuration is evaluated, `step` steps after `begin`. spin: as in detect().
   void sample(int k, std::size_t bin, std::int64_t step, Vec2<simd::Pack> const& separation,
               Vec2<simd::Pack> const& velocity, Vec2<simd::Pack> const& spin) const {
     if ((touched >> k & 1) == 0) return;
@@ -82,9 +82,9 @@ struct LaneWatch {
   }
 };
 
-struct NoLaneWatch {
-  void look(simd::Mask, simd::Mask, simd::Pack, Vec2<simd::Pack> const&, Vec2<simd::Pack> const&,
-            Vec2<simd::Pack> const&) const {}
+struct NoLaneDetector {
+  void detect(simd::Mask, simd::Mask, simd::Pack, Vec2<simd::Pack> const&, Vec2<simd::Pack> const&,
+              Vec2<simd::Pack> const&) const {}
   void sample(int, std::size_t, std::int64_t, Vec2<simd::Pack> const&, Vec2<simd::Pack> const&,
               Vec2<simd::Pack> const&) const {}
 };

@@ -8,7 +8,7 @@ namespace bagnold {
 
 /// A system's disks as they are on the device, outside the box perhaps. diameter: [N], [d_s].
 template <bool Rotates, class Space>
-State state_of_views(Kokkos::View<Vec2<Real>*, Space> const& position,
+State download_state(Kokkos::View<Vec2<Real>*, Space> const& position,
                      Kokkos::View<Motion<Rotates>*, Space> const& motion,
                      std::vector<double> const& diameter, Clock const& clock, std::int64_t step) {
   State state;

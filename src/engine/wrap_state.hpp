@@ -8,7 +8,7 @@ namespace bagnold {
 
 /// An engine's state with all disks taken into the box. Between list builds the offset may have
 /// passed L_x: its images are the same.
-inline State in_box(State state) {
+inline State wrap_state(State state) {
   ShearedBox const box{state.box_length, state.offset, state.strain_rate.value(),
                        state.box_height()};
   for (std::size_t i = 0; i < state.count(); ++i) {

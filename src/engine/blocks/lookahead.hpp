@@ -3,27 +3,27 @@
 
 #include "src/engine/blocks/lookahead_gain.hpp"
 #include "src/engine/blocks/meeting_results.hpp"
-#include "src/engine/contacts/window_contacts.hpp"
+#include "src/engine/contacts/lookahead_contacts.hpp"
 
 namespace bagnold {
 
-/// A window of steps that is done at one go.
-struct LookaheadWindow {
+/// Steps that are done at one go.
+struct Lookahead {
   std::int64_t begin, end;  ///< [steps]
   Real most_deviation;      ///< from straight flights that the outer list allows, [d_s]
   Real deviation = 0;       ///< out: the largest one, [d_s]
   Real contacts =
       0;  ///< out: pairs touching, mean over steps; of islands of two done again, both times
-  WindowWork work = {};  ///< out
+  LookaheadWork work = {};  ///< out
 
   std::int64_t steps() const { return end - begin; }
 };
 
-/// What the parts that do a window share; kept from one to the next.
-struct WindowScratch {
-  ShearedBox start;  ///< at the window's first configuration
+/// What the parts that do a lookahead share; kept from one to the next.
+struct LookaheadScratch {
+  ShearedBox start;  ///< at the lookahead's first configuration
   SampleTimes times;
-  WindowContacts contacts;
+  LookaheadContacts contacts;
   MeetingResults results;
 
   MeetingResults::Unit& add_unit(bool batch) {

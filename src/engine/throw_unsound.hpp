@@ -9,9 +9,9 @@ namespace bagnold {
 /// Throws the NumericalError of a system with a number that is none or an overlap beyond its limit.
 /// forces: at `step`; state: there.
 template <ContactLaw Law, class Repulsion, class Space>
-[[noreturn]] void why_unsound(Space const& space,
-                              ContactForces<Law, Repulsion, Space> const& forces,
-                              Clock const& clock, std::int64_t step, State const& state) {
+[[noreturn]] void throw_unsound(Space const& space,
+                                ContactForces<Law, Repulsion, Space> const& forces,
+                                Clock const& clock, std::int64_t step, State const& state) {
   failure::check_finite(clock, step, state);
   Kokkos::ValLocScalar<Real, std::int64_t> deepest{};
   side_by_side::parallel_reduce("dynamics::LargestOverlap",

@@ -6,7 +6,7 @@
 namespace bagnold {
 
 /// Keeps the largest peculiar speed of the disks it is shown, and whether a motion is NaN.
-struct SpeedWatch {
+struct SpeedBound {
   Real strain_rate;
   simd::Pack fastest2 = 0.0, nan_flag = 0.0;
 
@@ -21,9 +21,9 @@ struct SpeedWatch {
 
 /// Keeps how far disks come from the straight flight they were predicted by: at the new position,
 /// and at the next trial position.
-struct DeviationWatch {
+struct FlightDeviation {
   simd::Record const* origin;
-  Real* deviation2;
+  Real* flight_deviation2;
   Real time;  ///< since the start of the flight, at the end of the step
   Real time_step;
 
@@ -40,11 +40,11 @@ struct DeviationWatch {
     Pack const x = r.x - fma(time, o.vx, o.x), y = r.y - fma(time, o.vy, o.y);
     Pack const next_x = fma(time_step, r.vx - o.vx, x), next_y = fma(time_step, r.vy - o.vy, y);
     Pack const now2 = fma(x, x, y * y), next2 = fma(next_x, next_x, next_y * next_y);
-    max(Pack::load(deviation2 + slot), max(now2, next2)).store(deviation2 + slot);
+    max(Pack::load(flight_deviation2 + slot), max(now2, next2)).store(flight_deviation2 + slot);
   }
 };
 
-struct NoDeviationWatch {
+struct NoFlightDeviation {
   void operator()(std::uint32_t, simd::Records const&) const {}
 };
 

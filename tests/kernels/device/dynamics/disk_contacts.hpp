@@ -11,30 +11,10 @@ namespace bagnold::test {
 
 using reference::Model;
 
-/// What the reference calls a law; a law that it has not does not compile.
-template <class Law>
-constexpr Model model_of() = delete;
-template <>
-constexpr Model model_of<CD>() {
-  return Model::CD;
-}
-template <>
-constexpr Model model_of<CDn>() {
-  return Model::CD_n;
-}
-template <>
-constexpr Model model_of<CDrot>() {
-  return Model::CD_rot;
-}
-template <>
-constexpr Model model_of<CDnt>() {
-  return Model::CD_nt;
-}
-
-/// What one disk feels, and what its pairs add up to.
+/// What acts on one disk, and what its pairs add up to.
 template <bool Rotates>
-struct Felt {
-  Load<Rotates> action;
+struct DiskContacts {
+  Load<Rotates> load;
   Vec2<Real> elastic{};
   Vec2<Real> dissipative{};
   Real moment = 0;  ///< sum of r_ij x f_ij
@@ -42,45 +22,47 @@ struct Felt {
 
   Real torque() const {
     if constexpr (Rotates)
-      return action.torque;
+      return load.torque;
     else
       return 0;
   }
 };
 
 template <bool Rotates>
-struct Watch {
-  Felt<Rotates>& felt;
+struct Observer {
+  DiskContacts<Rotates>& on_disks;
   template <class Pair>
   KOKKOS_FUNCTION void operator()(Pair const& pair) const {
-    felt.elastic += pair.elastic;
-    felt.dissipative += pair.dissipative;
-    felt.moment += cross(pair.separation, pair.elastic + pair.dissipative);
-    ++felt.contacts;
+    on_disks.elastic += pair.elastic;
+    on_disks.dissipative += pair.dissipative;
+    on_disks.moment += cross(pair.separation, pair.elastic + pair.dissipative);
+    ++on_disks.contacts;
   }
 };
 
 template <class Space, class Forces>
-std::vector<Felt<Forces::rotates>> feel(Forces const& forces) {
+std::vector<DiskContacts<Forces::rotates>> evaluate(Forces const& forces) {
   constexpr bool rotates = Forces::rotates;
-  Kokkos::View<Felt<rotates>*, Space> const felt("test::felt", forces.position.extent(0));
+  Kokkos::View<DiskContacts<rotates>*, Space> const on_disks("test::on_disks",
+                                                             forces.position.extent(0));
   Kokkos::parallel_for(
-      "test::feel", Kokkos::RangePolicy<Space>(0, felt.extent(0)), KOKKOS_LAMBDA(std::int64_t i) {
-        Felt<rotates> found;
-        found.action = forces(static_cast<std::uint32_t>(i), Watch<rotates>{found});
-        felt(i) = found;
+      "test::evaluate", Kokkos::RangePolicy<Space>(0, on_disks.extent(0)),
+      KOKKOS_LAMBDA(std::int64_t i) {
+        DiskContacts<rotates> found;
+        found.load = forces(static_cast<std::uint32_t>(i), Observer<rotates>{found});
+        on_disks(i) = found;
       });
-  return to_host(felt);
+  return to_host(on_disks);
 }
 
 /// The forces in a state, in the box, at Q = 2, through a list with a skin of 0.3.
 template <class Space, class Law, class Repulsion>
-auto felt_in(State state, double strain_rate) {
+auto contacts_of(State state, double strain_rate) {
   VerletList<Space> list;
   Disks const disks{vectors(state.position), state.diameter};
   rebuild(list, disks, state.box_length, state.offset, 0.3);
   state.spin.resize(state.count());
-  return feel<Space>(ContactForces<Law, Repulsion, Space>{
+  return evaluate<Space>(ContactForces<Law, Repulsion, Space>{
       to_device<Space>("test::position", disks.position),
       to_device<Space>("test::motion", motions<Law::rotates>(state)),
       to_device<Space>("test::species", species_of(state.diameter)), list.rows,
@@ -93,11 +75,12 @@ template <class LawOnSpace>
 class ForcesOn : public testing::Test {
  public:
   using Law = typename LawOnSpace::Law;
-  static constexpr Model model = model_of<Law>();
+
+  static reference::Parameters parameters() { return reference::parameters(Law::name); }
 
   template <class Repulsion = HarmonicRepulsion>
-  static auto felt(State const& state, double rate) {
-    return felt_in<typename LawOnSpace::Space, Law, Repulsion>(state, rate);
+  static auto on_disks(State const& state, double rate) {
+    return contacts_of<typename LawOnSpace::Space, Law, Repulsion>(state, rate);
   }
 };
 

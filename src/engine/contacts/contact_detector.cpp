@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "src/engine/contacts/contact_watch.hpp"
+#include "src/engine/contacts/contact_detector.hpp"
 
 #include <cmath>
 
@@ -32,8 +32,8 @@ PairNow pair_now(BlockSystem const& all, ShearedBox const& box, OpenContact cons
 
 }  // namespace
 
-void ContactWatch::look(BlockLoop& loop, BlockSystem const& all, ShearedBox const& box,
-                        std::int64_t step, Sampling const& sampling, OpenWindows& windows) {
+void ContactDetector::detect(BlockLoop& loop, BlockSystem const& all, ShearedBox const& box,
+                             std::int64_t step, Sampling const& sampling, OpenWindows& windows) {
   auto const& blocks = all.blocks;
   ContactRecord& record = *windows.contacts;
   know_disks(all);
@@ -80,11 +80,11 @@ void ContactWatch::look(BlockLoop& loop, BlockSystem const& all, ShearedBox cons
       record.add({step, contact.a, contact.b,
                   contact_velocities(pair.separation, pair.velocity, pair.spin, box.strain_rate)});
     }
-  record.looked(step, step + 1, sampling, windows);
+  record.evaluated(step, step + 1, sampling, windows);
 }
 
-void ContactWatch::close_parted(BlockSystem const& all, ShearedBox const& box, std::int64_t step,
-                                Sampling const& sampling, OpenWindows& windows) {
+void ContactDetector::close_parted(BlockSystem const& all, ShearedBox const& box, std::int64_t step,
+                                   Sampling const& sampling, OpenWindows& windows) {
   know_disks(all);
   windows.contacts->table.each([&](OpenContact const& contact) {
     auto const pair = pair_now(all, box, contact);
@@ -95,21 +95,21 @@ void ContactWatch::close_parted(BlockSystem const& all, ShearedBox const& box, s
   tell(sampling, windows);
 }
 
-void ContactWatch::take(std::vector<ContactEvent>& events) {
+void ContactDetector::take(std::vector<ContactEvent>& events) {
   events_.insert(events_.end(), events.begin(), events.end());
   events.clear();
 }
 
-void ContactWatch::take(std::vector<ContactSample>& samples) {
+void ContactDetector::take(std::vector<ContactSample>& samples) {
   samples_.insert(samples_.end(), samples.begin(), samples.end());
   samples.clear();
 }
 
-void ContactWatch::tell(Sampling const& sampling, OpenWindows& windows) {
+void ContactDetector::tell(Sampling const& sampling, OpenWindows& windows) {
   windows.contacts->add(events_, samples_, sampling, windows);
 }
 
-void ContactWatch::know_disks(BlockSystem const& all) {
+void ContactDetector::know_disks(BlockSystem const& all) {
   if (arrangement_ == all.arrangement) return;
   auto const& slot_of = all.blocks.slot_of;
   disk_of_.assign(all.blocks.slots, 0);
@@ -117,7 +117,7 @@ void ContactWatch::know_disks(BlockSystem const& all) {
   arrangement_ = all.arrangement;
 }
 
-void ContactWatch::list(BlockSystem const& all, ContactTable const& table) {
+void ContactDetector::list(BlockSystem const& all, ContactTable const& table) {
   auto const& blocks = all.blocks;
   touched_.assign(blocks.outer.extent(0) / simd::width, 0);
   for (std::uint32_t b = 0; b < blocks.count; ++b) {
