@@ -10,8 +10,8 @@ namespace bagnold::bench {
 namespace {
 
 /// "default": engine and scheme that a scene gets which names none.
-constexpr std::array engines{"auto",          "default",  "reference", "few-contacts",
-                             "many-contacts", "lookahead"};
+constexpr std::array engines{"auto",         "default",       "reference",
+                             "few-contacts", "many-contacts", "lookahead"};
 
 /// Time is that of the CPU for one thread, of the wall for several.
 void report(benchmark::State& run, RowSystems const& systems, bool threaded, Spent const& spent,
