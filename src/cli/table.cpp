@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-#include "src/analysis/paper_values.hpp"
+#include "src/run/paper_values.hpp"
 #include "src/run/protocols/ramp/hysteresis.hpp"
 
 namespace bagnold {

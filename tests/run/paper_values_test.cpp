@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "src/analysis/paper_values.hpp"
+#include "src/run/paper_values.hpp"
 
 #include <gtest/gtest.h>
 
