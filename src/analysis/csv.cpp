@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdlib>
 
 #include "src/config/errors.hpp"
 
@@ -29,6 +30,13 @@ void put_line(std::string& out, std::vector<std::string> const& cells) {
 }  // namespace
 
 std::string cell(double value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
+
+std::optional<double> number_in(std::string const& text) {
+  char* end = nullptr;
+  double const value = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0' || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
 
 Rows parse_csv(std::string const& text, std::string const& origin) {
   Rows out;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,9 @@ struct Rows {
 };
 
 std::string cell(double value);
+
+/// The finite number that the text of a cell is, none where it is another text.
+std::optional<double> number_in(std::string const& text);
 
 /// RFC 4180, lines ended by a line feed: equal tables give equal bytes.
 std::string to_csv(Rows const& rows);

@@ -4,21 +4,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdlib>
-#include <optional>
 #include <set>
+
+#include "src/analysis/csv.hpp"
 
 namespace bagnold::analysis {
 namespace {
 
 constexpr auto phi_key = "disks.packing_fraction";
-
-std::optional<double> number_in(std::string const& text) {
-  char* end = nullptr;
-  double const value = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0') return std::nullopt;
-  return value;
-}
 
 /// The one label that differs among the outcomes and is a number; phi before others.
 std::string numeric_label(std::vector<Outcome> const& outcomes) {

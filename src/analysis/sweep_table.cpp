@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <optional>
 #include <set>
 
@@ -62,13 +61,6 @@ void read_observables(io::Hdf5Reader const& file, SweepTable& table) {
     measured.error = file.has(error_path) ? file.doubles(error_path, {table.points})
                                           : std::vector<double>(table.points, std::nan(""));
   }
-}
-
-std::optional<double> number_in(std::string const& text) {
-  char* end = nullptr;
-  double const value = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0' || !std::isfinite(value)) return std::nullopt;
-  return value;
 }
 
 KeyColumn key_column(Rows const& rows, std::size_t column) {
