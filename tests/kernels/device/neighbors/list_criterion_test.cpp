@@ -76,7 +76,7 @@ TEST(ListCriterion, DoesNotHoldForWhatIsNoNumber) {
 }
 
 /// w is what a disk does beyond the mean flow at its height at the build.
-TEST(ListCriterion, ExcursionsAreBeyondTheMeanFlow) {
+TEST(ListCriterion, NonaffineDisplacementsAreBeyondTheMeanFlow) {
   Vec2<Real> const at_build{3.0, 2.0};
   // r = r_0 + 0.1 * 2 x^ + (0.03, 0.04): |w| = 0.05.
   EXPECT_NEAR(nonaffine2({3.0 + 0.2 + 0.03, 2.04}, at_build, 0.1), 0.0025, 1e-15);
