@@ -139,12 +139,31 @@ void look_at_drive(Scene const& scene, Refusals const& refuse) {
                          straight, drive.kind));
 }
 
+/// A scheme that solves for all motions at once steps all disks at all times, and has no drives.
+void look_at_scheme(Scene const& scene, Refusals const& refuse) {
+  if (!is_implicit(scene.integration.scheme)) return;
+  auto const& integration = scene.integration;
+  for (std::string_view const straight : {"few-contacts", "lookahead"})
+    if (integration.engine == straight)
+      refuse({"integration.scheme", "integration.engine"},
+             fmt::format("integration.engine = \"{}\" (steps the disks that touch alone, where "
+                         "integration.scheme = \"{}\" solves for all together); set "
+                         "integration.engine = \"auto\"",
+                         straight, integration.scheme));
+  if (scene.driven())
+    refuse({"integration.scheme", "drive.kind"},
+           fmt::format("drive.kind = \"{}\" (is not a part of what integration.scheme = \"{}\" "
+                       "solves); set integration.scheme = \"auto\"",
+                       scene.drive.kind, integration.scheme));
+}
+
 }  // namespace
 
 void find_contradictions(Scene const& scene, std::string const& origin, Mistakes& mistakes) {
   Refusals const refuse{origin, mistakes};
   look_at_others(scene, refuse);
   look_at_drive(scene, refuse);
+  look_at_scheme(scene, refuse);
   if (!mistakes.about("shear.protocol")) look_at_protocol(scene, refuse);
 }
 

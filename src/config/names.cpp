@@ -69,6 +69,11 @@ Names thermal_drives() {
   return names;
 }
 
+bool is_implicit(std::string_view scheme) {
+  return with_named<Schemes>(scheme,
+                             []<class S>(std::type_identity<S>) { return ImplicitScheme<S>; });
+}
+
 Names scheme_words() {
   Names words = names_of<Schemes>();
   words.insert(words.begin(), automatic);

@@ -19,6 +19,9 @@ Names drive_words();      ///< "none", and these
 Names thermal_drives();   ///< of drives that have a temperature
 Names scheme_words();     ///< "auto", and the names of all schemes
 
+/// Whether a scheme solves an equation for the motions of all disks together.
+bool is_implicit(std::string_view scheme);
+
 /// What a word of before is called now; "" of any other.
 std::string_view renamed(std::string_view word);
 

@@ -36,16 +36,22 @@ double largest_stable_time_step(Scene const& scene, std::string_view scheme) {
   constexpr double contacts = 6;
   ContactRates const r(scene);
   double const rate = contacts * std::max(r.normal, r.tangential) + drag_rate(scene);
-  return with_named<Schemes>(scheme, [&]<class S>(std::type_identity<S>) {
-    return std::min(S::largest_rate / rate,
-                    S::largest_frequency / std::sqrt(contacts * r.stiffness));
+  double const stiffness = contacts * r.stiffness;
+  return with_named<Schemes>(scheme, [&]<class S>(std::type_identity<S>) -> double {
+    if constexpr (ImplicitScheme<S>)
+      return S::largest_time_step(rate, stiffness);
+    else
+      return std::min(S::largest_rate / rate, S::largest_frequency / std::sqrt(stiffness));
   });
 }
 
 double dense_flow_time_step(Scene const& scene, std::string_view scheme) {
   ContactRates const r(scene);
   return with_named<Schemes>(scheme, [&]<class S>(std::type_identity<S>) -> double {
-    return S::largest_rate / (r.dense_flow + drag_rate(scene));
+    if constexpr (ImplicitScheme<S>)  // any damping alone
+      return largest_stable_time_step(scene, scheme);
+    else
+      return S::largest_rate / (r.dense_flow + drag_rate(scene));
   });
 }
 

@@ -23,7 +23,7 @@ class BadValues(CliTest):
         self.check("shear", "strain_rate", 0.0, -1e-4, Raw("nan"), Raw("inf"))
         self.check("shear", "strain", 0.0, -1.0, Raw("inf"), Raw("nan"))
         self.check("shear", "discard", -0.1, 1.5, Raw("nan"))
-        self.check("integration", "scheme", "leapfrog", words=("auto", "modified-velocity-verlet", "two-stage-leapfrog"))
+        self.check("integration", "scheme", "leapfrog", words=("auto", "modified-velocity-verlet", "two-stage-leapfrog", "implicit-damping"))
         self.check("integration", "time_step", 0.0, -0.1, Raw("nan"), "fast")
         self.check("measure", "every", 0, -1)
         self.check("measure", "frame_strain", 0.0, -1.0, Raw("nan"))

@@ -104,6 +104,20 @@ TEST(Refusals, Contradictions) {
   EXPECT_EQ(refusal(minimal_text, {"disks.model=CD_nt", "disks.damping_tangential=0"}), "accepted");
 }
 
+TEST(Refusals, WhatImplicitDampingCannotDo) {
+  auto const with = [](std::vector<std::string> more) {
+    more.push_back("integration.scheme=implicit-damping");
+    return refusal(minimal_text, more);
+  };
+  for (std::string const engine : {"few-contacts", "lookahead"})
+    EXPECT_TRUE(has(with({"integration.engine=" + engine}),
+                    "integration.engine = \"" + engine + "\" (steps the disks that touch alone"));
+  for (std::string const engine : {"auto", "reference", "many-contacts"})
+    EXPECT_EQ(with({"integration.engine=" + engine}), "accepted");
+  EXPECT_TRUE(has(with({"drive.kind=stokes", "drive.drag=0.1"}),
+                  "drive.kind = \"stokes\" (is not a part of what"));
+}
+
 TEST(Refusals, ContradictionsOfDrives) {
   auto const with = [](std::vector<std::string> const& more) {
     return refusal(minimal_text, more);

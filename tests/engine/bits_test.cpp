@@ -120,7 +120,7 @@ BAGNOLD_FOR_EVERY_SIMULATION(Bits);
 class DenseBits : public testing::TestWithParam<std::string> {};
 
 TEST_P(DenseBits, AreThoseOfContactRichSteps) {
-  for (auto const scheme : names_of<Schemes>())
+  for (auto const scheme : explicit_schemes())
     for (double packing_fraction : {0.60, 0.82}) {
       Scene scene = small_scene(GetParam(), packing_fraction, 3000);
       scene.shear.strain_rate = 1e-3;

@@ -58,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(All, Driven,
                          testing::Combine(testing::ValuesIn(law_names()),
                                           testing::ValuesIn(backend_names()),
                                           testing::Values("reference", "many-contacts"),
-                                          testing::ValuesIn(names_of<Schemes>())),
+                                          testing::ValuesIn(explicit_schemes())),
                          Driven::name);
 
 /// The push of a bath, from its formula: even, and so wide that s = f dt/m has the mean square

@@ -35,7 +35,7 @@ TEST(OwnDrive, HasTheBitsOfTheProgramsDriveInEveryEngineByEveryScheme) {
   EXPECT_THROW(register_drive<ThermalBath>(), InputError);
   Scene listed = parse("thermal"), own = parse(CopiedDrive::name);
   auto const start = shaken_start(listed);
-  for (auto const scheme : names_of<Schemes>())
+  for (auto const scheme : explicit_schemes())
     for (std::string const engine : {"reference", "many-contacts"})
       for (auto const& backend : backend_names()) {
         for (Scene* scene : {&listed, &own}) {

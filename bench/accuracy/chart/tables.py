@@ -7,7 +7,8 @@ import subprocess
 from concurrent.futures import ThreadPoolExecutor
 
 import engines
-from cases import CASES, LEGEND, PAPERS, PRECISION, TWO_STAGE
+import implicit
+from cases import CASES, FORMS, LEGEND, PAPERS, PRECISION, TWO_STAGE
 
 REFERENCE = 0.2 / 64  # time step that stretches are held against, [tau_e]
 
@@ -15,6 +16,7 @@ REFERENCE = 0.2 / 64  # time step that stretches are held against, [tau_e]
 class Tables:
     def __init__(self, program, states, folder, form, jobs, say):
         self.program, self.states, self.folder = program, states, folder
+        self.of_runs = os.path.join(os.path.dirname(program), "bagnold")
         self.form, self.jobs, self.say = form, jobs, say
 
     def call(self, *arguments):
@@ -84,12 +86,20 @@ class Tables:
 
     def engines(self):
         """Seconds, one run after the other."""
-        program = os.path.join(os.path.dirname(self.program), "bagnold")
+        self.write_rows("engines.csv", engines.COLUMNS, engines.measure(
+            self.of_runs, self.states, self.form.rounds, self.form.strain_factor, self.say))
+
+    def implicit(self):
+        """Long steps in dense flow."""
+        self.write_rows("implicit.csv", implicit.COLUMNS, implicit.measure(
+            self.of_runs, self.states, self.form is FORMS["tiny"], self.jobs, self.say))
+
+    def write_rows(self, name, columns, parts):
+        """A table of what runs of the program itself tell, part by part."""
         os.makedirs(self.folder, exist_ok=True)
-        with open(os.path.join(self.folder, "engines.csv"), "w", newline="") as file:
+        with open(os.path.join(self.folder, name), "w", newline="") as file:
             out = csv.writer(file, lineterminator="\n")
-            out.writerow(engines.COLUMNS)
-            for rows in engines.measure(program, self.states, self.form.rounds, self.form.strain_factor,
-                                        self.say):
+            out.writerow(columns)
+            for rows in parts:
                 out.writerows(rows)
                 file.flush()

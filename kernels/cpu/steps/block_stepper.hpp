@@ -32,6 +32,7 @@ struct StepNeeds {
   int observed_forces;      ///< arrays of forces that measure() fills
   std::size_t force_bytes;  ///< of a disk's force
   StepCosts costs;
+  int iterations = 0;  ///< for the changes of the motions; then all disks are stepped, at all times
   bool driven = false;  ///< by a one-body force: disks that touch nothing do not fly straight
 };
 
@@ -59,6 +60,10 @@ class BlockStepper {
   /// new motion of each pack of disks, if there is one.
   virtual BlockReport correct(BlockSystem const& system, std::uint32_t b, ShearedBox const& box,
                               void* force, bool observed, FlightDeviation* seen) const = 0;
+
+  /// Of a scheme with needs.iterations, between the halves: iteration k of the system's solve, when
+  /// all blocks have been through that before.
+  virtual void iterate(BlockSystem const& system, std::uint32_t b, int k, void* force) const = 0;
 
   /// Both halves, bit for bit the same, where few of the near pairs touch: contacts are looked for
   /// first, forces worked out for them alone, and all other disks are moved in one stream, x += v

@@ -64,7 +64,7 @@ BlockSums measure_block(Step const& step, BlockSystem const& s, std::uint32_t b,
       spin = Pack::load(s.now.spin.data() + slot);
       add_spin(of_disks, spin);
     }
-    auto const of_pack = step.observed_power(s, force, i, big, spin);
+    auto const of_pack = step.observed_power(s, block, force, i, big, r, spin, strain_rate);
     power.dissipation += of_pack.dissipation;
     power.torque += of_pack.torque;
   }

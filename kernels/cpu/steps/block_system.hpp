@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "kernels/cpu/blocks/blocks.hpp"
+#include "kernels/cpu/steps/implicit_solve.hpp"
 
 namespace bagnold {
 
@@ -60,12 +61,14 @@ struct BlockReport {
   Real largest_overlap = 0;    ///< relative
   std::uint32_t touching = 0;  ///< pairs, those across the edge included
   Real nan_flag = 0;           ///< 0, or NaN where a motion is
+  Real coupling = 0;           ///< of an ImplicitScheme: bounds the eigenvalues of theta dt A
 
   BlockReport& operator+=(BlockReport const& o) {
     fastest2 = std::max(fastest2, o.fastest2);
     largest_overlap = std::max(largest_overlap, o.largest_overlap);
     touching += o.touching;
     nan_flag += o.nan_flag;
+    coupling = std::max(coupling, o.coupling);
     return *this;
   }
 };
@@ -77,6 +80,7 @@ struct BlockSystem {
   SpeciesTable table;
   BlockState now;
   BlockState trial;                      ///< what the first half of a step leaves for the second
+  ImplicitSolve implicit;                ///< between the halves, if the scheme solves for anything
   bool rotates = false;                  ///< spins are there
   std::int64_t arrangement = 0;          ///< counts how often disks got other slots
   std::int64_t listing = 0;              ///< counts how often the inner lists were taken anew

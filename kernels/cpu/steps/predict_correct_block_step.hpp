@@ -177,8 +177,8 @@ struct BlockStep<L, R, S> {
   }
 
   /// Of eight disks from i on, after observe(). spin: theirs.
-  PackPower observed_power(BlockSystem const&, Force const* force, std::uint32_t i, simd::Mask big,
-                           simd::Pack spin) const {
+  PackPower observed_power(BlockSystem const&, Block const&, Force const* force, std::uint32_t i,
+                           simd::Mask big, simd::Records const&, simd::Pack spin, Real) const {
     PackPower power;
     if constexpr (rotates)
       power.torque = diameter_of(big) * simd::load_forces(force + i).torque_per_diameter * spin;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <stdexcept>
 #include <utility>
 
 #include "kernels/cpu/islands/binary_collisions.hpp"
@@ -37,15 +38,28 @@ class StepperOf final : public BlockStepper {
     return step_.correct(s, b, box, forces(force), observed, NoFlightDeviation{});
   }
 
+  void iterate(BlockSystem const& s, std::uint32_t b, int k, void* force) const override {
+    if constexpr (iterates)
+      step_.iterate(s, b, k, forces(force));
+    else
+      not_of_this_form();
+  }
+
   BlockReport predict_few(BlockSystem const& s, ActiveDisks const& active, std::uint32_t b,
                           ShearedBox const& box, void* force) const override {
-    return step_.predict_few(s, active, b, box, forces(force));
+    if constexpr (iterates)
+      not_of_this_form();
+    else
+      return step_.predict_few(s, active, b, box, forces(force));
   }
 
   BlockReport correct_few(BlockSystem const& s, ActiveDisks const& active, std::uint32_t b,
                           ShearedBox const& box, void* force, bool observed,
                           simd::Record* moved) const override {
-    return step_.correct_few(s, active, b, box, forces(force), observed, moved);
+    if constexpr (iterates)
+      not_of_this_form();
+    else
+      return step_.correct_few(s, active, b, box, forces(force), observed, moved);
   }
 
   BlockSums measure(BlockSystem const& s, std::uint32_t b, Real strain_rate,
@@ -61,14 +75,25 @@ class StepperOf final : public BlockStepper {
   BinaryOutcome collide(BinaryDisk* a, BinaryDisk* b, int count, std::int64_t steps,
                         Real strain_rate, SampleTimes const& times, BlockSums* sums,
                         LaneDetector* detector) const override {
-    BinaryCollisions<Law, Repulsion, typename Step::Scheme> const collisions{
-        step_.forces.law, step_.forces.repulsion, table_, step_.time_step,
-        strain_rate,      step_.second_stage()};
-    if (detector != nullptr) return collisions.run(a, b, count, steps, times, sums, *detector);
-    return collisions.run(a, b, count, steps, times, sums, NoLaneDetector{});
+    if constexpr (iterates) {
+      not_of_this_form();
+    } else {
+      BinaryCollisions<Law, Repulsion, typename Step::Scheme> const collisions{
+          step_.forces.law, step_.forces.repulsion, table_, step_.time_step,
+          strain_rate,      step_.second_stage()};
+      if (detector != nullptr) return collisions.run(a, b, count, steps, times, sums, *detector);
+      return collisions.run(a, b, count, steps, times, sums, NoLaneDetector{});
+    }
   }
 
  private:
+  static constexpr bool iterates = ImplicitScheme<typename Step::Scheme>;
+
+  /// Engines ask `needs` before they call.
+  [[noreturn]] static void not_of_this_form() {
+    throw std::logic_error("a step that the scheme has not");
+  }
+
   static StepNeeds needs_of(bool driven) {
     StepNeeds needs = Step::needs;
     needs.driven = driven;

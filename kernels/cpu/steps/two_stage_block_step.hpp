@@ -7,6 +7,7 @@
 #include "kernels/cpu/steps/block_drive.hpp"
 #include "kernels/cpu/steps/block_forces.hpp"
 #include "kernels/cpu/steps/block_stepper.hpp"
+#include "kernels/cpu/steps/contact_lister.hpp"
 #include "kernels/cpu/steps/kick.hpp"
 #include "kernels/physics/schemes/forms.hpp"
 #include "kernels/physics/schemes/second_stage.hpp"
@@ -57,7 +58,7 @@ struct BlockStep<L, R, S> {
     Forces::clear(block, force);
     BlockReport report;
     for (int c = 0; c < pair_classes; ++c) {
-      Lister lister{s.blocks.near[contact_list].data() + block.pairs[c]};
+      ContactLister lister{s.blocks.near[contact_list].data() + block.pairs[c]};
       forces.add(c, s, block, inner_list, s.now, force, lister);
       block.near[contact_list][c] = lister.finish(block);
       report.touching += block.near[contact_list][c];
@@ -168,7 +169,7 @@ struct BlockStep<L, R, S> {
   /// [2][most_local], out: the damping of both stages, and that of the second one.
   template <class Observer>
   void observe(BlockSystem const& s, Block const& block, Force* force, Observer&& observer) const {
-    copy_halo(s, block);
+    copy_halo(s.blocks, block, s.trial.record);
     Forces::clear(block, force);
     Forces::clear(block, force + s.blocks.most_local);
     add_stage<true>(s, block, force, observer);
@@ -182,8 +183,8 @@ struct BlockStep<L, R, S> {
   }
 
   /// Of eight disks from i on, after observe(), as ChangeForces has it. spin: theirs.
-  PackPower observed_power(BlockSystem const& s, Force const* force, std::uint32_t i,
-                           simd::Mask big, simd::Pack spin) const {
+  PackPower observed_power(BlockSystem const& s, Block const&, Force const* force, std::uint32_t i,
+                           simd::Mask big, simd::Records const&, simd::Pack spin, Real) const {
     auto const both = simd::load_forces(force + i);
     auto const second = simd::load_forces(force + s.blocks.most_local + i);
     Kick const half(s.table, time_step / 2);
@@ -222,7 +223,7 @@ struct BlockStep<L, R, S> {
 
   /// Adds what the second stage exerts to force, which is cleared where pairs touch.
   void add_second(BlockSystem const& s, Block const& block, Force* force) const {
-    copy_halo(s, block);
+    copy_halo(s.blocks, block, s.trial.record);
     add_stage<false>(s, block, force, NoPackObserver{});
   }
 
@@ -232,33 +233,6 @@ struct BlockStep<L, R, S> {
       for (std::uint32_t k = 0; k < simd::round_up(block.near[contact_list][c]); ++k)
         simd::at(force, pairs[k].a4) = simd::at(force, pairs[k].b4) = Force{};
     }
-  }
-
-  /// Lists the pairs of one class that touch.
-  struct Lister {
-    simd::LocalPair* to;
-    std::uint32_t count = 0;
-    Pack largest_overlap = 0.0;
-
-    void operator()(PackOfPairs const& p) {
-      count += simd::append(to + count, p.touching, p.pairs);
-      largest_overlap = max(largest_overlap, zero_unless(p.touching, p.force.relative_overlap));
-    }
-
-    /// The number of pairs, filled up to packs with inert ones.
-    std::uint32_t finish(Block const& block) const {
-      for (auto k = count; k % simd::width != 0; ++k)
-        to[k] = simd::LocalPair::make(block.own, block.own + 1);
-      return count;
-    }
-  };
-
-  /// A change is the same for all images.
-  static void copy_halo(BlockSystem const& s, Block const& block) {
-    auto const* halo = s.blocks.halo.data() + block.halo_first;
-    auto* const record = s.trial.record.data();
-    for (std::uint32_t h = 0; h < block.halo; ++h)
-      record[block.first + block.padded + h] = record[halo[h].index()];
   }
 
   template <bool Whole, class Observer>

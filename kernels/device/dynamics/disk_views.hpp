@@ -9,16 +9,16 @@ namespace bagnold {
 
 /// What a step of a scheme keeps of one system's disks beside trial positions and motions: nothing,
 /// unless the header of its form says otherwise.
-template <class Scheme, class Space>
+template <bool Rotates, class Scheme, class Space>
 struct StepViews {
   template <class Law>
   void allocate(Law const&, SpeciesTable const&, Real, std::size_t) {}
 };
 
 /// Likewise of many systems.
-template <class Scheme, class Space>
+template <bool Rotates, class Scheme, class Space>
 struct StepTables {
-  KOKKOS_FUNCTION StepViews<Scheme, Space> of(std::size_t) const { return {}; }
+  KOKKOS_FUNCTION StepViews<Rotates, Scheme, Space> of(std::size_t) const { return {}; }
 
   template <class Law>
   void allocate(Law const&, SpeciesTable const&, Real, std::size_t, std::size_t) {}
@@ -34,7 +34,7 @@ struct DiskViews {
   Row<Motion<Rotates>> motion, trial_motion;           ///< [N]
   Row<Species> species;                                ///< [N]
   NeighborRows<Space> neighbors;
-  StepViews<Scheme, Space> step;
+  StepViews<Rotates, Scheme, Space> step;
 
   KOKKOS_FUNCTION std::int64_t count() const {
     return static_cast<std::int64_t>(position.extent(0));

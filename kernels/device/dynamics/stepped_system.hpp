@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kernels/device/dynamics/disk_views.hpp"
+#include "kernels/device/dynamics/implicit_steps.hpp"
 #include "kernels/device/dynamics/list_renewal.hpp"
 #include "kernels/device/dynamics/predict_correct.hpp"
 #include "kernels/device/dynamics/two_stages.hpp"

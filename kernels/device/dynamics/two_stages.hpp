@@ -189,8 +189,8 @@ Kokkos::View<SecondStage*, Space> shares_on_device(Law const& law, SpeciesTable 
 }
 
 /// How many contacts each disk has, and the shares of the second stage.
-template <TwoStageScheme Scheme, class Space>
-struct StepViews<Scheme, Space> {
+template <bool Rotates, TwoStageScheme Scheme, class Space>
+struct StepViews<Rotates, Scheme, Space> {
   Kokkos::View<int*, Space> contacts;              ///< [N]
   Kokkos::View<SecondStage const*, Space> shares;  ///< [1]
 
@@ -201,12 +201,12 @@ struct StepViews<Scheme, Space> {
   }
 };
 
-template <TwoStageScheme Scheme, class Space>
-struct StepTables<Scheme, Space> {
+template <bool Rotates, TwoStageScheme Scheme, class Space>
+struct StepTables<Rotates, Scheme, Space> {
   SystemTable<int, Space> contacts;
   Kokkos::View<SecondStage*, Space> shares;
 
-  KOKKOS_FUNCTION StepViews<Scheme, Space> of(std::size_t s) const {
+  KOKKOS_FUNCTION StepViews<Rotates, Scheme, Space> of(std::size_t s) const {
     return {part(contacts, s), Kokkos::View<SecondStage const*, Space>(shares.data(), 1)};
   }
 

@@ -59,7 +59,7 @@ struct SchemeOnDisk {
         nullptr};
     if constexpr (TwoStageScheme<Scheme>) {
       on.share = Scheme::share;
-    } else {
+    } else if constexpr (PredictCorrectScheme<Scheme>) {
       Real const zero = 0, one = 1, half = 0.5;
       on.trial = Scheme::trial_velocity(zero, one, one);
       on.velocity = Scheme::velocity(zero, zero, one, half);

@@ -89,11 +89,15 @@ concept ContactLaw = law::Named<Law> && PairLaw<Law> && law::MadeFromInput<Law> 
     law::FollowsAPaper<Law> && law::SaysWhetherItIsLinear<Law> &&
     (!Law::linear || law::HasConstants<Law>);
 
+/// A law whose damping is linear in the velocity.
+template <class Law>
+concept LinearLaw = ContactLaw<Law> && Law::linear;
+
 /// A law for two-stage damping, whose second stage acts on weighed changes of the velocity
 /// (kernels/physics/schemes/second_stage.hpp): linear in them and, without spins, with one weight
 /// for both directions.
 template <class Law>
-concept TwoStageLaw = ContactLaw<Law> && Law::linear &&(Law::rotates || Law::one_constant);
+concept TwoStageLaw = LinearLaw<Law> && (Law::rotates || Law::one_constant);
 
 /// True, or one sentence from the compiler for each fact that a law lacks.
 template <class Law>

@@ -43,4 +43,21 @@ concept TwoStageScheme = requires(Vec2<Real> v, Real t) {
   { S::position(v, v, t) } -> std::same_as<Vec2<Real>>;
 };
 
+/// All forces once a step; then the change w of all velocities from an equation in which the
+/// damping of w acts with the weight theta, solved by as many iterations as `iterations` says
+/// (Chebyshev):
+///
+///     a = change(f(r_0, v_0), dt/m),          w - (theta dt/m) f_dis(r_0, w) = a
+///     v_1 = velocity(v_0, w),                 r_1 = position(r_0, v_1, dt)
+///
+/// with f_dis(w) the damping of the contacts at r_0 where disks move with w.
+template <class S>
+concept ImplicitScheme = requires(Vec2<Real> v, Real t) {
+  { S::theta } -> std::convertible_to<Real>;
+  { S::iterations } -> std::convertible_to<int>;
+  { S::change(v, t) } -> std::same_as<Vec2<Real>>;
+  { S::velocity(v, v) } -> std::same_as<Vec2<Real>>;
+  { S::position(v, v, t) } -> std::same_as<Vec2<Real>>;
+};
+
 }  // namespace bagnold

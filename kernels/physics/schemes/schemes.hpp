@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "kernels/physics/laws/cd_n.hpp"
+#include "kernels/physics/schemes/implicit_damping.hpp"
 #include "kernels/physics/schemes/modified_velocity_verlet.hpp"
 #include "kernels/physics/schemes/two_stage_leapfrog.hpp"
 
@@ -12,8 +13,8 @@ namespace bagnold {
 
 /// What the program asks of a scheme: the facts of it, and one of the forms that engines step.
 template <class S>
-concept SteppingScheme = (PredictCorrectScheme<S> ||
-                          TwoStageScheme<S>)&&requires(RelativeMotion const& q,
+concept SteppingScheme = (PredictCorrectScheme<S> || TwoStageScheme<S> ||
+                          ImplicitScheme<S>)&&requires(RelativeMotion const& q,
                                                        LoneContact const& contact, Real dt) {
   { S::name } -> std::convertible_to<std::string_view>;
   { S::largest_rate } -> std::convertible_to<Real>;       // of damping that does not grow, times dt
@@ -25,7 +26,8 @@ concept SteppingScheme = (PredictCorrectScheme<S> ||
 
 /// Every scheme there is.
 using Schemes = std::tuple<ModifiedVelocityVerlet,  //
-                           TwoStageLeapfrog>;
+                           TwoStageLeapfrog,        //
+                           ImplicitDamping>;
 
 template <class... S>
 constexpr bool are_schemes(std::tuple<S...> const*) {

@@ -140,6 +140,7 @@ Real BlockLists::room_at(std::int64_t step, Real farthest) const {
 
 void BlockLists::give_back_scratch() {
   disks_.system.trial = {};
+  disks_.system.implicit = {};
   for (auto& near : disks_.system.blocks.near) near = {};
 }
 
@@ -159,6 +160,13 @@ void BlockLists::make_trial() {
   system.trial.record = disks_.loop->zeros<simd::Record>("dynamics::trial_record", blocks.slots);
   if (needs.trial_spins)
     system.trial.spin = disks_.loop->zeros<double>("dynamics::trial_spin", blocks.slots);
+  if (needs.iterations > 0) {
+    for (auto& iterate : system.implicit.iterate)
+      iterate = disks_.loop->zeros<simd::Record>("dynamics::iterate", blocks.slots);
+    if (needs.rotates)
+      system.implicit.separation =
+          Blocks::room<double>("dynamics::separation", 2 * blocks.outer.extent(0));
+  }
   for (std::uint32_t b = 0; b < blocks.count; ++b) make_inert(blocks.block(b));
 }
 

@@ -10,9 +10,9 @@ namespace bagnold {
 
 namespace {
 
-Stepping stepping(Scene const& scene) {
+Stepping stepping(Scene const& scene, bool iterates) {
   auto const& engine = scene.integration.engine;
-  return scene.driven()              ? Stepping::many_contacts
+  return scene.driven() || iterates  ? Stepping::many_contacts
          : engine == "many-contacts" ? Stepping::many_contacts
          : engine == "few-contacts"  ? Stepping::few_contacts
          : engine == "lookahead"     ? Stepping::lookahead
@@ -26,10 +26,11 @@ std::unique_ptr<Simulation> make_block_engine(Scene const& scene, Snapshot& snap
                                               std::string const& backend, MakeStepper make) {
   auto loop = make_block_loop(backend);
   if (!loop) return nullptr;
-  return std::make_unique<BlockEngine>(std::move(loop), make(scene, drive), stepping(scene),
-                                       make_species_table(scene.mass_by_area()),
-                                       scene.shear.strain_rate, time_step(scene),
-                                       scene.integration.skin, snapshot);
+  auto stepper = make(scene, drive);
+  auto const steps = stepping(scene, stepper->needs.iterations > 0);
+  return std::make_unique<BlockEngine>(
+      std::move(loop), std::move(stepper), steps, make_species_table(scene.mass_by_area()),
+      scene.shear.strain_rate, time_step(scene), scene.integration.skin, snapshot);
 }
 
 }  // namespace bagnold

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "kernels/cpu/steps/implicit_block_step.hpp"
 #include "kernels/cpu/steps/predict_correct_block_step.hpp"
 #include "kernels/cpu/steps/stepper_of.hpp"
 #include "kernels/cpu/steps/two_stage_block_step.hpp"

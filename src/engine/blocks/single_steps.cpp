@@ -14,10 +14,13 @@ void SingleSteps::advance(Sampling const& sampling, OpenWindows& windows) {
   make_room();
   auto const step = disks_.system.step;
   bool const sampled = sampling.sampled(step);
-  if (windows.contacts) {  // they are looked for in all blocks, between the halves of the step
+  bool const iterates = disks_.stepper->needs.iterations > 0;
+  if (windows.contacts || iterates) {  // in all blocks, between the halves of the step
     auto const count = disks_.system.blocks.count;
     first_half(0, count);
-    detector_.detect(*disks_.loop, disks_.system, disks_.box_at(step), step, sampling, windows);
+    if (iterates) iterate(sampled);
+    if (windows.contacts)
+      detector_.detect(*disks_.loop, disks_.system, disks_.box_at(step), step, sampling, windows);
     second_half(0, count, sampled);
   } else {
     Wavefront::Stage from{0, 0};
@@ -110,6 +113,20 @@ void SingleSteps::first_half(std::uint32_t begin, std::uint32_t end) {
     reports_(b) = few ? stepper.predict_few(system, active_, b, box, force)
                       : stepper.predict(system, b, box, force);
   });
+}
+
+/// The iterations of the scheme; the last one is the second half's, unless it is sampled before.
+void SingleSteps::iterate(bool sampled) {
+  auto& system = disks_.system;
+  auto const& stepper = *disks_.stepper;
+  BlockReport total;
+  for (std::uint32_t b = 0; b < system.blocks.count; ++b) total += reports_(b);
+  system.implicit.iterations = {total.coupling, stepper.needs.iterations};
+  auto const room = system.blocks.most_local * stepper.needs.force_bytes;
+  for (int k = 0; k < system.implicit.passes() - (sampled ? 0 : 1); ++k)
+    disks_.loop->with_scratch<std::byte>(
+        system.blocks.count, room,
+        [&](std::uint32_t b, std::byte* force) { stepper.iterate(system, b, k, force); });
 }
 
 /// The second half, and before it the sums of the configuration where the step began.

@@ -53,6 +53,7 @@ class SingleSteps {
   void keep_lists();
   void make_room();
   void first_half(std::uint32_t begin, std::uint32_t end);
+  void iterate(bool sampled);
   void second_half(std::uint32_t begin, std::uint32_t end, bool sampled);
   void count_step();
   ListUse use_of_inner() const;

@@ -37,7 +37,7 @@ struct EnsembleViews {
   Table<Neighbor> entries;
   Table<std::uint32_t> cell_first, cell_members, cell_filled;
   Table<Sums<Rotates>> disk_sums, block_sums, samples;
-  StepTables<Scheme, Space> step;
+  StepTables<Rotates, Scheme, Space> step;
 
   EnsembleViews() = default;
   EnsembleViews(std::size_t systems, std::size_t disks)

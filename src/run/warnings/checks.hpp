@@ -34,6 +34,9 @@ Check rotation_balance;
 /// A time step with which a collision loses another energy than it should.
 Check collision_loss;
 
+/// Implicit damping where the motion is not overdamped: inertia decides what flows, not damping.
+Check implicit_inertia;
+
 /// A time step that a single contact bears, but not the damping of a dense flow.
 Check contact_network;
 
@@ -54,9 +57,9 @@ Check contact_durations;
 
 /// All of them, in the order of the summary.
 inline constexpr Check* all_checks[] = {
-    above_jamming,    hard_core_limit, large_overlap,    energy_balance, dissipative_pressure,
-    rotation_balance, collision_loss,  contact_network,  steady_state,   error_bar,
-    few_collisions,   box_size,        contact_durations};
+    above_jamming,    hard_core_limit, large_overlap,    energy_balance,   dissipative_pressure,
+    rotation_balance, collision_loss,  implicit_inertia, contact_network,  steady_state,
+    error_bar,        few_collisions,  box_size,         contact_durations};
 
 /// Mean relative overlap of contacts, 1 - r_ij/d_ij, from elastic pressure and contacts:
 ///

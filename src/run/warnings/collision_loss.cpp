@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "src/config/names.hpp"
 #include "src/config/time_step.hpp"
 #include "src/run/warnings/checks.hpp"
 
@@ -18,6 +19,7 @@ constexpr double most_off = 0.02;  ///< as of energy_balance
 
 std::optional<Warning> collision_loss(FinishedRun const& finished) {
   auto const& scene = finished.run.scene;
+  if (is_implicit(scheme_of(scene))) return {};  // collisions are not its matter: implicit_inertia
   double const dt = finished.run.plan.time_step;
   double const off = collision_loss_error(scene, scheme_of(scene), dt);
   if (std::abs(off) < most_off) return {};

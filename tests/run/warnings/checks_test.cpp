@@ -27,6 +27,7 @@ struct Flow {
   double dissipative = 0.0;  ///< p_dis_share, beside an elastic pressure
   double torque = 0.0;       ///< torque_power
   double spin2 = 0.5;        ///< <(thetadot/gammadot)^2>
+  double kinetic = 0.0;      ///< p_kin / p
 };
 
 /// A run whose windows are flow(window) with noise of 5%, so that what is to be found is known.
@@ -56,6 +57,8 @@ class Checks : public testing::Test {
         flow.friction * pressure * scene.shear.strain_rate * area * (1 - flow.gap);
     row[C::dissipative_xx] = row[C::dissipative_yy] =
         pressure * area * flow.dissipative / (1 - flow.dissipative);
+    row[C::kinetic_xx] = row[C::kinetic_yy] =
+        pressure * area * flow.kinetic / (1 - flow.kinetic);
     row[C::torque_power] = flow.torque * flow.friction * pressure * scene.shear.strain_rate * area;
     row[C::spin2] = n * flow.spin2 * scene.shear.strain_rate * scene.shear.strain_rate;
     row[C::contacts] = flow.contacts * n;
@@ -199,6 +202,16 @@ TEST_F(Checks, ACollisionOfTooFewSteps) {
   auto const list = warnings_of(Flow{});
   ASSERT_EQ(names(list), "collision_loss");
   EXPECT_NEAR(number(list[0], "collision_loss_error"), 0.0536, 1e-4);
+}
+
+/// Kinetic pressure of a creeping flow, and a hundredth of the pressure.
+TEST_F(Checks, ImplicitDampingWhereInertiaHasAPart) {
+  EXPECT_EQ(names(warnings_of(Flow{.kinetic = 1e-2})), "");
+  scene.integration.scheme = ImplicitDamping::name;
+  EXPECT_EQ(names(warnings_of(Flow{.kinetic = 2e-5})), "");
+  auto const list = warnings_of(Flow{.kinetic = 1e-2});
+  ASSERT_EQ(names(list), "implicit_inertia");
+  EXPECT_NEAR(number(list[0], "p_kin_share"), 1e-2, 1e-4);
 }
 
 /// From 1 to 1.6 in the measured half: means of 1.15 and 1.45 in its halves, of 1.3 in all.

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "kernels/cpu/simd/pack.hpp"
+#include "kernels/physics/schemes/chebyshev.hpp"
 #include "kernels/physics/schemes/schemes.hpp"
 #include "kernels/physics/type_list.hpp"
 
@@ -57,6 +58,14 @@ struct Free {
         EXPECT_TRUE(same(S::velocity(v, v, none, T(0.5) * per_mass), v)) << S::name;
         EXPECT_TRUE(same(S::velocity(spin, spin, still, T(0.5) * per_mass), spin)) << S::name;
         EXPECT_TRUE(same(S::position(r, v, v, T(0.5) * dt), reached)) << S::name;
+      } else if constexpr (ImplicitScheme<S>) {
+        ChebyshevIterations const plan(28.8, S::iterations);
+        EXPECT_TRUE(same(S::change(none, per_mass), none)) << S::name;
+        for (int k = 0; k < plan.count; ++k)
+          EXPECT_TRUE(same(plan.iteration[k](none, none, per_mass, none, none), none)) << S::name;
+        EXPECT_TRUE(same(S::velocity(v, none), v)) << S::name;
+        EXPECT_TRUE(same(S::velocity(spin, still), spin)) << S::name;
+        EXPECT_TRUE(same(S::position(r, v, dt), reached)) << S::name;
       } else {
         EXPECT_TRUE(same(S::change(none, per_mass), none)) << S::name;
         EXPECT_TRUE(same(S::velocity(v, none, none, per_mass), v)) << S::name;
@@ -87,6 +96,10 @@ TEST(Forms, TheStepOfALoneContactIsThatOfTheForm) {
       Real const trial = S::trial_velocity(q.v, f(q.x, q.v), dt);
       v = S::velocity(q.v, trial, f(S::trial_position(q.x, q.v, dt), trial), dt / 2);
       x = S::position(q.x, q.v, v, dt / 2);
+    } else if constexpr (ImplicitScheme<S>) {
+      Real const w = S::change(f(q.x, q.v), dt) / (1 + S::theta * contact.damping * dt);
+      v = S::velocity(q.v, w);
+      x = S::position(q.x, v, dt);
     } else {
       Real const change = S::change(f(q.x, q.v), dt);
       Real const second = -contact.damping * S::share(contact.damping * dt) * change;

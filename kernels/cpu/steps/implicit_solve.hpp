@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kernels/cpu/blocks/blocks.hpp"
+#include "kernels/physics/schemes/chebyshev.hpp"
+
+namespace bagnold {
+
+/// The iterations of an ImplicitScheme in a step, for the changes w of all motions: a record {v_x,
+/// v_y, thetadot, -} a disk. Iteration k makes w_k+2 from `now`, w_k+1, and `before`, w_k.
+struct ImplicitSolve {
+  using Records = Blocks::Array<simd::Record>;
+
+  Records iterate[2];                ///< by slot, in turns; empty where no scheme iterates
+  Blocks::Array<double> separation;  ///< r_ij of the contact list, {x[8], y[8]} a pack, if kept
+  ChebyshevIterations iterations{0, 2};
+
+  int passes() const { return iterations.count; }
+
+  /// start: a, which stands for w_1 and w_0.
+  Records const& now(int k, Records const& start) const {
+    return k == 0 ? start : iterate[(k - 1) % 2];
+  }
+  Records const& before(int k, Records const& start) const {
+    return k < 2 ? start : iterate[k % 2];
+  }
+  /// May be `before`.
+  Records const& next(int k) const { return iterate[k % 2]; }
+
+  Records const& solution() const { return next(passes() - 1); }
+};
+
+}  // namespace bagnold

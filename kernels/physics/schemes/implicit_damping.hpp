@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+#include "kernels/physics/schemes/flight_and_kick.hpp"
+#include "kernels/physics/schemes/forms.hpp"
+#include "kernels/physics/schemes/lone_contact.hpp"
+
+namespace bagnold {
+
+/// Leapfrog with implicit damping, for dense flows. v belongs half a step before r:
+///
+///     a_i = f_i(r_n, v_-) dt/m_i                      all forces, once a step
+///     w_i - (dt/m_i) f_dis,i(r_n, w) = a_i            solved by a fixed number of iterations
+///     v_+ = v_- + w,   r_n+1 = r_n + v_+ dt
+///
+/// and the spins alike: the elastic force is that at r_n, the damping that of v_+. It holds one
+/// mode stable where dt (dt - 2 c/omega^2) < 4/omega^2, c: its damping rate; so far longer steps
+/// than explicit damping in flows whose motions are overdamped, and only there are they right.
+struct ImplicitDamping {
+  static constexpr std::string_view name = "implicit-damping";  ///< as in input and output
+
+  static constexpr Real theta = 1;  ///< weight of the new velocities in the damping
+  static constexpr int iterations = 5;
+
+  /// Damping alone never grows: 1/(1 + y).
+  static constexpr Real largest_rate = std::numeric_limits<Real>::infinity();
+  /// Largest frequency without damping, times dt: of a leapfrog.
+  static constexpr Real largest_frequency = 2;
+
+  /// Largest stable dt of a mode x'' = -omega^2 x - c x': omega^2 dt^2 = 4 + 2 c dt. [tau_e]
+  static Real largest_time_step(Real rate, Real frequency2) {
+    return (rate + std::sqrt(rate * rate + 4 * frequency2)) / frequency2;
+  }
+
+  /// Whether it can step a law, and what stops it where it cannot.
+  template <ContactLaw Law>
+  static constexpr bool can_step = LinearLaw<Law>;
+  static constexpr std::string_view cannot_step = "damping is not linear in the velocity";
+
+  /// The rule for dt, [tau_e].
+  template <LinearLaw Law>
+  static Real time_step(DampingInput const&) {
+    return 1.2;
+  }
+
+  /// a of the force.
+  template <class T, class V>
+  KOKKOS_FORCEINLINE_FUNCTION static V change(V const& force, T const& per_mass) {
+    return per_mass * force;
+  }
+
+  /// v_+ of v_- and w.
+  template <class V>
+  KOKKOS_FORCEINLINE_FUNCTION static V velocity(V const& before, V const& change) {
+    return before + change;
+  }
+
+  template <class T, class V>
+  KOKKOS_FORCEINLINE_FUNCTION static V position(V const& position, V const& after,
+                                                T const& time_step) {
+    return flown(position, after, time_step);
+  }
+
+  /// Of two disks that touch no other, the equation solved.
+  static RelativeMotion step(RelativeMotion const& q, LoneContact const& contact, Real dt) {
+    Real const damping = contact.acts(q) ? theta * contact.damping * dt : Real(0);
+    Real const after = velocity(q.v, change(contact.acceleration(q), dt) / (1 + damping));
+    return {position(q.x, after, dt), after};
+  }
+};
+static_assert(ImplicitScheme<ImplicitDamping>);
+
+}  // namespace bagnold

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include "src/config/names.hpp"
+#include "src/config/time_step.hpp"
+#include "src/run/warnings/checks.hpp"
+
+namespace bagnold {
+
+namespace {
+
+constexpr double most_kinetic = 1e-4;  ///< p_kin / p; docs/accuracy.md, "Implicit damping"
+
+}  // namespace
+
+std::optional<Warning> implicit_inertia(FinishedRun const& finished) {
+  auto const scheme = scheme_of(finished.run.scene);
+  if (!is_implicit(scheme)) return {};
+  double const kinetic = finished.mean("p_kin") / finished.mean("p");
+  if (!(kinetic > most_kinetic)) return {};
+  return Warning{
+      "implicit_inertia",
+      {{"p_kin_share", kinetic}},
+      fmt::format("p_kin/p = {:.2g} (above {:g}): inertia has a part in this flow, and {} with a "
+                  "step of {} tau_e is for motions that damping alone decides",
+                  kinetic, most_kinetic, scheme, finished.run.plan.time_step),
+      "set integration.scheme = \"auto\", which steps through collisions"};
+}
+
+}  // namespace bagnold

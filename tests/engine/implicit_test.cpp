@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/reference/implicit.hpp"
+
+#include "tests/support/simulations.hpp"
+
+namespace bagnold::test {
+namespace {
+
+constexpr int iterations = 5;
+
+double kinetic_energy(reference::Parameters const& p, State const& s) {
+  double sum = 0;
+  for (std::size_t i = 0; i < s.count(); ++i) {
+    double const vx = s.velocity[i][0], vy = s.velocity[i][1];
+    sum += 0.5 * reference::mass(p, s.diameter[i]) * (vx * vx + vy * vy);
+    if (!s.spin.empty())
+      sum += 0.5 * reference::moment_of_inertia(p, s.diameter[i]) * s.spin[i] * s.spin[i];
+  }
+  return sum;
+}
+
+}  // namespace
+
+/// The leapfrog with implicit damping, in the engines that step all disks.
+class Implicit : public EverySimulation {
+ public:
+  Scene implicit_scene(double packing_fraction, std::int64_t count = 64) const {
+    Scene scene = small_scene(packing_fraction, count);
+    scene.integration.scheme = ImplicitDamping::name;
+    scene.integration.skin = 0.35;
+    scene.disks.elasticity = 1.0;
+    scene.shear.strain_rate = 1e-3;
+    scene.integration.time_step = 0.8;
+    return scene;
+  }
+
+  /// As shaken_start(), slower: long steps are for flows that creep.
+  static State creeping_start(Scene const& scene) {
+    State state = shaken_start(scene);
+    for (std::size_t i = 0; i < state.count(); ++i) {
+      double const flow = scene.shear.strain_rate * state.position[i][1];
+      auto& v = state.velocity[i];
+      v = {flow + 0.1 * (v[0] - flow), 0.1 * v[1]};
+      if (!state.spin.empty()) state.spin[i] *= 0.1;
+    }
+    return state;
+  }
+
+  static auto all() {
+    return testing::Combine(testing::ValuesIn(law_names()), testing::ValuesIn(backend_names()),
+                            testing::Values("reference", "many-contacts"));
+  }
+};
+
+/// Against all pairs and all images, from the formulas: weak and strong damping.
+TEST_P(Implicit, IsThatOfTheAllPairsReference) {
+  struct Case {
+    double packing_fraction, elasticity, time_step;
+    char const* mass;
+  };
+  for (auto const& [packing_fraction, elasticity, time_step, mass] :
+       {Case{0.60, 20.0, 0.2, "area"}, Case{0.84, 1.0, 0.8, "equal"},
+        Case{0.84, 0.2, 2.0, "area"}}) {
+    Scene scene = implicit_scene(packing_fraction);
+    scene.disks.elasticity = elasticity;
+    scene.disks.mass = mass;
+    scene.integration.time_step = time_step;
+    State const state = creeping_start(scene);
+    auto const simulation = simulate(scene, state, backend());
+    reference::System oracle(reference_parameters(scene), state);
+    int const steps = static_cast<int>(20 / time_step);  // rounding grows with time, by collisions
+    double dissipative[2][2];
+    for (int k = 0; k < steps; ++k) reference::implicit_step(oracle, iterations, dissipative);
+    advance(*simulation, steps);
+    EXPECT_LT(largest_difference(simulation->state(), oracle.s, scene.shear.strain_rate), 1e-12)
+        << "phi " << packing_fraction << " Q " << elasticity;
+
+    auto const here = reference::measure(oracle);
+    EXPECT_GE(here.contacts, packing_fraction > 0.8 ? 50 : 1);
+    auto const power = reference::implicit_step(oracle, iterations, dissipative);
+    auto const sums = advance(*simulation, 1, 1).sums;
+    auto const near = [&](int column, double value) {
+      EXPECT_NEAR(sums[column], value, 1e-11 * (1 + std::abs(value))) << "column " << column;
+    };
+    using C = SumColumns;
+    double const area = state.box_length * state.box_height();
+    near(C::elastic_xy, here.el[0][1] * area);
+    near(C::kinetic_xy, here.kin[0][1] * area);
+    near(C::contacts, 2.0 * static_cast<double>(here.contacts));
+    near(C::dissipative_xx, dissipative[0][0]);
+    near(C::dissipative_xy, dissipative[0][1]);
+    near(C::dissipative_yx, dissipative[1][0]);
+    near(C::dissipative_yy, dissipative[1][1]);
+    near(C::dissipation, power.dissipation);
+    if (scene.rotates()) near(C::torque_power, power.torque);
+  }
+}
+
+TEST_P(Implicit, InBoxesThatAreNotSquare) {
+  for (double const aspect : {4.0, 0.25}) {
+    Scene scene = implicit_scene(0.84, 160);
+    scene.disks.box_aspect = aspect;
+    State const state = creeping_start(scene);
+    auto const simulation = simulate(scene, state, backend());
+    reference::System oracle(reference_parameters(scene), state);
+    double dissipative[2][2];
+    for (int k = 0; k < 25; ++k) reference::implicit_step(oracle, iterations, dissipative);
+    advance(*simulation, 25);
+    EXPECT_LT(largest_difference(simulation->state(), oracle.s, scene.shear.strain_rate), 1e-12)
+        << aspect;
+  }
+}
+
+/// Several patches, in contact across every edge.
+TEST_P(Implicit, InManyPatches) {
+  if (engine() == "reference") GTEST_SKIP() << "is the oracle";
+  Scene scene = implicit_scene(0.84, 3000);
+  State const state = creeping_start(scene);
+  auto const simulation = simulate(scene, state, backend());
+  expect_the_reference_engines(*simulation, scene, state, 20);
+}
+
+/// A pair that slides without overlap to speak of: two stages of damping and any other scheme would
+/// do no better than 1/(1 + z), which five iterations give to 1/T_5.
+TEST_P(Implicit, ALonePairSlidesAsTheEquationSays) {
+  if (law() == "CD_n") GTEST_SKIP() << "has no tangential damping";
+  Scene scene = implicit_scene(0.8);
+  scene.shear.strain_rate = 0.0;
+  scene.disks.mass = "equal";
+  scene.integration.skin = 0.5;
+  scene.integration.time_step = 0.4;
+  double const slide = 1e-3, overlap = 1e-6;
+  State state;
+  state.box_length = 10.0;
+  state.position = {{4.0, 5.0}, {5.0 - overlap, 5.0}};
+  state.velocity = {{0.0, slide / 2}, {0.0, -slide / 2}};
+  if (scene.rotates()) state.spin = {0.0, 0.0};
+  state.diameter = {1.0, 1.0};
+  auto const simulation = simulate(scene, state, backend());
+  advance(*simulation, 1, 1);
+  State const after = simulation->state();
+  double const k = law() == "CD_nt" ? scene.disks.damping_tangential : 1.0;
+  double slip = after.velocity[0][1] - after.velocity[1][1];
+  if (scene.rotates()) slip += 0.5 * (after.spin[0] + after.spin[1]);
+  double const z = k * 0.4 * (scene.rotates() ? 6.0 : 2.0);
+  double const largest = law() == "CD_nt" ? std::max(k, scene.disks.damping_normal) : k;
+  double const bound = 0.4 * 2 * largest * (scene.rotates() ? 3 : 1);
+  double const error = 1 / std::cosh(iterations * std::acosh(1 + 2 / bound));
+  EXPECT_NEAR(slip / slide, 1 / (1 + z), z * error + 10 * overlap) << "z " << z;
+}
+
+/// Five disks in contact without overlap to speak of: what the motion of all loses in a step is
+/// what is said to be dissipated, and their momentum stays.
+TEST_P(Implicit, ACrowdLosesWhatIsDissipated) {
+  Scene scene = implicit_scene(0.8);
+  scene.shear.strain_rate = 0.0;
+  scene.integration.skin = 0.5;
+  double const overlap = 1e-9, side = 1 - overlap, high = 1.2 - overlap;
+  State state;
+  state.box_length = 12.0;
+  state.position = {{4, 4}, {4 + side, 4}, {4 + side / 2, 4 + side * std::sqrt(0.75)}};
+  state.position.push_back({state.position[2][0], state.position[2][1] + high});
+  state.position.push_back({state.position[2][0] + high, state.position[3][1]});
+  state.diameter = {1.0, 1.0, 1.0, 1.4, 1.0};
+  state.velocity = {{1e-3, 2e-3}, {-2e-3, 1e-3}, {3e-3, -1e-3}, {-1e-3, -2e-3}, {-2e-3, 2e-3}};
+  if (scene.rotates()) state.spin = {1e-3, -3e-3, 2e-3, 4e-3, -1e-3};
+  auto const p = reference_parameters(scene);
+  auto const simulation = simulate(scene, state, backend());
+  auto const sums = advance(*simulation, 1, 1).sums;
+  State const after = simulation->state();
+  EXPECT_EQ(sums[SumColumns::contacts], 10);
+  double const lost = kinetic_energy(p, state) - kinetic_energy(p, after);
+  EXPECT_GT(lost, 0.1 * kinetic_energy(p, state));
+  EXPECT_NEAR(0.8 * sums[SumColumns::dissipation], lost, 1e-5 * lost);
+  for (int a = 0; a < 2; ++a) {
+    double change = 0;
+    for (std::size_t i = 0; i < state.count(); ++i)
+      change +=
+          reference::mass(p, state.diameter[i]) * (after.velocity[i][a] - state.velocity[i][a]);
+    EXPECT_NEAR(change, 0, 1e-17);
+  }
+}
+
+/// Summed over steps, what torques put into the rotation is what it has gained, to rounding.
+TEST_P(Implicit, TorquesPutIntoTheRotationWhatItGains) {
+  Scene const scene = implicit_scene(0.84);
+  if (!scene.rotates()) GTEST_SKIP() << "has no rotation";
+  State const start = creeping_start(scene);
+  auto const p = reference_parameters(scene);
+  auto const energy = [&](State state) {
+    for (auto& v : state.velocity) v = {0, 0};
+    return kinetic_energy(p, state);
+  };
+  auto const simulation = simulate(scene, start, backend());
+  auto const sums = advance(*simulation, 60, 1).sums;
+  double const gained = energy(simulation->state()) - energy(start);
+  EXPECT_NEAR(*scene.integration.time_step.number * sums[SumColumns::torque_power], gained,
+              1e-10 * energy(start));
+}
+
+/// What the iterations leave is within Chebyshev's bound, so the eigenvalues are within theirs; and
+/// a step solved to rounding is near.
+TEST_P(Implicit, IterationsConverge) {
+  if (engine() != "reference" || backend() != backend_names().front())
+    GTEST_SKIP() << "of the reference code";
+  for (double const packing_fraction : {0.6, 0.8, 0.84}) {
+    Scene scene = implicit_scene(packing_fraction, 100);
+    scene.integration.time_step = 1.2;
+    State const state = creeping_start(scene);
+    reference::System solved(reference_parameters(scene), state), system = solved;
+    double dissipative[2][2];
+    double most = 0;
+    for (int k = 0; k < 40; ++k) {
+      auto const power = reference::implicit_step(system, iterations, dissipative);
+      EXPECT_LE(power.left, power.allowed);
+      most = std::max(most, power.left);
+    }
+    EXPECT_GT(most, 1e-3);
+    reference::implicit_step(solved, 0, dissipative);
+    reference::System iterated(reference_parameters(scene), state);
+    reference::implicit_step(iterated, 12 * iterations, dissipative);
+    EXPECT_LT(largest_difference(solved.s, iterated.s, scene.shear.strain_rate), 1e-9);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Implicit, Implicit::all(), Implicit::name);
+
+}  // namespace bagnold::test
