@@ -19,7 +19,7 @@ inline constexpr std::uint64_t most_pairs = std::uint64_t{1} << 32;
 
 /// A compact patch of disks and all that they may touch, as a stretch of slots:
 ///
-///     own disks | inert ones, to a multiple of the pack width, at least two | halo
+///     own disks | inert ones, to a multiple of eight, at least two | halo
 ///
 /// The halo holds copies of disks of other blocks, and of images, already shifted: so pairs have no
 /// image and no foreign partner, and their indices are local. A pair across the edge of a block is
@@ -49,7 +49,7 @@ struct Blocks {
   std::uint32_t most_local = 0;             ///< largest Block::local()
   Array<Block> block;                       ///< [count]
   Array<Neighbor> halo;                     ///< the slot that each halo disk copies, and its image
-  Array<simd::LocalPair> outer;             ///< class segments, multiples of the pack width
+  Array<simd::LocalPair> outer;             ///< class segments, multiples of eight
   Array<simd::LocalPair> near[near_lists];  ///< the same places, filled from the front; or empty
   Array<std::uint32_t> slot_of;             ///< [N]: where a disk is, by its index at the start
 

@@ -26,7 +26,7 @@ std::vector<std::uint32_t> disks_along_curve(CellGrid<Space> const& grid) {
 /// than the one before, and need not wait for its stores. Within stretches that stay in the first
 /// cache.
 inline void interleave(simd::LocalPair* pairs, std::uint32_t count) {
-  constexpr std::uint32_t width = simd::width, stretch = 8 * width;
+  constexpr std::uint32_t width = simd::list_width, stretch = 8 * width;
   simd::LocalPair moved[stretch];
   for (std::uint32_t begin = 0; begin < count; begin += stretch) {
     std::uint32_t const packs = std::min(stretch, count - begin) / width;

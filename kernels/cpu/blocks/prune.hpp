@@ -26,7 +26,8 @@ inline void prune_block(Blocks const& blocks, Block& block, NearList list,
           simd::append(to + kept, fma(d.x, d.x, d.y * d.y) < simd::Pack(reach * reach), from + k);
     }
     block.near[list][c] = kept;
-    while (kept % simd::width != 0) to[kept++] = simd::LocalPair::make(block.own, block.own + 1);
+    while (kept % simd::list_width != 0)
+      to[kept++] = simd::LocalPair::make(block.own, block.own + 1);
   }
 }
 

@@ -7,11 +7,11 @@
 
 namespace bagnold {
 
-/// Calls pack(class, pairs, touched, touching, d) for each eight pairs of a block's inner list:
+/// Calls pack(class, pairs, touched, touching, d) for each pack of pairs of a block's inner list:
 /// which were in contact by `touched`, and which are, by the comparison that forces make. d: r_ij
 /// and v_ij.
 ///
-/// records: the block's, halo included; touched: a byte for eight places of the inner list.
+/// records: the block's, halo included; touched: a byte for each pack of the inner list.
 template <class OfPack>
 void for_contacts(Blocks const& blocks, Block const& block, simd::Record const* records,
                   std::uint8_t* touched, OfPack const& of_pack) {

@@ -9,7 +9,7 @@
 
 namespace bagnold {
 
-/// Sees the contacts of eight pairs begin and end, one pair a lane, each at its own time.
+/// Sees the contacts of a pack of pairs begin and end, one pair a lane, each at its own time.
 struct LaneDetector {
   struct Lane {
     std::uint32_t a = 0, b = 0;  ///< disks by their index at the start

@@ -59,7 +59,7 @@ struct Batches {
       auto const local = simd::round_up(islands.first_disk[i] - first + 2);
       if (local > simd::LocalPair::max_count) return false;
       slots += local;
-      pairs += islands.first_pair[i] - islands.first_pair[begin] + pair_classes * simd::width;
+      pairs += islands.first_pair[i] - islands.first_pair[begin] + pair_classes * simd::list_width;
       blocks.most_local = std::max(blocks.most_local, local);
     }
     blocks.count = static_cast<std::uint32_t>(stretches_.size());

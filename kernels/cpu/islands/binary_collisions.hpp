@@ -14,7 +14,7 @@
 
 namespace bagnold {
 
-/// Islands of two disks, eight at a time, one a lane, each at its own time: a pair flies to just
+/// Islands of two disks, a pack at a time, one a lane, each at its own time: a pair flies to just
 /// before its contact in one go, is stepped while it touches, and flies on. So a collision costs
 /// the same whatever the time between collisions.
 template <ContactLaw Law, class Repulsion, class Scheme>
@@ -34,7 +34,7 @@ struct BinaryCollisions {
   Real strain_rate;
   SecondStage const* second_stage = nullptr;  ///< of a scheme that has one
 
-  /// Brings pairs (a[k], b[k]), k < count <= 8, through `steps` steps. What they add to the sampled
+  /// Brings pairs (a[k], b[k]), k < count <= width, through `steps` steps. What they add to the sampled
   /// sums, beyond what their straight flights would, is added to sums[k * times.bins() + bin].
   /// detector sees every step near a contact.
   template <class Detector>

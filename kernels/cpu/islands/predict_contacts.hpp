@@ -24,7 +24,7 @@ inline SlotPair slot_pair(Blocks const& blocks, Block const& block, simd::LocalP
 /// A pair across the edge of a block is listed by both of its disks; this picks one of the two.
 inline bool is_first_listing(SlotPair const& pair) { return pair.a < pair.b.index(); }
 
-/// Which of eight pairs come closer than `reach` on straight flights of `duration`.
+/// Which of a pack of pairs come closer than `reach` on straight flights of `duration`.
 ///
 /// With r the separation, v the relative velocity, b = r.v and c = r^2 - reach^2: close at the
 /// start if c < 0, at the end if c + 2 b T + v^2 T^2 < 0, in between if b < 0, -b < v^2 T and v^2 c

@@ -3,128 +3,74 @@
 
 #include "kernels/cpu/simd/level.hpp"
 
-/// Eight doubles in four registers of two, as every processor of today has them (SSE2, NEON).
+/// Two doubles in a register, as every processor of today has them (SSE2, NEON).
 #if BAGNOLD_128
 namespace bagnold::simd {
 
-using Two = double __attribute__((vector_size(16)));
-using TwoBits = long long __attribute__((vector_size(16)));
-
-struct Lanes {
-  Two a, b, c, d;
-
-  Lanes() = default;
-  BAGNOLD_INLINE Lanes(Two k01, Two k23, Two k45, Two k67) : a(k01), b(k23), c(k45), d(k67) {}
-  BAGNOLD_INLINE explicit Lanes(double x) : Lanes(Two{x, x}, Two{x, x}, Two{x, x}, Two{x, x}) {}
-  BAGNOLD_INLINE Lanes(double s, double t, double u, double v, double w, double x, double y,
-                       double z)
-      : Lanes(Two{s, t}, Two{u, v}, Two{w, x}, Two{y, z}) {}
-
-  BAGNOLD_INLINE double operator[](int k) const { return (&a)[k / 2][k % 2]; }
-  BAGNOLD_INLINE double& operator[](int k) { return reinterpret_cast<double*>(this)[k]; }
-
-  BAGNOLD_INLINE friend Lanes operator+(Lanes p, Lanes q) {
-    return {p.a + q.a, p.b + q.b, p.c + q.c, p.d + q.d};
-  }
-  BAGNOLD_INLINE friend Lanes operator-(Lanes p, Lanes q) {
-    return {p.a - q.a, p.b - q.b, p.c - q.c, p.d - q.d};
-  }
-  BAGNOLD_INLINE friend Lanes operator*(Lanes p, Lanes q) {
-    return {p.a * q.a, p.b * q.b, p.c * q.c, p.d * q.d};
-  }
-  BAGNOLD_INLINE friend Lanes operator/(Lanes p, Lanes q) {
-    return {p.a / q.a, p.b / q.b, p.c / q.c, p.d / q.d};
-  }
-  BAGNOLD_INLINE Lanes operator-() const { return {-a, -b, -c, -d}; }
-};
-
-namespace detail {
-
-BAGNOLD_INLINE unsigned signs(TwoBits bits) {
-#ifdef __SSE2__
-  return static_cast<unsigned>(_mm_movemask_pd((__m128d)bits));
-#else
-  return static_cast<unsigned>(bits[0] & 1) | static_cast<unsigned>(bits[1] & 2);
-#endif
-}
-
-}  // namespace detail
+using Lanes = double __attribute__((vector_size(16)));
 
 /// Which lanes: all bits of a lane, or none.
 struct Mask {
-  TwoBits a, b, c, d;
+  using Bits = long long __attribute__((vector_size(16)));
+  Bits bits;
 
-  BAGNOLD_INLINE friend Mask operator&(Mask p, Mask q) {
-    return {p.a & q.a, p.b & q.b, p.c & q.c, p.d & q.d};
-  }
-  BAGNOLD_INLINE friend Mask operator|(Mask p, Mask q) {
-    return {p.a | q.a, p.b | q.b, p.c | q.c, p.d | q.d};
-  }
+  friend Mask operator&(Mask a, Mask b) { return {a.bits & b.bits}; }
+  friend Mask operator|(Mask a, Mask b) { return {a.bits | b.bits}; }
   BAGNOLD_INLINE unsigned lanes() const {  ///< lane k is bit k
-    using detail::signs;
-    return signs(a) | signs(b) << 2 | signs(c) << 4 | signs(d) << 6;
+#ifdef __SSE2__
+    return static_cast<unsigned>(_mm_movemask_pd((__m128d)bits));
+#else
+    return static_cast<unsigned>(bits[0] & 1) | static_cast<unsigned>(bits[1] & 2);
+#endif
   }
   BAGNOLD_INLINE static Mask of(unsigned lanes) {
-    auto const two = [&](int k) {
-      return -TwoBits{static_cast<long long>(lanes >> k & 1),
-                      static_cast<long long>(lanes >> (k + 1) & 1)};
-    };
-    return {two(0), two(2), two(4), two(6)};
+    return {-Bits{static_cast<long long>(lanes & 1), static_cast<long long>(lanes >> 1 & 1)}};
   }
-  BAGNOLD_INLINE bool any() const {
-    TwoBits const all = a | b | c | d;
-    return (all[0] | all[1]) != 0;
-  }
+  BAGNOLD_INLINE bool any() const { return lanes() != 0; }
 };
 
 namespace detail {
 
-BAGNOLD_INLINE Two both(TwoBits bits, Two x) { return (Two)(bits & (TwoBits)x); }
-BAGNOLD_INLINE Two blend(TwoBits bits, Two yes, Two no) {
-  return (Two)((bits & (TwoBits)yes) | (~bits & (TwoBits)no));
-}
-
-BAGNOLD_INLINE Mask less(Lanes p, Lanes q) { return {p.a < q.a, p.b < q.b, p.c < q.c, p.d < q.d}; }
+BAGNOLD_INLINE Mask less(Lanes a, Lanes b) { return {a < b}; }
 #ifdef __ARM_FEATURE_FMA
-BAGNOLD_INLINE Two fused(Two x, Two y, Two z) {
-  return (Two)vfmaq_f64((float64x2_t)z, (float64x2_t)x, (float64x2_t)y);
+BAGNOLD_INLINE Lanes fused(Lanes a, Lanes b, Lanes c) {
+  return (Lanes)vfmaq_f64((float64x2_t)c, (float64x2_t)a, (float64x2_t)b);
 }
-BAGNOLD_INLINE Two fused_negative(Two x, Two y, Two z) {
-  return (Two)vfmsq_f64((float64x2_t)z, (float64x2_t)x, (float64x2_t)y);
+BAGNOLD_INLINE Lanes fused_negative(Lanes a, Lanes b, Lanes c) {
+  return (Lanes)vfmsq_f64((float64x2_t)c, (float64x2_t)a, (float64x2_t)b);
 }
 #else
-BAGNOLD_INLINE Two fused(Two x, Two y, Two z) { return x * y + z; }
-BAGNOLD_INLINE Two fused_negative(Two x, Two y, Two z) { return z - x * y; }
+BAGNOLD_INLINE Lanes fused(Lanes a, Lanes b, Lanes c) { return a * b + c; }
+BAGNOLD_INLINE Lanes fused_negative(Lanes a, Lanes b, Lanes c) { return c - a * b; }
 #endif
-BAGNOLD_INLINE Lanes fused(Lanes p, Lanes q, Lanes r) {
-  return {fused(p.a, q.a, r.a), fused(p.b, q.b, r.b), fused(p.c, q.c, r.c), fused(p.d, q.d, r.d)};
-}
-BAGNOLD_INLINE Lanes fused_negative(Lanes p, Lanes q, Lanes r) {
-  return {fused_negative(p.a, q.a, r.a), fused_negative(p.b, q.b, r.b),
-          fused_negative(p.c, q.c, r.c), fused_negative(p.d, q.d, r.d)};
-}
 BAGNOLD_INLINE Lanes chosen(Mask mask, Lanes yes, Lanes no) {
-  return {blend(mask.a, yes.a, no.a), blend(mask.b, yes.b, no.b), blend(mask.c, yes.c, no.c),
-          blend(mask.d, yes.d, no.d)};
+  return (Lanes)((mask.bits & (Mask::Bits)yes) | (~mask.bits & (Mask::Bits)no));
 }
-BAGNOLD_INLINE Lanes kept(Mask mask, Lanes p) {
-  return {both(mask.a, p.a), both(mask.b, p.b), both(mask.c, p.c), both(mask.d, p.d)};
-}
-BAGNOLD_INLINE Two root(Two x) {
-#if defined(__SSE2__)
-  return (Two)_mm_sqrt_pd((__m128d)x);
-#elif defined(__ARM_NEON)
-  return (Two)vsqrtq_f64((float64x2_t)x);
+BAGNOLD_INLINE Lanes kept(Mask mask, Lanes a) { return (Lanes)(mask.bits & (Mask::Bits)a); }
+BAGNOLD_INLINE Lanes larger(Lanes a, Lanes b) {
+#ifdef __SSE2__
+  return (Lanes)_mm_max_pd((__m128d)b, (__m128d)a);
 #else
-  return Two{std::sqrt(x[0]), std::sqrt(x[1])};
+  return chosen(less(a, b), b, a);
 #endif
 }
-BAGNOLD_INLINE Lanes root(Lanes p) { return {root(p.a), root(p.b), root(p.c), root(p.d)}; }
-BAGNOLD_INLINE Two rounded_down(Two x) { return Two{std::floor(x[0]), std::floor(x[1])}; }
-BAGNOLD_INLINE Lanes rounded_down(Lanes p) {
-  return {rounded_down(p.a), rounded_down(p.b), rounded_down(p.c), rounded_down(p.d)};
+BAGNOLD_INLINE Lanes root(Lanes a) {
+#if defined(__SSE2__)
+  return (Lanes)_mm_sqrt_pd((__m128d)a);
+#elif defined(__ARM_NEON)
+  return (Lanes)vsqrtq_f64((float64x2_t)a);
+#else
+  return Lanes{std::sqrt(a[0]), std::sqrt(a[1])};
+#endif
 }
-BAGNOLD_INLINE Lanes inverse_root(Lanes p) { return Lanes(1.0) / root(p); }
+BAGNOLD_INLINE Lanes rounded_down(Lanes a) { return Lanes{std::floor(a[0]), std::floor(a[1])}; }
+BAGNOLD_INLINE Lanes inverse_root(Lanes a) { return Lanes{1, 1} / root(a); }
+
+/// Eight numbers by n mod 8.
+struct EightByNumber {
+  double const* table;
+  BAGNOLD_INLINE explicit EightByNumber(double const* p) : table(p) {}
+};
 
 /// The larger of two counts below 64 in a lane, a + 64 b.
 struct LargerCounts {
@@ -138,25 +84,19 @@ struct LargerCounts {
     }
   }
 
-  /// table[n mod 8]
-  BAGNOLD_INLINE Lanes look_up(Lanes const& table) const {
-    auto const at = [&](int k) { return (&table.a)[larger[k] % 8 / 2][larger[k] % 2]; };
-    return {at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)};
+  BAGNOLD_INLINE Lanes look_up(EightByNumber const& by) const {
+    return Lanes{by.table[larger[0] % 8], by.table[larger[1] % 8]};
   }
 };
 
-BAGNOLD_INLINE Two firsts(Two x, Two y) { return __builtin_shuffle(x, y, TwoBits{0, 2}); }
-BAGNOLD_INLINE Two seconds(Two x, Two y) { return __builtin_shuffle(x, y, TwoBits{1, 3}); }
+BAGNOLD_INLINE Lanes firsts(Lanes a, Lanes b) { return Lanes{a[0], b[0]}; }
+BAGNOLD_INLINE Lanes seconds(Lanes a, Lanes b) { return Lanes{a[1], b[1]}; }
 
-/// Rows of an 8 x 8 matrix to its columns.
+/// Rows of a 2 x 2 matrix to its columns.
 BAGNOLD_INLINE void transpose(Lanes* m) {
-  Lanes turned[width];
-  for (int i = 0; i < width; ++i)
-    for (int j = 0; j < width / 2; ++j) {
-      Two const x = (&m[2 * j].a)[i / 2], y = (&m[2 * j + 1].a)[i / 2];
-      (&turned[i].a)[j] = i % 2 == 0 ? firsts(x, y) : seconds(x, y);
-    }
-  for (int i = 0; i < width; ++i) m[i] = turned[i];
+  Lanes const first = firsts(m[0], m[1]);
+  m[1] = seconds(m[0], m[1]);
+  m[0] = first;
 }
 
 }  // namespace detail

@@ -36,6 +36,9 @@ BAGNOLD_INLINE Lanes chosen(Mask mask, Lanes yes, Lanes no) {
 BAGNOLD_INLINE Lanes kept(Mask mask, Lanes a) {
   return (Lanes)_mm512_maskz_mov_pd(mask.bits, (__m512d)a);
 }
+BAGNOLD_INLINE Lanes larger(Lanes a, Lanes b) {
+  return (Lanes)_mm512_max_pd((__m512d)b, (__m512d)a);
+}
 BAGNOLD_INLINE Lanes root(Lanes a) { return (Lanes)_mm512_sqrt_pd((__m512d)a); }
 BAGNOLD_INLINE Lanes rounded_down(Lanes a) {
   return (Lanes)_mm512_roundscale_pd((__m512d)a, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC);
@@ -51,6 +54,12 @@ BAGNOLD_INLINE Lanes inverse_root(Lanes a) {
   return fused(y * e, p, y);
 }
 
+/// Eight numbers by n mod 8.
+struct EightByNumber {
+  __m512d all;
+  BAGNOLD_INLINE explicit EightByNumber(double const* p) : all(_mm512_loadu_pd(p)) {}
+};
+
 /// The larger of two counts below 64 in a lane, a + 64 b.
 struct LargerCounts {
   __m512i larger;
@@ -64,9 +73,8 @@ struct LargerCounts {
                               _mm512_and_si512(_mm512_srli_epi64(bits, 6), counts));
   }
 
-  /// table[n mod 8]
-  BAGNOLD_INLINE Lanes look_up(Lanes const& table) const {
-    return (Lanes)_mm512_permutexvar_pd(larger, (__m512d)table);
+  BAGNOLD_INLINE Lanes look_up(EightByNumber const& table) const {
+    return (Lanes)_mm512_permutexvar_pd(larger, table.all);
   }
 };
 

@@ -9,29 +9,29 @@
 namespace bagnold::simd {
 
 template <class T>
-struct alignas(64) Eight {
+struct alignas(8 * width) Several {
   T lane[width];
   T& operator[](int k);
   T operator[](int k) const;
 };
 template <class T>
-Eight<T> operator+(Eight<T>, Eight<T>);
+Several<T> operator+(Several<T>, Several<T>);
 template <class T>
-Eight<T> operator-(Eight<T>, Eight<T>);
+Several<T> operator-(Several<T>, Several<T>);
 template <class T>
-Eight<T> operator*(Eight<T>, Eight<T>);
+Several<T> operator*(Several<T>, Several<T>);
 template <class T>
-Eight<T> operator/(Eight<T>, Eight<T>);
+Several<T> operator/(Several<T>, Several<T>);
 template <class T>
-Eight<T> operator-(Eight<T>);
+Several<T> operator-(Several<T>);
 template <class T>
-Eight<T> operator&(Eight<T>, Eight<T>);
+Several<T> operator&(Several<T>, Several<T>);
 template <class T>
-Eight<T> operator|(Eight<T>, Eight<T>);
+Several<T> operator|(Several<T>, Several<T>);
 template <class T>
-Eight<long long> operator<(Eight<T>, Eight<T>);
-using Lanes = Eight<double>;
-using Bits = Eight<long long>;
+Several<long long> operator<(Several<T>, Several<T>);
+using Lanes = Several<double>;
+using Bits = Several<long long>;
 Lanes blend(Bits bits, Lanes yes, Lanes no);
 
 /// Which lanes: all bits of a lane, or none.
@@ -58,9 +58,8 @@ BAGNOLD_INLINE Mask less(Lanes a, Lanes b) { return {a < b}; }
 BAGNOLD_INLINE Lanes fused(Lanes a, Lanes b, Lanes c) { return a * b + c; }
 BAGNOLD_INLINE Lanes fused_negative(Lanes a, Lanes b, Lanes c) { return c - a * b; }
 BAGNOLD_INLINE Lanes chosen(Mask mask, Lanes yes, Lanes no) { return blend(mask.bits, yes, no); }
-BAGNOLD_INLINE Lanes kept(Mask mask, Lanes a) {
-  return blend(mask.bits, a, Lanes{0, 0, 0, 0, 0, 0, 0, 0});
-}
+BAGNOLD_INLINE Lanes kept(Mask mask, Lanes a) { return blend(mask.bits, a, Lanes{}); }
+BAGNOLD_INLINE Lanes larger(Lanes a, Lanes b) { return chosen(less(a, b), b, a); }
 BAGNOLD_INLINE Lanes root(Lanes a) {
   for (int k = 0; k < width; ++k) a[k] = std::sqrt(a[k]);
   return a;
@@ -69,7 +68,16 @@ BAGNOLD_INLINE Lanes rounded_down(Lanes a) {
   for (int k = 0; k < width; ++k) a[k] = std::floor(a[k]);
   return a;
 }
-BAGNOLD_INLINE Lanes inverse_root(Lanes a) { return Lanes{1, 1, 1, 1, 1, 1, 1, 1} / root(a); }
+BAGNOLD_INLINE Lanes inverse_root(Lanes a) {
+  for (int k = 0; k < width; ++k) a[k] = 1 / std::sqrt(a[k]);
+  return a;
+}
+
+/// Eight numbers by n mod 8.
+struct EightByNumber {
+  double const* table;
+  explicit EightByNumber(double const* p) : table(p) {}
+};
 
 /// The larger of two counts below 64 in a lane, a + 64 b.
 struct LargerCounts {
@@ -82,15 +90,14 @@ struct LargerCounts {
     }
   }
 
-  /// table[n mod 8]
-  Lanes look_up(Lanes const& table) const {
+  Lanes look_up(EightByNumber const& by) const {
     Lanes found{};
-    for (int k = 0; k < width; ++k) found[k] = table[larger[k] % width];
+    for (int k = 0; k < width; ++k) found[k] = by.table[larger[k] % 8];
     return found;
   }
 };
 
-/// Rows of an 8 x 8 matrix to its columns.
+/// Rows of a matrix to its columns.
 BAGNOLD_INLINE void transpose(Lanes* m) {
   for (int i = 0; i < width; ++i)
     for (int j = 0; j < i; ++j) {

@@ -32,14 +32,26 @@
 
 namespace bagnold::simd {
 
-inline constexpr int width = 8;  ///< doubles in a pack
+/// Doubles in a pack: those of a register.
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+inline constexpr int width = 8;
+#elif defined(__AVX2__) && defined(__FMA__)
+inline constexpr int width = 4;
+#else
+inline constexpr int width = 2;
+#endif
+
+/// Lists of pairs are laid out in eights on every processor: so forces are summed in one order.
+inline constexpr int list_width = 8;
 
 /// By which BAGNOLD_SIMD calls them.
 inline constexpr std::string_view level_name = BAGNOLD_AVX512 ? "avx512"
                                                : BAGNOLD_AVX2 ? "avx2"
                                                               : "baseline";
 
-/// The next multiple of the width.
-constexpr std::uint32_t round_up(std::uint32_t n) { return (n + width - 1) / width * width; }
+/// The next multiple of eight.
+constexpr std::uint32_t round_up(std::uint32_t n) {
+  return (n + list_width - 1) / list_width * list_width;
+}
 
 }  // namespace bagnold::simd

@@ -1,20 +1,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <utility>
+
 #include "kernels/cpu/simd/lanes_128.hpp"
 #include "kernels/cpu/simd/lanes_avx2.hpp"
 #include "kernels/cpu/simd/lanes_avx512.hpp"
 #include "kernels/cpu/simd/lanes_nvcc.hpp"
 
-/// Eight doubles side by side, whatever the processor: what these do is in one of three headers.
+/// As many doubles side by side as a register of the processor holds: what these do is in one of
+/// three headers.
 namespace bagnold::simd {
+
+namespace detail {
+
+template <class Number, int... Ks>
+BAGNOLD_INLINE Lanes lanes_of(Number const& number, std::integer_sequence<int, Ks...>) {
+  return Lanes{number(Ks)...};
+}
+
+/// number(k) in lane k.
+template <class Number>
+BAGNOLD_INLINE Lanes lanes_of(Number const& number) {
+  return lanes_of(number, std::make_integer_sequence<int, width>{});
+}
+
+}  // namespace detail
 
 struct Pack {
   Lanes v;
 
   Pack() = default;
   Pack(Lanes lanes) : v(lanes) {}
-  Pack(double x) : v(Lanes{x, x, x, x, x, x, x, x}) {}
+  Pack(double x) : v(detail::lanes_of([x](int) { return x; })) {}
 
   static Pack load(double const* p) {
     Pack r;
@@ -56,9 +74,9 @@ BAGNOLD_INLINE Mask first_lanes(std::uint32_t count) {
   return Mask::of(count < width ? (1u << count) - 1 : (1u << width) - 1);
 }
 
-BAGNOLD_INLINE Pack max(Pack a, Pack b) { return select(a < b, b, a); }
+BAGNOLD_INLINE Pack max(Pack a, Pack b) { return detail::larger(a.v, b.v); }
 
-BAGNOLD_INLINE Pack positive_part(Pack a) { return select(Pack(0.0) < a, a, 0.0); }
+BAGNOLD_INLINE Pack positive_part(Pack a) { return detail::larger(Pack(0.0).v, a.v); }
 
 BAGNOLD_INLINE double largest(Pack a) {
   double largest = a.v[0];
@@ -80,6 +98,8 @@ BAGNOLD_INLINE Pack floor(Pack a) { return detail::rounded_down(a.v); }
 /// 1/sqrt(a), to about 1 ulp.
 BAGNOLD_INLINE Pack inverse_sqrt(Pack a) { return detail::inverse_root(a.v); }
 
+using detail::EightByNumber;
+
 /// Two counts a lane, as one number a + base b: 1 to 8 each.
 struct CountPairs {
   static constexpr int base = 64;
@@ -88,10 +108,12 @@ struct CountPairs {
   BAGNOLD_INLINE explicit CountPairs(Pack both) : larger(both.v) {}
 
   /// table[n mod 8], n the larger of the two.
-  BAGNOLD_INLINE Pack look_up_larger(Pack const& table) const { return larger.look_up(table.v); }
+  BAGNOLD_INLINE Pack look_up_larger(EightByNumber const& table) const {
+    return larger.look_up(table);
+  }
 };
 
-/// Rows of an 8 x 8 matrix, m[8], to its columns.
+/// Rows of a matrix, m[width], to its columns.
 BAGNOLD_INLINE void transpose(Pack* m) {
   Lanes rows[width];
   for (int k = 0; k < width; ++k) rows[k] = m[k].v;

@@ -16,7 +16,7 @@ struct alignas(32) Record {
   double vx, vy;  ///< lab frame, [d_s / tau_e]
 };
 
-/// Eight records, component by component.
+/// A pack of records, component by component.
 struct Records {
   Pack x, y, vx, vy;
 
@@ -61,7 +61,7 @@ struct alignas(32) TurningForce {
   double x, count, y, torque_per_diameter;  ///< count: of contacts, if asked for
 };
 
-/// The forces on eight disks, component by component.
+/// The forces on a pack of disks, component by component.
 struct ForceComponents {
   Pack x, y, torque_per_diameter, count;
 

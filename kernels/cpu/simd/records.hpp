@@ -19,7 +19,7 @@ BAGNOLD_INLINE ForceComponents load_forces(Force const* f, std::uint16_t const* 
   return s;
 }
 
-/// The numbers of eight quadrupled indices.
+/// The numbers of a pack of quadrupled indices.
 BAGNOLD_INLINE Pack load(double const* values, std::uint16_t const* index4) {
   Pack p;
   for (int k = 0; k < width; ++k) p.v[k] = at(values, index4[k]);
@@ -30,7 +30,7 @@ BAGNOLD_INLINE void store(double* values, std::uint16_t const* index4, Pack p) {
   for (int k = 0; k < width; ++k) at(values, index4[k]) = p.v[k];
 }
 
-/// Which of eight bytes are zero.
+/// Which of a pack of bytes are zero.
 BAGNOLD_INLINE Mask zero(std::uint8_t const* bytes) {
   return Mask::of(~nonzero(bytes).lanes() & 0xffu);
 }
@@ -39,19 +39,19 @@ struct PackPair {
   Pack x, y;
 };
 
-/// Eight vectors in a row.
+/// A pack of vectors in a row.
 BAGNOLD_INLINE PackPair load_pairs(double const* xy) {
   auto const f = load_forces(reinterpret_cast<Force const*>(xy));
   return {f.x, f.y};
 }
 
-/// value a plus `weight` times value b of eight pairs.
+/// value a plus `weight` times value b of a pack of pairs.
 BAGNOLD_INLINE Pack load_sums(double const* values, LocalPair const* pairs, double weight) {
   asm("" : "+r"(pairs));  // read the indices again: cheaper than to keep sixteen of them
   auto const sum = [&](int k) {
     return at(values, pairs[k].a4) + weight * at(values, pairs[k].b4);
   };
-  return Lanes{sum(0), sum(1), sum(2), sum(3), sum(4), sum(5), sum(6), sum(7)};
+  return detail::lanes_of(sum);
 }
 
 }  // namespace bagnold::simd

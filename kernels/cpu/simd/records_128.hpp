@@ -3,51 +3,39 @@
 
 #include "kernels/cpu/simd/record.hpp"
 
-/// Eight disks in and out of packs, two numbers at a time.
+/// Two disks in and out of packs, two numbers at a time.
 #if BAGNOLD_128
 namespace bagnold::simd {
 
 namespace detail {
 
+BAGNOLD_INLINE Lanes two(double const* p) {
+  Lanes v;
+  __builtin_memcpy(&v, p, sizeof v);
+  return v;
+}
+BAGNOLD_INLINE void put(Lanes v, double* p) { __builtin_memcpy(p, &v, sizeof v); }
+
 /// Four numbers of a disk.
 struct Row {
-  Two low, high;
-  BAGNOLD_INLINE static Row of(double const* p) {
-    Row r;
-    __builtin_memcpy(&r, p, sizeof r);
-    return r;
-  }
-  BAGNOLD_INLINE void to(double* p) const { __builtin_memcpy(p, this, sizeof *this); }
+  Lanes low, high;
+  BAGNOLD_INLINE static Row of(double const* p) { return {two(p), two(p + 2)}; }
+  BAGNOLD_INLINE void to(double* p) const { put(low, p), put(high, p + 2); }
 };
 
-/// Eight rows, row(k) each, to their columns, in their order.
+/// Two rows, row(k) each, to their columns, in their order.
 template <class RowOf>
 BAGNOLD_INLINE Records load_rows(RowOf const& row) {
-  Records s;
-  auto const two = [&](int k, Two& x, Two& y, Two& z, Two& w) {
-    Row const p = row(k), q = row(k + 1);
-    x = firsts(p.low, q.low), y = seconds(p.low, q.low);
-    z = firsts(p.high, q.high), w = seconds(p.high, q.high);
-  };
-  two(0, s.x.v.a, s.y.v.a, s.vx.v.a, s.vy.v.a);
-  two(2, s.x.v.b, s.y.v.b, s.vx.v.b, s.vy.v.b);
-  two(4, s.x.v.c, s.y.v.c, s.vx.v.c, s.vy.v.c);
-  two(6, s.x.v.d, s.y.v.d, s.vx.v.d, s.vy.v.d);
-  return s;
+  Row const p = row(0), q = row(1);
+  return {firsts(p.low, q.low), seconds(p.low, q.low), firsts(p.high, q.high),
+          seconds(p.high, q.high)};
 }
 
 /// store(k, row k) of four columns.
 template <class Store>
-BAGNOLD_INLINE void store_rows(Pack const& x, Pack const& y, Pack const& z, Pack const& w,
-                               Store const& store) {
-  auto const two = [&](int k, Two x2, Two y2, Two z2, Two w2) {
-    store(k, Row{firsts(x2, y2), firsts(z2, w2)});
-    store(k + 1, Row{seconds(x2, y2), seconds(z2, w2)});
-  };
-  two(0, x.v.a, y.v.a, z.v.a, w.v.a);
-  two(2, x.v.b, y.v.b, z.v.b, w.v.b);
-  two(4, x.v.c, y.v.c, z.v.c, w.v.c);
-  two(6, x.v.d, y.v.d, z.v.d, w.v.d);
+BAGNOLD_INLINE void store_rows(Pack x, Pack y, Pack z, Pack w, Store const& store) {
+  store(0, Row{firsts(x.v, y.v), firsts(z.v, w.v)});
+  store(1, Row{seconds(x.v, y.v), seconds(z.v, w.v)});
 }
 
 }  // namespace detail
@@ -89,17 +77,13 @@ BAGNOLD_INLINE ForceComponents load_forces(TurningForce const* f, std::uint16_t 
 }
 
 BAGNOLD_INLINE ForceComponents load_forces(Force const* f) {
-  auto const rows = detail::load_rows([&](int k) {
-    Two low;
-    __builtin_memcpy(&low, f + k, sizeof low);
-    return detail::Row{low, low};
-  });
-  return {rows.x, rows.y, 0.0, 0.0};
+  Lanes const a = detail::two(&f[0].x), b = detail::two(&f[1].x);
+  return {detail::firsts(a, b), detail::seconds(a, b), 0.0, 0.0};
 }
 
 /// Moves `count` disks straight on: to = {x + v time, v}; `to` may be `from`.
 BAGNOLD_INLINE void fly(Record* to, Record const* from, std::uint32_t count, double time) {
-  Two const t{time, time};
+  Lanes const t{time, time};
   for (std::uint32_t i = 0; i < count; ++i) {
     auto const r = detail::Row::of(&from[i].x);
     detail::Row{detail::fused(t, r.high, r.low), r.high}.to(&to[i].x);
@@ -107,9 +91,7 @@ BAGNOLD_INLINE void fly(Record* to, Record const* from, std::uint32_t count, dou
 }
 
 BAGNOLD_INLINE Mask nonzero(std::uint8_t const* bytes) {
-  unsigned lanes = 0;
-  for (int k = 0; k < width; ++k) lanes |= (bytes[k] != 0 ? 1u : 0u) << k;
-  return Mask::of(lanes);
+  return Mask::of((bytes[0] != 0 ? 1u : 0u) | (bytes[1] != 0 ? 2u : 0u));
 }
 
 BAGNOLD_INLINE void store_records(Record* r, Records const& s) {
@@ -122,25 +104,22 @@ BAGNOLD_INLINE void store_records(Record* r, std::uint16_t const* index4, Record
 }
 
 BAGNOLD_INLINE void scatter(Force* force, LocalPair const* pairs, Pack x, Pack y) {
-  auto const add = [&](int k, Two f) {
-    auto* const a = reinterpret_cast<Two*>(&at(force, pairs[k].a4));
-    auto* const b = reinterpret_cast<Two*>(&at(force, pairs[k].b4));
-    *a = *a + f;
-    *b = *b - f;
+  auto const add = [&](int k, Lanes f) {
+    double* const a = &at(force, pairs[k].a4).x;
+    double* const b = &at(force, pairs[k].b4).x;
+    detail::put(detail::two(a) + f, a);
+    detail::put(detail::two(b) - f, b);
   };
-  auto const two = [&](int k, Two x2, Two y2) {
-    add(k, detail::firsts(x2, y2));
-    add(k + 1, detail::seconds(x2, y2));
-  };
-  two(0, x.v.a, y.v.a), two(2, x.v.b, y.v.b), two(4, x.v.c, y.v.c), two(6, x.v.d, y.v.d);
+  add(0, detail::firsts(x.v, y.v));
+  add(1, detail::seconds(x.v, y.v));
 }
 
 /// The torque and the count are the same for both.
 BAGNOLD_INLINE void scatter(TurningForce* force, LocalPair const* pairs, Pack x, Pack y,
                             Pack torque_per_diameter, Pack count = 0.0) {
   using detail::Row;
-  TwoBits const opposite{static_cast<long long>(1ULL << 63), 0};  // the sign of what is opposite
-  auto const turned = [&](Two f) { return (Two)((TwoBits)f ^ opposite); };
+  Mask::Bits const opposite{static_cast<long long>(1ULL << 63), 0};  // the sign of what is opposite
+  auto const turned = [&](Lanes f) { return (Lanes)((Mask::Bits)f ^ opposite); };
   detail::store_rows(x, count, y, torque_per_diameter, [&](int k, Row f) {
     double* const to_a = &at(force, pairs[k].a4).x;
     double* const to_b = &at(force, pairs[k].b4).x;
@@ -151,15 +130,13 @@ BAGNOLD_INLINE void scatter(TurningForce* force, LocalPair const* pairs, Pack x,
   });
 }
 
-/// Appends the pairs whose lane is set; writes up to eight words behind `to`.
+/// Appends the pairs whose lane is set; writes a pack of words behind `to`.
 BAGNOLD_INLINE int append(LocalPair* to, Mask mask, LocalPair const* pairs) {
   unsigned const lanes = mask.lanes();
-  int count = 0;
-  for (int k = 0; k < width; ++k) {
-    to[count] = pairs[k];
-    count += static_cast<int>(lanes >> k & 1);
-  }
-  return count;
+  LocalPair const first = pairs[0], second = pairs[1];
+  to[0] = lanes & 1 ? first : second;
+  to[1] = second;
+  return __builtin_popcount(lanes);
 }
 
 }  // namespace bagnold::simd

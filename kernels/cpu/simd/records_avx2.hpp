@@ -5,7 +5,7 @@
 
 #include "kernels/cpu/simd/record.hpp"
 
-/// Eight disks in and out of packs, with AVX2.
+/// Four disks in and out of packs, with AVX2.
 #if BAGNOLD_AVX2
 namespace bagnold::simd {
 
@@ -13,14 +13,12 @@ namespace detail {
 
 BAGNOLD_INLINE __m256d load(Record const& r) { return _mm256_load_pd(&r.x); }
 
-/// Eight rows of four numbers, row(k) each, to their columns.
+/// Four rows of four numbers, row(k) each, to their columns.
 template <class Row>
 BAGNOLD_INLINE Records load_rows(Row const& row) {
   __m256d a = row(0), b = row(1), c = row(2), d = row(3);
   transpose(a, b, c, d);
-  __m256d e = row(4), f = row(5), g = row(6), h = row(7);
-  transpose(e, f, g, h);
-  return {Lanes(a, e), Lanes(b, f), Lanes(c, g), Lanes(d, h)};
+  return {(Lanes)a, (Lanes)b, (Lanes)c, (Lanes)d};
 }
 BAGNOLD_INLINE Records load_rows(double const* r) {
   return load_rows([&](int k) { return _mm256_load_pd(r + 4 * k); });
@@ -28,24 +26,21 @@ BAGNOLD_INLINE Records load_rows(double const* r) {
 
 /// store(k, row k) of four columns.
 template <class Store>
-BAGNOLD_INLINE void store_rows(Pack const& x, Pack const& y, Pack const& z, Pack const& w,
-                               Store const& store) {
-  __m256d a = x.v.low, b = y.v.low, c = z.v.low, d = w.v.low;
+BAGNOLD_INLINE void store_rows(Pack x, Pack y, Pack z, Pack w, Store const& store) {
+  __m256d a = (__m256d)x.v, b = (__m256d)y.v, c = (__m256d)z.v, d = (__m256d)w.v;
   transpose(a, b, c, d);
   store(0, a), store(1, b), store(2, c), store(3, d);
-  __m256d e = x.v.high, f = y.v.high, g = z.v.high, h = w.v.high;
-  transpose(e, f, g, h);
-  store(4, e), store(5, f), store(6, g), store(7, h);
 }
 
-/// For each set of lanes where they go to stand side by side, a byte each.
+/// For each set of lanes where they go to stand side by side.
 inline constexpr auto packed_places = [] {
-  std::array<std::uint64_t, 256> places{};
-  for (unsigned lanes = 0; lanes < 256; ++lanes) {
-    int to = 0;
-    for (unsigned k = 0; k < 8; ++k)
-      if (lanes >> k & 1) places[lanes] |= std::uint64_t{k} << 8 * to++;
-  }
+  struct Places {
+    std::int32_t at[width];
+  };
+  std::array<Places, 1 << width> places{};
+  for (int lanes = 0; lanes < 1 << width; ++lanes)
+    for (int k = 0, to = 0; k < width; ++k)
+      if (lanes >> k & 1) places[lanes].at[to++] = k;
   return places;
 }();
 
@@ -84,12 +79,11 @@ BAGNOLD_INLINE ForceComponents load_forces(TurningForce const* f, std::uint16_t 
 }
 
 BAGNOLD_INLINE ForceComponents load_forces(Force const* f) {
-  auto const part = [&](int first, bool odd) {  // x0 y0 x1 y1, x2 y2 x3 y3 to one of both
-    __m256d const a = _mm256_loadu_pd(&f[first].x), b = _mm256_loadu_pd(&f[first + 2].x);
-    __m256d const mixed = odd ? _mm256_unpackhi_pd(a, b) : _mm256_unpacklo_pd(a, b);
-    return _mm256_permute4x64_pd(mixed, 0xd8);
+  __m256d const a = _mm256_loadu_pd(&f[0].x), b = _mm256_loadu_pd(&f[2].x);
+  auto const in_order = [](__m256d mixed) {  // 0 2 1 3
+    return (Lanes)_mm256_permute4x64_pd(mixed, 0xd8);
   };
-  return {Lanes(part(0, false), part(4, false)), Lanes(part(0, true), part(4, true)), 0.0, 0.0};
+  return {in_order(_mm256_unpacklo_pd(a, b)), in_order(_mm256_unpackhi_pd(a, b)), 0.0, 0.0};
 }
 
 /// Moves `count` disks straight on: to = {x + v time, v}; `to` may be `from`.
@@ -103,13 +97,10 @@ BAGNOLD_INLINE void fly(Record* to, Record const* from, std::uint32_t count, dou
 }
 
 BAGNOLD_INLINE Mask nonzero(std::uint8_t const* bytes) {
-  auto const four = [](std::uint8_t const* b) {
-    std::int32_t word;
-    __builtin_memcpy(&word, b, sizeof word);
-    __m256i const wide = _mm256_cvtepu8_epi64(_mm_cvtsi32_si128(word));
-    return _mm256_castsi256_pd(_mm256_cmpgt_epi64(wide, _mm256_setzero_si256()));
-  };
-  return {four(bytes), four(bytes + 4)};
+  std::int32_t word;
+  __builtin_memcpy(&word, bytes, sizeof word);
+  __m256i const wide = _mm256_cvtepu8_epi64(_mm_cvtsi32_si128(word));
+  return {_mm256_castsi256_pd(_mm256_cmpgt_epi64(wide, _mm256_setzero_si256()))};
 }
 
 BAGNOLD_INLINE void store_records(Record* r, Records const& s) {
@@ -122,21 +113,18 @@ BAGNOLD_INLINE void store_records(Record* r, std::uint16_t const* index4, Record
 }
 
 BAGNOLD_INLINE void scatter(Force* force, LocalPair const* pairs, Pack x, Pack y) {
+  __m256d const even = _mm256_unpacklo_pd((__m256d)x.v, (__m256d)y.v);
+  __m256d const odd = _mm256_unpackhi_pd((__m256d)x.v, (__m256d)y.v);
   auto const add = [&](int k, __m128d f) {
     double* const a = &at(force, pairs[k].a4).x;
     double* const b = &at(force, pairs[k].b4).x;
     _mm_store_pd(a, _mm_add_pd(_mm_load_pd(a), f));
     _mm_store_pd(b, _mm_sub_pd(_mm_load_pd(b), f));
   };
-  auto const four = [&](int first, __m256d x4, __m256d y4) {
-    __m256d const even = _mm256_unpacklo_pd(x4, y4), odd = _mm256_unpackhi_pd(x4, y4);
-    add(first, _mm256_castpd256_pd128(even));
-    add(first + 1, _mm256_castpd256_pd128(odd));
-    add(first + 2, _mm256_extractf128_pd(even, 1));
-    add(first + 3, _mm256_extractf128_pd(odd, 1));
-  };
-  four(0, x.v.low, y.v.low);
-  four(4, x.v.high, y.v.high);
+  add(0, _mm256_castpd256_pd128(even));
+  add(1, _mm256_castpd256_pd128(odd));
+  add(2, _mm256_extractf128_pd(even, 1));
+  add(3, _mm256_extractf128_pd(odd, 1));
 }
 
 /// The torque and the count are the same for both.
@@ -150,13 +138,12 @@ BAGNOLD_INLINE void scatter(TurningForce* force, LocalPair const* pairs, Pack x,
   });
 }
 
-/// Appends the pairs whose lane is set; writes up to eight words behind `to`.
+/// Appends the pairs whose lane is set; writes a pack of words behind `to`.
 BAGNOLD_INLINE int append(LocalPair* to, Mask mask, LocalPair const* pairs) {
   unsigned const lanes = mask.lanes();
-  __m256i const places =
-      _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<long long>(detail::packed_places[lanes])));
-  __m256i const words = _mm256_loadu_si256(reinterpret_cast<__m256i const*>(pairs));
-  _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_permutevar8x32_epi32(words, places));
+  auto const* const places = reinterpret_cast<__m128i const*>(detail::packed_places[lanes].at);
+  __m128 const words = _mm_loadu_ps(reinterpret_cast<float const*>(pairs));
+  _mm_storeu_ps(reinterpret_cast<float*>(to), _mm_permutevar_ps(words, _mm_loadu_si128(places)));
   return __builtin_popcount(lanes);
 }
 

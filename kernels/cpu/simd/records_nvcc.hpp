@@ -3,7 +3,7 @@
 
 #include "kernels/cpu/simd/record.hpp"
 
-/// Eight disks in and out of packs, as nvcc reads it for the device: it never runs.
+/// Disks in and out of packs, as nvcc reads it for the device: it never runs.
 #ifdef __CUDA_ARCH__
 namespace bagnold::simd {
 
@@ -36,7 +36,7 @@ BAGNOLD_INLINE Records load_differences(Record const* records, LocalPair const* 
 
 namespace detail {
 
-/// Eight records, row(k) each.
+/// As many records as lanes, row(k) each.
 template <class Row>
 BAGNOLD_INLINE Records load_rows(Row const& row) {
   Records s;
@@ -50,7 +50,7 @@ BAGNOLD_INLINE Records load_rows(Row const& row) {
   return s;
 }
 
-/// The forces on eight disks, row(k) each.
+/// The forces on as many disks, row(k) each.
 template <class Row>
 BAGNOLD_INLINE ForceComponents load_turning(Row const& row) {
   ForceComponents s;

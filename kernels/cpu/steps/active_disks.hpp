@@ -58,7 +58,7 @@ struct ActiveDisks {
     for (auto k = n; k < simd::round_up(n); ++k) active[k] = inert;
   }
 
-  /// body(at, big) for eight active disks at a time, the last ones inert.
+  /// body(at, big) for a pack of active disks at a time, the last ones inert.
   template <class Body>
   void each_pack(Block const& block, std::uint32_t n, Species const* species,
                  Body const& body) const {

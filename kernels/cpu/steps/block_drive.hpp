@@ -97,7 +97,7 @@ class DriveOnBlocks final : public BlockDrive<Force, Rotates> {
     DrivenDisk<Pack> halfway;  ///< where velocities are those halfway through the step
   };
 
-  /// Of the own disks: inert ones stay at rest. acting: of eight.
+  /// Of the own disks: inert ones stay at rest. acting: of the pack.
   template <class Of>
   static DrivePower sum(Block const& block, Real strain_rate, Of const& acting) {
     Pack drag = 0.0, push = 0.0;

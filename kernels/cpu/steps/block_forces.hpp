@@ -19,7 +19,7 @@ struct NoPackObserver {
   void operator()(PackOfPairs const&) const {}
 };
 
-/// DiskPower of eight disks.
+/// DiskPower of a pack of disks.
 struct PackPower {
   simd::Pack dissipation = 0.0, torque = 0.0;
 };

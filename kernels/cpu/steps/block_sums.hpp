@@ -17,7 +17,7 @@ struct PackSums {
   static constexpr int rest = pair_columns % simd::width;   ///< columns left over
 
   std::uint32_t padded;          ///< of the block: partners from here on are halo
-  simd::Pack first[whole] = {};  ///< columns of PairColumns, eight a pack
+  simd::Pack first[whole] = {};  ///< columns of PairColumns
   Real last[rest + 1] = {};      ///< and those left over; one more, as none is no array
   Real contacts = 0;
 

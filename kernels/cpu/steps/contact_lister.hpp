@@ -18,7 +18,7 @@ struct ContactLister {
 
   /// The number of pairs, filled up to packs with inert ones.
   std::uint32_t finish(Block const& block) const {
-    for (auto k = count; k % simd::width != 0; ++k)
+    for (auto k = count; k % simd::list_width != 0; ++k)
       to[k] = simd::LocalPair::make(block.own, block.own + 1);
     return count;
   }

@@ -159,7 +159,7 @@ struct BlockStep<L, R, S> {
 
   DrivePower drive_power(BlockSystem const&, Block const&, Real, Force const*) const { return {}; }
 
-  /// Of eight disks from i on, after observe(), as ImplicitForces has it. r, spin: theirs.
+  /// Of a pack of disks from i on, after observe(), as ImplicitForces has it. r, spin: theirs.
   PackPower observed_power(BlockSystem const& s, Block const& block, Force const* force,
                            std::uint32_t i, simd::Mask big, simd::Records const& r, simd::Pack spin,
                            Real strain_rate) const {
@@ -203,7 +203,7 @@ struct BlockStep<L, R, S> {
     Pack spin;
   };
 
-  /// Of eight disks, from records {v_x, -, v_y, thetadot}: the order of TurningForce.
+  /// Of a pack of disks, from records {v_x, -, v_y, thetadot}: the order of TurningForce.
   BAGNOLD_INLINE static Motions load_motions(ImplicitSolve::Records const& records,
                                              std::uint32_t slot) {
     auto const r = simd::load_records(records.data() + slot);
@@ -262,7 +262,7 @@ struct BlockStep<L, R, S> {
     }
   }
 
-  /// Of eight pairs of the contact list, by where they stand in it: as kept, if the law turns disks
+  /// Of a pack of pairs of the contact list, by where they stand in it: as kept, if the law turns disks
   /// by them.
   BAGNOLD_INLINE static Vec2<Pack> separation_of(BlockSystem const& s, std::uint32_t at,
                                                  simd::Record const* records) {

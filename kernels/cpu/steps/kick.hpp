@@ -6,7 +6,7 @@
 
 namespace bagnold {
 
-/// What turns forces on eight disks in a time into changes of their motion, by species.
+/// What turns forces on a pack of disks in a time into changes of their motion, by species.
 struct Kick {
   simd::Pack mass[2], inertia[2];
 
@@ -23,7 +23,7 @@ struct Kick {
   }
 };
 
-/// Diameters of eight disks, [d_s].
+/// Diameters of a pack of disks, [d_s].
 inline simd::Pack diameter_of(simd::Mask big) {
   return select(big, simd::Pack(big_diameter), simd::Pack(small_diameter));
 }

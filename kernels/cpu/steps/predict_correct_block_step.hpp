@@ -176,7 +176,7 @@ struct BlockStep<L, R, S> {
     return drive->power(s, block, strain_rate);
   }
 
-  /// Of eight disks from i on, after observe(). spin: theirs.
+  /// Of a pack of disks from i on, after observe(). spin: theirs.
   PackPower observed_power(BlockSystem const&, Block const&, Force const* force, std::uint32_t i,
                            simd::Mask big, simd::Records const&, simd::Pack spin, Real) const {
     PackPower power;

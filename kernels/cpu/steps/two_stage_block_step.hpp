@@ -182,7 +182,7 @@ struct BlockStep<L, R, S> {
     return drive->power(s, block, strain_rate, force + s.blocks.most_local);
   }
 
-  /// Of eight disks from i on, after observe(), as ChangeForces has it. spin: theirs.
+  /// Of a pack of disks from i on, after observe(), as ChangeForces has it. spin: theirs.
   PackPower observed_power(BlockSystem const& s, Block const&, Force const* force, std::uint32_t i,
                            simd::Mask big, simd::Records const&, simd::Pack spin, Real) const {
     auto const both = simd::load_forces(force + i);
@@ -266,8 +266,8 @@ struct BlockStep<L, R, S> {
   void add_class(int pair_class, BlockSystem const& s, Block const& block,
                  simd::LocalPair const* pairs, std::uint32_t count, Force* force,
                  Observer& observe) const {
-    Pack const share_normal = Pack::load(shares.normal[pair_class]);
-    Pack const share_tangential = Pack::load(shares.tangential[pair_class]);
+    simd::EightByNumber const share_normal(shares.normal[pair_class]);
+    simd::EightByNumber const share_tangential(shares.tangential[pair_class]);
     Pack const inverse_distance = 1 / class_distance(pair_class);
     Law const law = forces.law;
     Repulsion const repulsion = forces.repulsion;

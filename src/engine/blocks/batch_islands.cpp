@@ -111,7 +111,7 @@ std::int64_t BatchIslands::leap(std::uint32_t b, Clock const& clock, std::int64_
   auto const end = times.from(from + steps);
   if (end > sample) {
     auto const free = flight_sums(system, block, clock.strain_rate,
-                                  [](std::uint32_t) { return simd::Mask::of(0xff); });
+                                  [](std::uint32_t) { return simd::first_lanes(simd::width); });
     auto const first = scratch.results.units[first_unit_ + b].sums;
     times.some(sample, end, from, clock.time_step,
                [&](std::size_t bin, SampleTimes::Powers const& powers) {

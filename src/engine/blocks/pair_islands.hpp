@@ -6,7 +6,7 @@
 
 namespace bagnold {
 
-/// Islands of two disks: eight at a time, one a lane, each at its own time.
+/// Islands of two disks: a pack at a time, one a lane, each at its own time.
 class PairIslands {
  public:
   std::vector<Islands::Pair> pairs;  ///< places in the islands' disks
@@ -16,7 +16,7 @@ class PairIslands {
            LookaheadScratch& scratch);
 
  private:
-  std::vector<BinaryOutcome> outcome_;  ///< by eight pairs
+  std::vector<BinaryOutcome> outcome_;  ///< by packs of pairs
 };
 
 }  // namespace bagnold

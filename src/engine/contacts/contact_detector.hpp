@@ -40,7 +40,7 @@ class ContactDetector {
   std::int64_t arrangement_ = 0;                  ///< of the blocks that disk_of_ is for
   std::int64_t listing_ = 0;                      ///< of the inner lists that touched_ is for
   std::vector<std::uint32_t> disk_of_;            ///< by slot
-  std::vector<std::uint8_t> touched_;             ///< a byte for eight places of the inner lists
+  std::vector<std::uint8_t> touched_;             ///< a byte for each pack of the inner lists
   std::vector<std::vector<ContactEvent>> found_;  ///< by block
   std::vector<std::vector<ContactPick>> picks_;   ///< by block
   std::vector<ContactMotion> motion_;             ///< by block
