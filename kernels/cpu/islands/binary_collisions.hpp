@@ -34,9 +34,9 @@ struct BinaryCollisions {
   Real strain_rate;
   SecondStage const* second_stage = nullptr;  ///< of a scheme that has one
 
-  /// Brings pairs (a[k], b[k]), k < count <= width, through `steps` steps. What they add to the sampled
-  /// sums, beyond what their straight flights would, is added to sums[k * times.bins() + bin].
-  /// detector sees every step near a contact.
+  /// Brings pairs (a[k], b[k]), k < count <= width, through `steps` steps. What they add to the
+  /// sampled sums, beyond what their straight flights would, is added to sums[k * times.bins() +
+  /// bin]. detector sees every step near a contact.
   template <class Detector>
   BinaryOutcome run(Disk* a, Disk* b, int count, std::int64_t steps, SampleTimes const& times,
                     BlockSums* sums, Detector&& detector) const {
@@ -134,9 +134,19 @@ struct BinaryCollisions {
     PairForce<Pack> force;
   };
 
-  /// One disk of each pair.
-  struct Lanes {
+  /// One disk of each pair: what a step changes.
+  struct Motion {
     Pack x, y, vx, vy, spin;
+
+    Vec2<Pack> position() const { return {x, y}; }
+    Vec2<Pack> velocity() const { return {vx, vy}; }
+    void set(Vec2<Pack> const& r, Vec2<Pack> const& v) { x = r.x, y = r.y, vx = v.x, vy = v.y; }
+  };
+
+  /// And what it needs to know besides.
+  struct Lanes : Motion {
+    using Motion::position, Motion::velocity, Motion::set;
+    using Motion::x, Motion::y, Motion::vx, Motion::vy, Motion::spin;
     Pack x0, y0, vx0, vy0, spin0;       ///< at the start of the lookahead
     Pack inverse_mass, torque_to_spin;  ///< 1/m, d/I
     Pack flight_deviation2 = 0.0;
@@ -155,15 +165,12 @@ struct BinaryCollisions {
       x0 = x, y0 = y, vx0 = vx, vy0 = vy, spin0 = spin;
     }
 
-    Vec2<Pack> position() const { return {x, y}; }
-    Vec2<Pack> velocity() const { return {vx, vy}; }
-    void set(Vec2<Pack> const& r, Vec2<Pack> const& v) { x = r.x, y = r.y, vx = v.x, vy = v.y; }
-
     void fly(Pack time) { set(flown(position(), velocity(), time), velocity()); }
 
     /// sign: 1 for disk a, -1 for b, on which the opposite force acts.
-    Lanes predicted(PairContact const& f, Pack dt, Real sign) const {
-      Lanes t = *this;
+    Motion predicted(PairContact const& f, Pack dt, Real sign) const {
+      Motion t;
+      t.spin = spin;
       t.set(Scheme::trial_position(position(), velocity(), dt),
             Scheme::trial_velocity(velocity(), f.total, sign * dt * inverse_mass));
       if constexpr (rotates)
@@ -171,7 +178,7 @@ struct BinaryCollisions {
       return t;
     }
 
-    void correct(Lanes const& t, PairContact const& f, Pack dt, Real sign) {
+    void correct(Motion const& t, PairContact const& f, Pack dt, Real sign) {
       auto const after =
           Scheme::velocity(velocity(), t.velocity(), f.total, 0.5 * sign * dt * inverse_mass);
       set(Scheme::position(position(), velocity(), after, 0.5 * dt), after);
@@ -252,7 +259,7 @@ struct BinaryCollisions {
     return {simd::zero_unless(mask, v.x), simd::zero_unless(mask, v.y)};
   }
 
-  PairContact evaluate(Lanes const& p, Lanes const& q, PairConstants const& pair) const {
+  PairContact evaluate(Motion const& p, Motion const& q, PairConstants const& pair) const {
     PairContact f;
     Vec2<Pack> const separation = p.position() - q.position();
     Pack const distance2 = fma(separation.x, separation.x, separation.y * separation.y);
@@ -277,7 +284,7 @@ struct BinaryCollisions {
       q.leap(f, dt, -1.0);
       return f;
     } else {
-      Lanes const p1 = p.predicted(f, dt, 1.0), q1 = q.predicted(f, dt, -1.0);
+      Motion const p1 = p.predicted(f, dt, 1.0), q1 = q.predicted(f, dt, -1.0);
       auto const g = evaluate(p1, q1, pair);
       p.correct(p1, g, dt, 1.0);
       q.correct(q1, g, dt, -1.0);
