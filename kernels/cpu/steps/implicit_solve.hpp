@@ -12,7 +12,7 @@ struct ImplicitSolve {
   using Records = Blocks::Array<simd::Record>;
 
   Records iterate[2];                ///< by slot, in turns; empty where no scheme iterates
-  Blocks::Array<double> separation;  ///< r_ij of the contact list, {x[8], y[8]} a pack, if kept
+  Blocks::Array<double> separation;  ///< r_ij of the contact list, x and y of each pack, if kept
   ChebyshevIterations iterations{0, 2};
 
   int passes() const { return iterations.count; }
