@@ -15,7 +15,7 @@ elseif(DEFINED ENV{XDG_CACHE_HOME})
 else()
   set(bagnold_cache "$ENV{HOME}/.cache/bagnold")
 endif()
-file(GLOB bagnold_cached_kokkos "${bagnold_cache}/kokkos-*-${CMAKE_HOST_SYSTEM_PROCESSOR}-*")
+file(GLOB bagnold_cached_kokkos "${bagnold_cache}/kokkos-*-${CMAKE_SYSTEM_PROCESSOR}-*")
 
 # No version is asked for here: Kokkos' own version files accept one major version only.
 find_package(Kokkos QUIET PATHS ${bagnold_cached_kokkos})

@@ -2,22 +2,30 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """count.py OBJECT: instructions and packed operations of each law's pair loop, for eight pairs.
 
-OBJECT is what pairs.cpp compiles to (target bagnold_kernel_operations). The loop is the innermost one
-of BlockForces::add_class, as objdump shows it: what runs once for eight pairs. Loads and stores of the
-disks are in it, force scatter too.
+OBJECT is what pairs.cpp compiles to (target bagnold_kernel_operations), for x86-64 or AArch64. The loop is
+the innermost one of BlockForces::add_class, as objdump shows it: what runs once for eight pairs. Loads and
+stores of the disks are in it, force scatter too. Packed operations are arithmetic on vector registers: one
+of AVX-512, two of AVX2 or four of 128 bits hold a pack. On the stack: what finds no register.
 """
 
 import re
 import subprocess
 import sys
 
-ARITHMETIC = re.compile(r"v(fn?m(add|sub)|add|sub|mul|div|max|min|sqrt|rsqrt14|rcp14)\w*pd$")
-PACK = re.compile(r"%zmm")
+ARITHMETIC = re.compile(r"v?(fn?m(add|sub)|add|sub|mul|div|max|min|sqrt|rsqrt14|rcp14)\w*pd$"
+                        r"|f(add|sub|mul|div|mla|mls|max|min|sqrt)$")
+PACK = re.compile(r"%[xyz]mm|v\d+[.]2d")
+STACK = re.compile(r"\(%r[sb]p|\[sp")
+BACK = re.compile(r"j(?!mp)\w+$|b[.]\w+$|cbn?z$|tbn?z$")  # jumps that close a loop
+AARCH64 = 183  # e_machine of ELF
 
 
 def functions(path):
     """{name: [(address, operation, operands)]}"""
-    text = subprocess.run(["objdump", "-d", "--no-show-raw-insn", "-C", path], check=True,
+    with open(path, "rb") as file:
+        machine = int.from_bytes(file.read(20)[18:], "little")
+    objdump = "aarch64-linux-gnu-objdump" if machine == AARCH64 else "objdump"
+    text = subprocess.run([objdump, "-d", "--no-show-raw-insn", "-C", path], check=True,
                           capture_output=True, text=True).stdout
     found, name = {}, None
     for line in text.splitlines():
@@ -29,26 +37,34 @@ def functions(path):
 
 
 def largest_loop(code):
-    """The instructions between the target of a backward jump and the jump, most of them."""
+    """The instructions between the target of a conditional backward jump and the jump, most of them. Where
+    the function returns in between, the jump leaves a loop for code that lies before it."""
     place = {address: k for k, (address, _, _) in enumerate(code)}
-    loops = []
+    loops = [[]]
     for k, (_, operation, operands) in enumerate(code):
-        target = re.match(r"[0-9a-f]+", operands) if operation.startswith("j") else None
-        start = place.get(int(target[0], 16)) if target else None
+        target = re.search(r"\b([0-9a-f]+) <", operands) if BACK.match(operation) else None
+        start = place.get(int(target[1], 16)) if target else None
         if start is not None and start <= k:
-            loops.append(code[start:k + 1])
+            loop = code[start:k + 1]
+            if not any(operation == "ret" for _, operation, _ in loop):
+                loops.append(loop)
     return max(loops, key=len)
 
 
 def main():
-    print(f"{'law':<8} {'instructions':>12} {'of them on packs of eight':>26}")
+    loops = {}
     for name, code in functions(sys.argv[1]).items():
-        law = re.search(r"BlockForces<bagnold::(\w+),.*add_class", name)
+        # In the caller, where the compiler has put it there.
+        law = re.search(r"BlockForces<bagnold::(\w+),.*add_class|PairLoop<bagnold::(\w+)>::run", name)
         if law:
-            loop = largest_loop(code)
-            packs = sum(bool(ARITHMETIC.match(operation) and PACK.search(operands))
-                        for _, operation, operands in loop)
-            print(f"{law[1]:<8} {len(loop):>12} {packs:>26}")
+            loops.setdefault(law[1] or law[2], []).append(largest_loop(code))
+    print(f"{'law':<8} {'instructions':>12} {'packed operations':>18} {'on the stack':>13}")
+    for law in sorted(loops):
+        loop = max(loops[law], key=len)
+        packed = sum(bool(ARITHMETIC.match(operation) and PACK.search(operands))
+                     for _, operation, operands in loop)
+        stack = sum(bool(STACK.search(operands)) for _, _, operands in loop)
+        print(f"{law:<8} {len(loop):>12} {packed:>18} {stack:>13}")
 
 
 if __name__ == "__main__":

@@ -5,10 +5,11 @@
 kokkos_version=3.4.01
 kokkos_recipe=1 # count up when the flags below change
 
+# kokkos_prefix [MACHINE]: where it is kept, for this kind of machine if none is named.
 kokkos_prefix() {
   local compiler # in the name, so that a new compiler gets a new build
   compiler="$(${CXX:-c++} -dumpfullversion 2>/dev/null || ${CXX:-c++} -dumpversion)"
-  echo "$BAGNOLD_CACHE/kokkos-$kokkos_version-$(uname -m)-$compiler-r$kokkos_recipe"
+  echo "$BAGNOLD_CACHE/kokkos-$kokkos_version-${1:-$(uname -m)}-$compiler-r$kokkos_recipe"
 }
 
 # Does CMake find a Kokkos that will do? Asked of the same file that the real build includes.
@@ -68,15 +69,17 @@ fetch_kokkos() {
   rm "$scratch"/apt/trilinos_*
 }
 
+# build_kokkos PREFIX ARGUMENT...: into PREFIX, configured with these too.
 build_kokkos() {
   local prefix="$1"
+  shift
   say "Kokkos: building it with Serial and OpenMP (half a minute or so)"
   # Installed to one side, then renamed: what stands at $prefix is always whole.
   stage="$(mktemp -d "$BAGNOLD_CACHE/.stage.XXXXXX")"
   quietly "$cmake" -S "$scratch/kokkos" -B "$scratch/kokkos-build" "${generator[@]}" -Wno-dev \
     -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_STANDARD=17 -DCMAKE_POSITION_INDEPENDENT_CODE=ON \
     -DCMAKE_INSTALL_PREFIX="$prefix" -DCMAKE_INSTALL_LIBDIR=lib \
-    -DKokkos_ENABLE_SERIAL=ON -DKokkos_ENABLE_OPENMP=ON -DKokkos_ENABLE_TESTS=OFF \
+    -DKokkos_ENABLE_SERIAL=ON -DKokkos_ENABLE_OPENMP=ON -DKokkos_ENABLE_TESTS=OFF "$@" \
     || die "Kokkos could not be configured (see above)"
   quietly "$cmake" --build "$scratch/kokkos-build" --parallel "$(jobs_for_this_machine)" \
     || die "Kokkos could not be built (see above)"

@@ -4,13 +4,19 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 namespace bagnold {
 namespace {
 
 /// 113 bits, by the compiler's own library.
+#ifdef __SIZEOF_FLOAT128__
 using Quad = __float128;
+#else
+using Quad = long double;  // as on AArch64
+static_assert(std::numeric_limits<Quad>::digits == 113);
+#endif
 
 Quad quad(DoubleDouble const& a) { return static_cast<Quad>(a.high) + a.low; }
 
