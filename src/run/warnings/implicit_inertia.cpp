@@ -9,7 +9,7 @@ namespace bagnold {
 
 namespace {
 
-constexpr double most_kinetic = 1e-4;  ///< p_kin / p; docs/accuracy.md, "Implicit damping"
+constexpr double most_kinetic = 3e-4;  ///< p_kin / p; docs/accuracy.md, "Implicit damping"
 
 }  // namespace
 
