@@ -23,12 +23,30 @@ inline simd::Record at_image(simd::Record record, Image const& image, ShearedBox
   return record;
 }
 
-/// Reads a block's disks in the order of memory, which the processor foresees and fetches ahead:
-/// the order of pairs, in which they are visited next, it does not.
-inline void bring_near(Block const& block, BlockState const& state) {
-  constexpr std::uint32_t line = 64 / sizeof(simd::Record);
-  simd::Record const volatile* const record = state.record.data() + block.first;
-  for (std::uint32_t i = 0; i < block.padded; i += line) static_cast<void>(record[i].x);
+/// Reads numbers in the order of memory, which the processor foresees and fetches ahead: the order
+/// of pairs, in which they are visited next, it does not.
+template <class T>
+void bring_near(T const* first, std::uint32_t count) {
+  constexpr std::uint32_t line = 64 / sizeof(T);
+  for (std::uint32_t i = 0; i < count; i += line)
+    static_cast<void>(*reinterpret_cast<char const volatile*>(first + i));
+}
+
+/// The same for what a block's disks are or become, where that is not in cache.
+inline void bring_near(Blocks const& blocks, Block const& block, BlockState const& state) {
+  if (!blocks.beyond_cache()) return;
+  bring_near(state.record.data() + block.first, block.padded);
+  if (state.spin.extent(0) != 0) bring_near(state.spin.data() + block.first, block.padded);
+}
+
+/// Asks for the disks that a halo copies, so that none is waited for alone.
+inline void bring_halo_near(Blocks const& blocks, Block const& block, BlockState const& state) {
+  if (!blocks.beyond_cache()) return;
+  auto const* const halo = blocks.halo.data() + block.halo_first;
+  for (std::uint32_t h = 0; h < block.halo; ++h) {
+    __builtin_prefetch(state.record.data() + halo[h].index());
+    if (state.spin.extent(0) != 0) __builtin_prefetch(state.spin.data() + halo[h].index());
+  }
 }
 
 /// Copies the disks of other blocks, and images, into a block's halo.
@@ -37,7 +55,8 @@ inline void refresh_halo(Blocks const& blocks, Block const& block, BlockState co
   auto const* halo = blocks.halo.data() + block.halo_first;
   auto* const record = state.record.data();
   auto const to = block.first + block.padded;
-  if (blocks.beyond_cache()) bring_near(block, state);
+  bring_halo_near(blocks, block, state);
+  bring_near(blocks, block, state);
   for (std::uint32_t h = 0; h < block.halo; ++h) {
     record[to + h] = at_image(record[halo[h].index()], halo[h].image(), box);
     if (state.spin.extent(0) != 0) state.spin(to + h) = state.spin(halo[h].index());

@@ -48,6 +48,7 @@ struct BlockStep<L, R, S> {
                       Force* force) const {
     Block const& block = s.blocks.block(b);
     refresh_halo(s.blocks, block, s.now, box);
+    bring_near(s.blocks, block, s.trial);
     forces.evaluate(s, block, s.now, force, NoPackObserver{});
     if (drive) drive->add(s, block, s.now, box.strain_rate, force);
     Kick const kick(s.table, time_step);
@@ -73,6 +74,7 @@ struct BlockStep<L, R, S> {
                       bool, Seen const& seen) const {
     Block const& block = s.blocks.block(b);
     refresh_halo(s.blocks, block, s.trial, box);
+    bring_near(s.blocks, block, s.now);
     OverlapBound overlaps;
     forces.evaluate(s, block, s.trial, force, overlaps);
     if (drive) drive->add(s, block, s.trial, box.strain_rate, force);

@@ -55,6 +55,7 @@ struct BlockStep<L, R, S> {
                       Force* force) const {
     Block& block = s.blocks.block(b);
     refresh_halo(s.blocks, block, s.now, box);
+    bring_near(s.blocks, block, s.trial);
     Forces::clear(block, force);
     BlockReport report;
     for (int c = 0; c < pair_classes; ++c) {
