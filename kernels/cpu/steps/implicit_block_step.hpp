@@ -262,8 +262,8 @@ struct BlockStep<L, R, S> {
     }
   }
 
-  /// Of a pack of pairs of the contact list, by where they stand in it: as kept, if the law turns disks
-  /// by them.
+  /// Of a pack of pairs of the contact list, by where they stand in it: as kept, if the law turns
+  /// disks by them.
   BAGNOLD_INLINE static Vec2<Pack> separation_of(BlockSystem const& s, std::uint32_t at,
                                                  simd::Record const* records) {
     if constexpr (rotates) {

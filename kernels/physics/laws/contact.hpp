@@ -97,7 +97,7 @@ concept LinearLaw = ContactLaw<Law> && Law::linear;
 /// (kernels/physics/schemes/second_stage.hpp): linear in them and, without spins, with one weight
 /// for both directions.
 template <class Law>
-concept TwoStageLaw = LinearLaw<Law> && (Law::rotates || Law::one_constant);
+concept TwoStageLaw = LinearLaw<Law> &&(Law::rotates || Law::one_constant);
 
 /// True, or one sentence from the compiler for each fact that a law lacks.
 template <class Law>

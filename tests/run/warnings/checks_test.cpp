@@ -57,8 +57,7 @@ class Checks : public testing::Test {
         flow.friction * pressure * scene.shear.strain_rate * area * (1 - flow.gap);
     row[C::dissipative_xx] = row[C::dissipative_yy] =
         pressure * area * flow.dissipative / (1 - flow.dissipative);
-    row[C::kinetic_xx] = row[C::kinetic_yy] =
-        pressure * area * flow.kinetic / (1 - flow.kinetic);
+    row[C::kinetic_xx] = row[C::kinetic_yy] = pressure * area * flow.kinetic / (1 - flow.kinetic);
     row[C::torque_power] = flow.torque * flow.friction * pressure * scene.shear.strain_rate * area;
     row[C::spin2] = n * flow.spin2 * scene.shear.strain_rate * scene.shear.strain_rate;
     row[C::contacts] = flow.contacts * n;
