@@ -6,6 +6,7 @@
 #include <limits>
 #include <string_view>
 
+#include "kernels/physics/laws/contact.hpp"
 #include "kernels/physics/schemes/flight_and_kick.hpp"
 #include "kernels/physics/schemes/forms.hpp"
 #include "kernels/physics/schemes/lone_contact.hpp"
