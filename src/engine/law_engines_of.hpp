@@ -23,7 +23,7 @@ std::unique_ptr<Simulation> make_reference(Scene const& scene, Snapshot const& s
   return with_physics_of<Law>(scene, [&]<class R, class S>(Law const& law, R const&, S) {
     return on_backend<Made>(backend, [&]<class Space>(std::type_identity<Space>) -> Made {
       return std::make_unique<ReferenceEngine<Law, R, Space, S>>(
-          law, make_species_table(scene.mass_by_area()), scene.shear.strain_rate, time_step(scene),
+          law, make_species_table(scene.mass_by_area()), strain_rates(scene), time_step(scene),
           scene.integration.skin, snapshot, make_device_drive<Law::rotates, Space>(drive));
     });
   });
@@ -37,8 +37,8 @@ std::shared_ptr<Ensemble> make_ensemble(Scene const& scene, std::vector<Snapshot
     return on_backend<Made>(backend, [&]<class Space>(std::type_identity<Space>) -> Made {
       if constexpr (is_device<Space>)
         return std::make_shared<EnsembleEngine<Law, R, Space, S>>(
-            law, make_species_table(scene.mass_by_area()), scene.shear.strain_rate,
-            time_step(scene), scene.integration.skin, snapshots);
+            law, make_species_table(scene.mass_by_area()), strain_rates(scene), time_step(scene),
+            scene.integration.skin, snapshots);
       else
         return static_cast<void>(snapshots), nullptr;
     });

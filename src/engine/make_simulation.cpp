@@ -77,8 +77,7 @@ std::unique_ptr<Simulation> make_simulation(Scene const& scene, Snapshot&& snaps
 }
 
 bool steps_together(Scene const& scene, std::string const& backend) {
-  return is_device_backend(backend) && scene.disks.replicas > 1 && suits_ensembles(scene) &&
-         scene.shear.protocol != "ramp";
+  return is_device_backend(backend) && scene.disks.replicas > 1 && suits_ensembles(scene);
 }
 
 std::vector<std::unique_ptr<Simulation>> make_simulations(Scene const& scene,

@@ -10,9 +10,9 @@
 
 namespace bagnold {
 
-/// The simulation of a scene from a snapshot, on a backend by its name; "" takes the first of the
-/// build's. Throws InputError where the build does not have it. A snapshot that may be moved from
-/// is left as it was where this throws.
+/// The simulation of a scene from a snapshot, at its strain rate or at those of its ramp, on a
+/// backend by its name; "" takes the first of the build's. Throws InputError where the build does
+/// not have it. A snapshot that may be moved from is left as it was where this throws.
 std::unique_ptr<Simulation> make_simulation(Scene const& scene, Snapshot&& snapshot,
                                             std::string const& backend);
 std::unique_ptr<Simulation> make_simulation(Scene const& scene, Snapshot const& snapshot,
@@ -26,7 +26,7 @@ bool is_device_backend(std::string const& backend);
 std::string why_no_start();
 
 /// Whether the replicas of a scene are stepped by launches that they share, as on a device they
-/// are, unless each is to be looked at on its own: its contacts, or a rate that changes.
+/// are, unless each is to be looked at on its own: its contacts.
 bool steps_together(Scene const& scene, std::string const& backend);
 
 /// The simulations of replicas that step together, from snapshots [R] of equally many disks; to be

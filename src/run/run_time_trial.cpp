@@ -13,7 +13,6 @@
 #include "src/engine/make_simulation.hpp"
 #include "src/measure/contacts.hpp"
 #include "src/measure/make_frames.hpp"
-#include "src/run/protocols/ramp/ramped_simulation.hpp"
 #include "src/run/run_measured.hpp"
 #include "src/start/start.hpp"
 
@@ -47,15 +46,6 @@ double timed(Call const& call) {
   return cpu_seconds() - begun;
 }
 
-std::unique_ptr<Simulation> simulation_of(Scene const& scene, Plan const& plan, Snapshot from) {
-  auto const make = [scene = scene](double rate, Snapshot&& snapshot) mutable {
-    scene.shear.strain_rate = rate;
-    return make_simulation(scene, std::move(snapshot), "serial");
-  };
-  if (plan.ramp) return std::make_unique<RampedSimulation>(*plan.ramp, make, std::move(from));
-  return make_simulation(scene, std::move(from), "serial");
-}
-
 /// A system that is stepped as in a run, windows and contacts looked at, from a step of its plan
 /// on.
 class Stepped {
@@ -66,7 +56,7 @@ class Stepped {
         from.state.offset / from.state.box_length - from.state.box_aspect * plan.strain(step);
     from.step = step;
     from.initial_offset = (turns - std::floor(turns)) * from.state.box_length;
-    simulation_ = simulation_of(scene, plan, std::move(from));
+    simulation_ = make_simulation(scene, std::move(from), "serial");
     auto const columns = simulation_->columns();
     measurement_.windows.columns = static_cast<std::size_t>(columns);
     measurement_.open.first = step / plan.window_steps;
@@ -192,8 +182,9 @@ RunTimeTrial::Cost RunTimeTrial::cost(Scene const& run, Plan const& plan, double
     trial.steps = trial.windows = endless;
   Cost cost;
   for (auto const& [step, steps] : stretches) {
-    if (plan.ramp) scene.shear.strain_rate = plan.ramp->piece(step).rate;
-    Stepped stepped(scene, trial, fit_to_scene({state_}, scene).front().state, step);
+    Scene fitted = scene;
+    if (plan.ramp) fitted.shear.strain_rate = plan.ramp->piece(step).rate;
+    Stepped stepped(scene, trial, fit_to_scene({state_}, fitted).front().state, step);
     double const share = budget / static_cast<double>(stretches.size());
     stepped.step(share / 3);  // lists, windows and the flow find their ways
     cost.steps += steps * stepped.step(2 * share / 3);

@@ -15,7 +15,6 @@
 #include "src/measure/make_frames.hpp"
 #include "src/run/messages.hpp"
 #include "src/run/pictures.hpp"
-#include "src/run/protocols/ramp/ramped_simulation.hpp"
 #include "src/run/provenance.hpp"
 #include "src/run/run_measured.hpp"
 #include "src/run/target_error.hpp"
@@ -121,12 +120,6 @@ void Runner::make_all_together(std::vector<Snapshot> const& snapshots) {
 std::unique_ptr<Simulation> Runner::simulation_of(std::size_t r, Snapshot&& snapshot) const {
   Scene scene = run_.scene;
   scene.disks.seed = seed(r);
-  auto make = [scene, backend = machine_.backend](double strain_rate, Snapshot&& from) mutable {
-    scene.shear.strain_rate = strain_rate;
-    return make_simulation(scene, std::move(from), backend);
-  };
-  if (whole_.ramp)
-    return std::make_unique<RampedSimulation>(*whole_.ramp, std::move(make), std::move(snapshot));
   return make_simulation(scene, std::move(snapshot), machine_.backend);
 }
 

@@ -31,22 +31,26 @@ struct BinaryCollisions {
   Repulsion repulsion;
   SpeciesTable table;
   Real time_step;
-  Real strain_rate;
+  Real strain_rate;                           ///< where the window begins
   SecondStage const* second_stage = nullptr;  ///< of a scheme that has one
 
   /// Brings pairs (a[k], b[k]), k < count <= width, through `steps` steps. What they add to the
   /// sampled sums, beyond what their straight flights would, is added to sums[k * times.bins() +
   /// bin]. detector sees every step near a contact.
   template <class Detector>
-  BinaryOutcome run(Disk* a, Disk* b, int count, std::int64_t steps, SampleTimes const& times,
-                    BlockSums* sums, Detector&& detector) const {
+  BinaryOutcome run(Disk* a, Disk* b, int count, std::int64_t steps, FlightTimes const& flights,
+                    SampleTimes const& times, BlockSums* sums, Detector&& detector) const {
     Lanes p(*this, a, count), q(*this, b, count);
     PairConstants const pair(*this, a, b, count);
     BinaryOutcome outcome;
     Pack const end = static_cast<Real>(steps);
-    Pack step = first_step(p, q, pair, end);
-    p.fly(time_step * step);
-    q.fly(time_step * step);
+    bool const at_one_rate = flights.at_one_rate();
+    Pack step = first_step(p, q, pair, end, flights);
+    Pack time = at_one_rate ? time_step * step : times_of(flights, step);
+    p.fly(time);
+    q.fly(time);
+    Pack scale = 1.0;  // of velocities and spins, by which they have grown with the rate
+    if (!at_one_rate) grow(p, q, scale, scales_of(flights, step));
     std::size_t sample[width];
     Pack due;
     for (int k = 0; k < width; ++k) {
@@ -68,7 +72,7 @@ struct BinaryCollisions {
         for (auto lanes = sampled.lanes(); lanes != 0; lanes &= lanes - 1) {
           int const k = __builtin_ctz(lanes);
           add_sample(sums[static_cast<std::size_t>(k) * times.bins() + times.bin(sample[k])], f, p,
-                     q, pair, k, step.v[k]);
+                     q, pair, k, time.v[k], scale.v[k]);
           detector.sample(k, times.bin(sample[k]), times.step(sample[k]), f.force.separation,
                           velocity, {p.spin, q.spin});
           due.v[k] = due_step(times, ++sample[k]);
@@ -76,25 +80,33 @@ struct BinaryCollisions {
       auto const g = take_step(p, q, f, dt, pair);
       step += simd::zero_unless(active, 1.0);
       overlap = max(overlap, simd::zero_unless(active & g.touching, g.force.relative_overlap));
-      Pack const time = time_step * step;
-      p.keep_deviation(time, time_step);
-      q.keep_deviation(time, time_step);
+      if (at_one_rate) {
+        time = time_step * step;
+      } else {
+        time = times_of(flights, step);
+        grow(p, q, scale, scales_of(flights, step));
+      }
+      p.keep_deviation(time, scale, time_step);
+      q.keep_deviation(time, scale, time_step);
       auto const approach = approaching(p, q);
       busy &= f.touching.lanes() | g.touching.lanes() | approach.lanes();
       outcome.touching += __builtin_popcount((active & g.touching).lanes());
       outcome.steps += __builtin_popcount(active.lanes());
     }
+    if (!at_one_rate) grow(p, q, scale, 1.0);
     for (int k = 0; k < count; ++k)
       times.rest(sample[k], [&](std::size_t bin, SampleTimes::Powers const& powers) {
         auto& to = sums[static_cast<std::size_t>(k) * times.bins() + bin];
-        p.add_flight(to, k, time_step * step.v[k], powers, strain_rate);
-        q.add_flight(to, k, time_step * step.v[k], powers, strain_rate);
+        p.add_flight(to, k, time.v[k], powers, strain_rate);
+        q.add_flight(to, k, time.v[k], powers, strain_rate);
       });
-    Pack const left = time_step * (end - step);
+    Pack const last = flights.time(steps);
+    Pack const left = at_one_rate ? time_step * (end - step) : last - time;
     p.fly(left);
     q.fly(left);
-    p.keep_deviation(time_step * end, time_step);
-    q.keep_deviation(time_step * end, time_step);
+    if (!at_one_rate) grow(p, q, scale, flights.scale(steps));
+    p.keep_deviation(last, scale, time_step);
+    q.keep_deviation(last, scale, time_step);
     p.store(a, count);
     q.store(b, count);
     outcome.bad = !(simd::largest(overlap) <= largest_relative_overlap) ||
@@ -167,6 +179,11 @@ struct BinaryCollisions {
 
     void fly(Pack time) { set(flown(position(), velocity(), time), velocity()); }
 
+    void grow(Pack factor) {
+      set(position(), factor * velocity());
+      spin = factor * spin;
+    }
+
     /// sign: 1 for disk a, -1 for b, on which the opposite force acts.
     Motion predicted(PairContact const& f, Pack dt, Real sign) const {
       Motion t;
@@ -193,9 +210,11 @@ struct BinaryCollisions {
         spin = Scheme::velocity_of_pair(spin, f.torque_per_diameter, dt * torque_to_spin);
     }
 
-    void keep_deviation(Pack time, Real time_step) {
+    /// scale: of velocities, over what they were at the start for the rate.
+    void keep_deviation(Pack time, Pack scale, Real time_step) {
       Pack const dx = x - fma(time, vx0, x0), dy = y - fma(time, vy0, y0);
-      Pack const ex = fma(time_step, vx - vx0, dx), ey = fma(time_step, vy - vy0, dy);
+      Pack const ex = fma(time_step, fnma(scale, vx0, vx), dx),
+                 ey = fma(time_step, fnma(scale, vy0, vy), dy);
       flight_deviation2 = max(flight_deviation2, max(fma(dx, dx, dy * dy), fma(ex, ex, ey * ey)));
     }
 
@@ -207,8 +226,8 @@ struct BinaryCollisions {
       }
     }
 
-    /// What lane k adds at the times of `powers` on a flight that is at (y, v) at `time`, less what
-    /// it would have on the straight flight from the start.
+    /// What lane k adds at the times of `powers` on a flight that is at (y, v) at `time`, v as at
+    /// the rate of the start, less what it would have on the straight flight from there.
     void add_flight(BlockSums& sums, int k, Real time, SampleTimes::Powers const& powers,
                     Real strain_rate) const {
       SumsAtTimes const ended{sums, powers, 1}, straight{sums, powers, -1};
@@ -217,13 +236,15 @@ struct BinaryCollisions {
       add(straight, k, flight_x(vx0.v[k], y0.v[k], vy0.v[k], strain_rate), vy0.v[k], spin0.v[k]);
     }
 
-    /// Likewise at `time` alone, where the disk is at (y, v).
-    void add_now(BlockSums& sums, int k, Real time, Real strain_rate) const {
-      SampleTimes::Powers const once{1, 0, 0};
+    /// Likewise at `time` alone, where the disk is at (y, v), v and the rate having grown to
+    /// `scale`.
+    void add_now(BlockSums& sums, int k, Real time, Real scale, Real strain_rate) const {
+      SampleTimes::Powers const once{1, 0, 0, 1, 1};
       SumsAtTimes const now{sums, once, 1}, straight{sums, once, -1};
       Real const flown = y0.v[k] + time * vy0.v[k];
       add(now, k, peculiar_x(vx.v[k], y.v[k], strain_rate), vy.v[k], spin.v[k]);
-      add(straight, k, peculiar_x(vx0.v[k], flown, strain_rate), vy0.v[k], spin0.v[k]);
+      add(straight, k, peculiar_x(scale * vx0.v[k], flown, strain_rate), scale * vy0.v[k],
+          scale * spin0.v[k]);
     }
 
     /// ux: v_x - gammadot y, a number or in time.
@@ -238,12 +259,33 @@ struct BinaryCollisions {
     return sample < times.size() ? static_cast<Real>(times.step(sample)) : 1e300;
   }
 
+  static Pack times_of(FlightTimes const& flights, Pack const& step) {
+    Pack time;
+    for (int k = 0; k < width; ++k) time.v[k] = flights.time(static_cast<std::int64_t>(step.v[k]));
+    return time;
+  }
+  static Pack scales_of(FlightTimes const& flights, Pack const& step) {
+    Pack scale;
+    for (int k = 0; k < width; ++k)
+      scale.v[k] = flights.scale(static_cast<std::int64_t>(step.v[k]));
+    return scale;
+  }
+
+  /// Velocities and spins to another strain rate.
+  static void grow(Lanes& p, Lanes& q, Pack& scale, Pack const& to) {
+    Pack const factor = to / scale;
+    p.grow(factor);
+    q.grow(factor);
+    scale = to;
+  }
+
   static simd::Mask approaching(Lanes const& p, Lanes const& q) {
     return fma(p.x - q.x, p.vx - q.vx, (p.y - q.y) * (p.vy - q.vy)) < Pack(0.0);
   }
 
   /// The step before the one in which straight flights first touch; the end if they do not.
-  Pack first_step(Lanes const& p, Lanes const& q, PairConstants const& pair, Pack end) const {
+  Pack first_step(Lanes const& p, Lanes const& q, PairConstants const& pair, Pack end,
+                  FlightTimes const& flights) const {
     Pack const x = p.x - q.x, y = p.y - q.y, vx = p.vx - q.vx, vy = p.vy - q.vy;
     Pack const b = fma(x, vx, y * vy), v2 = fma(vx, vx, vy * vy);
     Pack const c = fma(x, x, fma(y, y, -pair.reach2));
@@ -251,8 +293,15 @@ struct BinaryCollisions {
     Pack const discriminant = fma(b, b, -(v2 * c));
     auto const meets = inside | ((b < Pack(0.0)) & (Pack(0.0) < discriminant));
     Pack const time = (-b - sqrt(positive_part(discriminant))) / v2;
-    Pack const step = select(inside, 0.0, positive_part(floor(time / time_step) - 1.0));
+    Pack const until = flights.at_one_rate() ? floor(time / time_step) : steps_of(flights, time);
+    Pack const step = select(inside, 0.0, positive_part(until - 1.0));
     return select(meets & (step < end), step, end);
+  }
+
+  static Pack steps_of(FlightTimes const& flights, Pack const& time) {
+    Pack steps;
+    for (int k = 0; k < width; ++k) steps.v[k] = flights.steps_until(0, time.v[k]);
+    return steps;
   }
 
   static Vec2<Pack> zero_unless(simd::Mask mask, Vec2<Pack> const& v) {
@@ -323,7 +372,7 @@ struct BinaryCollisions {
 
   /// One evaluated configuration of one pair, less that of its straight flights.
   void add_sample(BlockSums& sums, PairContact const& f, Lanes const& p, Lanes const& q,
-                  PairConstants const& pair, int k, Real step) const {
+                  PairConstants const& pair, int k, Real time, Real scale) const {
     if (f.touching.lanes() >> k & 1) {
       add_pair(sums.value, lane(f.force, k), 1);
       if constexpr (rotates) {
@@ -336,9 +385,8 @@ struct BinaryCollisions {
                 (q.spin.v[k] + half * q.torque_to_spin.v[k] * torque_per_diameter);
       }
     }
-    Real const time = time_step * step;
-    p.add_now(sums, k, time, strain_rate);
-    q.add_now(sums, k, time, strain_rate);
+    p.add_now(sums, k, time, scale, scale * strain_rate);
+    q.add_now(sums, k, time, scale, scale * strain_rate);
   }
 
   static Vec2<Real> lane(Vec2<Pack> const& v, int k) { return {v.x.v[k], v.y.v[k]}; }

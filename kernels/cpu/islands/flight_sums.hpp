@@ -18,6 +18,11 @@ BAGNOLD_INLINE Linear<T> flight_x(T const& velocity_x, T const& y, T const& velo
   return {{peculiar_x(velocity_x, y, strain_rate), T(-strain_rate) * velocity_y}};
 }
 
+/// What constants in time of a column are summed with.
+BAGNOLD_INLINE Real const& constant_power(SampleTimes::Powers const& powers, int column) {
+  return column == SumColumns::spin ? powers.linear : powers.n;
+}
+
 /// Columns to which polynomials in time are added by their sums over the times of `powers`,
 /// `weight` times each.
 struct SumsAtTimes {
@@ -28,15 +33,18 @@ struct SumsAtTimes {
   struct Column {
     Real& sum;
     SumsAtTimes const& at;
+    Real const& n;
 
     template <int degree>
     BAGNOLD_INLINE void operator+=(InTime<Real, degree> const& value) const {
-      sum += at.weight * value.over(at.powers.n, at.powers.t1, at.powers.t2);
+      sum += at.weight * value.over(n, at.powers.t1, at.powers.t2);
     }
     BAGNOLD_INLINE void operator+=(Real value) const { *this += InTime<Real, 0>{{value}}; }
   };
 
-  BAGNOLD_INLINE Column operator[](int column) const { return {sums.value[column], *this}; }
+  BAGNOLD_INLINE Column operator[](int column) const {
+    return {sums.value[column], *this, constant_power(powers, column)};
+  }
 };
 
 /// Sums of disks in free flight, as polynomials in time: the columns that add_motion() and
@@ -52,7 +60,7 @@ struct FlightSums {
   /// Adds them at the times of `powers`, `weight` times.
   void add_to(BlockSums& sums, SampleTimes::Powers const& powers, Real weight = 1) const {
     for (int c = pair_columns; c < SumColumns::count_rotating; ++c)
-      sums.value[c] += weight * column[c].over(powers.n, powers.t1, powers.t2);
+      sums.value[c] += weight * column[c].over(constant_power(powers, c), powers.t1, powers.t2);
   }
 };
 

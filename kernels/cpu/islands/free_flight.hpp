@@ -32,12 +32,12 @@ inline void fly(Block const& block, simd::Record* records, Real duration) {
   }
 }
 
-/// The steps that a block's disks can fly straight before a pair of its inner list touches, less
-/// one for rounding; at most `most`.
-inline std::int64_t free_steps(Blocks const& blocks, Block const& block,
-                               simd::Record const* records, Real time_step, std::int64_t most) {
+/// The time that a block's disks can fly straight before a pair of its inner list touches, [tau_e];
+/// at most `most`.
+inline Real free_time(Blocks const& blocks, Block const& block, simd::Record const* records,
+                      Real most) {
   using simd::Pack;
-  Pack first = time_step * static_cast<Real>(most + 1);
+  Pack first = most;
   for (int c = 0; c < pair_classes; ++c) {
     Real const touch = class_distance(c);
     auto const* pairs = blocks.near[inner_list].data() + block.pairs[c];
@@ -52,8 +52,7 @@ inline std::int64_t free_steps(Blocks const& blocks, Block const& block,
       first = select(inside, 0.0, select(meets & (time < first), time, first));
     }
   }
-  Real const steps = std::floor(-simd::largest(-first) / time_step) - 1;
-  return std::clamp(static_cast<std::int64_t>(steps), std::int64_t{0}, most);
+  return -simd::largest(-first);
 }
 
 /// Sums of those of a block's own disks for which free(slot) holds, a pack at a time. Inert disks

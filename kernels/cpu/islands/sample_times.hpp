@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernels/physics/vec2.hpp"
+#include "kernels/cpu/islands/flight_times.hpp"
 
 namespace bagnold {
 
@@ -13,10 +13,21 @@ namespace bagnold {
 /// times.
 class SampleTimes {
  public:
-  /// Number of samples, and sums of t and t^2 over them, t in tau_e from the start of the
-  /// lookahead.
+  /// Sums over samples, with t and q of FlightTimes: for what is quadratic in the motion sums of
+  /// q^2, q^2 t and q^2 t^2, for what is linear of q.
   struct Powers {
     Real n = 0, t1 = 0, t2 = 0;
+    Real linear = 0;
+    Real samples = 0;
+
+    void add(Real t, Real q) {
+      Real const square = q * q;
+      n += square;
+      t1 += square * t;
+      t2 += square * t * t;
+      linear += q;
+      samples += 1;
+    }
   };
 
   void clear() {
@@ -27,16 +38,13 @@ class SampleTimes {
   }
 
   /// step: from the start of the lookahead, ascending; bin: measurement window, from 0, ascending.
-  void add(std::int64_t step, std::size_t bin, Real time_step) {
+  void add(std::int64_t step, std::size_t bin, FlightTimes const& flights) {
     if (bin >= total_.size()) total_.resize(bin + 1);
     auto& total = total_[bin];
     step_.push_back(step);
     bin_.push_back(bin);
     before_.push_back(total);
-    Real const t = static_cast<Real>(step) * time_step;
-    total.n += 1;
-    total.t1 += t;
-    total.t2 += t * t;
+    total.add(flights.time(step), flights.scale(step));
   }
 
   std::size_t size() const { return step_.size(); }
@@ -51,19 +59,15 @@ class SampleTimes {
                                     step_.begin());
   }
 
-  /// Calls use(bin, powers) for the samples k .. end - 1, bin by bin; t from step `origin`.
+  /// Calls use(bin, powers) for the samples k .. end - 1, bin by bin; t and q from step `origin`.
   template <class Use>
-  void some(std::size_t k, std::size_t end, std::int64_t origin, Real time_step,
+  void some(std::size_t k, std::size_t end, std::int64_t origin, FlightTimes const& flights,
             Use const& use) const {
     while (k < end) {
       auto const bin = bin_[k];
       Powers powers;
-      for (; k < end && bin_[k] == bin; ++k) {
-        Real const t = static_cast<Real>(step_[k] - origin) * time_step;
-        powers.n += 1;
-        powers.t1 += t;
-        powers.t2 += t * t;
-      }
+      for (; k < end && bin_[k] == bin; ++k)
+        powers.add(flights.time(origin, step_[k]), flights.scale(origin, step_[k]));
       use(bin, powers);
     }
   }
@@ -74,7 +78,8 @@ class SampleTimes {
     if (k >= size()) return;
     auto const& all = total_[bin_[k]];
     auto const& gone = before_[k];
-    use(bin_[k], Powers{all.n - gone.n, all.t1 - gone.t1, all.t2 - gone.t2});
+    use(bin_[k], Powers{all.n - gone.n, all.t1 - gone.t1, all.t2 - gone.t2,
+                        all.linear - gone.linear, all.samples - gone.samples});
     for (auto bin = bin_[k] + 1; bin < bins(); ++bin) use(bin, total_[bin]);
   }
 

@@ -85,7 +85,8 @@ class BlockStepper {
 
   /// Brings `count` pairs of disks that meet no one else through steps; see BinaryCollisions.
   virtual BinaryOutcome collide(BinaryDisk* a, BinaryDisk* b, int count, std::int64_t steps,
-                                Real strain_rate, SampleTimes const& times, BlockSums* sums,
+                                Real strain_rate, FlightTimes const& flights,
+                                SampleTimes const& times, BlockSums* sums,
                                 LaneDetector* detector) const = 0;
 };
 

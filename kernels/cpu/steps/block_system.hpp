@@ -74,6 +74,21 @@ inline Real fastest2_of(Block const& block, BlockState const& state, Real strain
   return simd::largest(fastest2);
 }
 
+/// Scales the motion of a block's disks with the strain rate, P2 Eqs. (40)-(41).
+inline void scale_motion(Block const& block, BlockState const& state, Real factor) {
+  for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
+    auto* const record = state.record.data() + block.first + i;
+    auto r = simd::load_records(record);
+    r.vx = factor * r.vx;
+    r.vy = factor * r.vy;
+    simd::store_records(record, r);
+  }
+  if (state.spin.extent(0) == 0) return;
+  auto* const spin = state.spin.data() + block.first;
+  for (std::uint32_t i = 0; i < block.padded; i += simd::width)
+    (simd::Pack(factor) * simd::Pack::load(spin + i)).store(spin + i);
+}
+
 /// What a step tells of a block; each half of the step adds its part.
 struct BlockReport {
   Real fastest2 = 0;           ///< largest (v - gammadot y x^)^2, [d_s^2 / tau_e^2]

@@ -24,12 +24,11 @@ struct SpeedBound {
 struct FlightDeviation {
   simd::Record const* origin;
   Real* flight_deviation2;
-  Real time;  ///< since the start of the flight, at the end of the step
-  Real time_step;
+  Real time;       ///< t of FlightTimes at the end of the step
+  Real time_step;  ///< of the next step, at the velocities that are seen
+  Real scale = 1;  ///< q of FlightTimes, of the same velocities
 
-  /// A block after `steps` steps.
-  void all_of(Block const& block, simd::Record const* records, std::int64_t steps) {
-    time = static_cast<Real>(steps) * time_step;
+  void all_of(Block const& block, simd::Record const* records) const {
     for (std::uint32_t i = 0; i < block.padded; i += simd::width)
       (*this)(block.first + i, simd::load_records(records + block.first + i));
   }
@@ -38,7 +37,8 @@ struct FlightDeviation {
     using simd::Pack;
     auto const o = simd::load_records(origin + slot);
     Pack const x = r.x - fma(time, o.vx, o.x), y = r.y - fma(time, o.vy, o.y);
-    Pack const next_x = fma(time_step, r.vx - o.vx, x), next_y = fma(time_step, r.vy - o.vy, y);
+    Pack const next_x = fma(time_step, fnma(scale, o.vx, r.vx), x),
+               next_y = fma(time_step, fnma(scale, o.vy, r.vy), y);
     Pack const now2 = fma(x, x, y * y), next2 = fma(next_x, next_x, next_y * next_y);
     max(Pack::load(flight_deviation2 + slot), max(now2, next2)).store(flight_deviation2 + slot);
   }

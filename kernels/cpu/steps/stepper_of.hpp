@@ -73,16 +73,17 @@ class StepperOf final : public BlockStepper {
   }
 
   BinaryOutcome collide(BinaryDisk* a, BinaryDisk* b, int count, std::int64_t steps,
-                        Real strain_rate, SampleTimes const& times, BlockSums* sums,
-                        LaneDetector* detector) const override {
+                        Real strain_rate, FlightTimes const& flights, SampleTimes const& times,
+                        BlockSums* sums, LaneDetector* detector) const override {
     if constexpr (iterates) {
       not_of_this_form();
     } else {
       BinaryCollisions<Law, Repulsion, typename Step::Scheme> const collisions{
           step_.forces.law, step_.forces.repulsion, table_, step_.time_step,
           strain_rate,      step_.second_stage()};
-      if (detector != nullptr) return collisions.run(a, b, count, steps, times, sums, *detector);
-      return collisions.run(a, b, count, steps, times, sums, NoLaneDetector{});
+      if (detector != nullptr)
+        return collisions.run(a, b, count, steps, flights, times, sums, *detector);
+      return collisions.run(a, b, count, steps, flights, times, sums, NoLaneDetector{});
     }
   }
 

@@ -8,30 +8,39 @@
 
 namespace bagnold {
 
-/// How far the images of the box have come some steps after a list build.
+/// A step that strain and offset are counted from: that of a list build.
+struct ShearMark {
+  std::int64_t step = 0;
+  DoubleDouble strain{};  ///< since step 0
+  DoubleDouble turns{};   ///< gamma L_y/L_x, in [0, 1)
+};
+
+/// How far the images of the box have come since a mark, from some step on at one rate.
 struct ShearSince {
-  DoubleDouble turns;        ///< gamma L_y/L_x at the build, in [0, 1)
+  DoubleDouble turns;        ///< gamma L_y/L_x at the mark, in [0, 1)
+  DoubleDouble before;       ///< strain from the mark to `first`
+  std::int64_t first;        ///< step from which the rate is this one, or the mark's
   DoubleDouble step_strain;  ///< gammadot dt
   Real length;               ///< L_x, [d_s]
   Real aspect;               ///< L_y / L_x
 
-  KOKKOS_FUNCTION Real strain(std::int64_t steps) const {
-    return (step_strain * static_cast<double>(steps)).rounded();
+  /// step: from `first` on.
+  KOKKOS_FUNCTION Real strain(std::int64_t step) const {
+    return (before + step_strain * static_cast<double>(step - first)).rounded();
   }
 
-  /// x of the image above, [d_s]; in [0, L_x) at the build, from where it grows on.
-  KOKKOS_FUNCTION Real offset(std::int64_t steps) const {
-    return ((turns + step_strain * aspect * static_cast<double>(steps)) * length).rounded();
+  /// x of the image above, [d_s]; in [0, L_x) at the mark, from where it grows on.
+  KOKKOS_FUNCTION Real offset(std::int64_t step) const {
+    return ((turns + before * aspect + step_strain * aspect * static_cast<double>(step - first)) *
+            length)
+        .rounded();
   }
 };
 
-/// turns: of any size; taken as none where they would round up to a whole one.
-KOKKOS_INLINE_FUNCTION ShearSince shear_since(DoubleDouble const& turns,
-                                              DoubleDouble const& step_strain, Real length,
-                                              Real aspect) {
-  ShearSince since{fraction(turns), step_strain, length, aspect};
-  if (since.offset(0) >= length) since.turns = {};
-  return since;
+/// turns: of any size; zero where they would round up to a whole one. In [0, 1).
+KOKKOS_INLINE_FUNCTION DoubleDouble turns_in_box(DoubleDouble const& turns, Real length) {
+  DoubleDouble const part = fraction(turns);
+  return (part * length).rounded() >= length ? DoubleDouble{} : part;
 }
 
 }  // namespace bagnold

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/engine/blocks/batch_islands.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "kernels/cpu/islands/free_flight.hpp"
@@ -67,6 +68,7 @@ void BatchIslands::run_batch(std::uint32_t b, BlockDisks const& disks, Lookahead
   auto const slot_of = [&](std::uint32_t batch, std::uint32_t local) { return slot(batch, local); };
   ShearedBox box = scratch.start;  // islands are unfolded: no image is asked for
   box.offset = 0;
+  auto const& flights = scratch.flights;
   FlightDeviation flight{batches_.origin.data(), batches_.flight_deviation2.data(), 0,
                          clock.time_step};
   std::size_t sample = 0;
@@ -75,7 +77,12 @@ void BatchIslands::run_batch(std::uint32_t b, BlockDisks const& disks, Lookahead
     if (contacts) contacts.detect(system, b, unit, s, slot_of);
     if (idle) {
       auto const last = s + leap(b, clock, s, lookahead.steps() - s, sample, scratch);
-      if (last > s) flight.all_of(system.blocks.block(b), system.now.record.data(), last);
+      if (last > s) {
+        flight.time = flights.time(last);
+        flight.time_step = clock.time_step;
+        flight.scale = flights.scale(last);
+        flight.all_of(system.blocks.block(b), system.now.record.data());
+      }
       s = last;
       if (s == lookahead.steps()) break;
       if (contacts) contacts.detect(system, b, unit, s, slot_of);
@@ -85,12 +92,16 @@ void BatchIslands::run_batch(std::uint32_t b, BlockDisks const& disks, Lookahead
     if (sampled) {
       auto const bin = times.bin(sample);
       scratch.results.sums[scratch.results.units[unit].sums + bin] +=
-          stepper.measure(system, b, clock.strain_rate, force);
+          stepper.measure(system, b, flights.scale(s) * clock.strain_rate, force);
       if (contacts) contacts.sample(system, b, unit, bin, s, slot_of);
       ++sample;
     }
-    flight.time = static_cast<Real>(s + 1) * clock.time_step;
+    auto const factor = flights.scale(s, s + 1);
+    flight.time = flights.time(s + 1);
+    flight.time_step = factor * clock.time_step;
+    flight.scale = flights.scale(s);
     report += stepper.correct(system, b, box, force, sampled, &flight);
+    if (factor != 1) scale_motion(system.blocks.block(b), system.now, factor);
     idle = report.touching == 0;
     outcome_[b].touching += report.touching;
     outcome_[b].bad = outcome_[b].bad || report.nan_flag != 0 ||
@@ -106,20 +117,24 @@ std::int64_t BatchIslands::leap(std::uint32_t b, Clock const& clock, std::int64_
   auto const& times = scratch.times;
   Block const& block = system.blocks.block(b);
   auto* const records = system.now.record.data() + block.first;
-  auto const steps = free_steps(system.blocks, block, records, clock.time_step, most);
+  auto const& flights = scratch.flights;
+  Real const free_for = free_time(system.blocks, block, records, flights.longer_than(from, most));
+  auto const until = static_cast<std::int64_t>(flights.steps_until(from, free_for) - 1);
+  auto const steps = std::clamp(until, std::int64_t{0}, most);  // less one for rounding
   if (steps == 0) return 0;
   auto const end = times.from(from + steps);
   if (end > sample) {
-    auto const free = flight_sums(system, block, clock.strain_rate,
+    auto const free = flight_sums(system, block, flights.scale(from) * clock.strain_rate,
                                   [](std::uint32_t) { return simd::first_lanes(simd::width); });
     auto const first = scratch.results.units[first_unit_ + b].sums;
-    times.some(sample, end, from, clock.time_step,
-               [&](std::size_t bin, SampleTimes::Powers const& powers) {
-                 free.add_to(scratch.results.sums[first + bin], powers);
-               });
+    times.some(sample, end, from, flights, [&](std::size_t bin, SampleTimes::Powers const& powers) {
+      free.add_to(scratch.results.sums[first + bin], powers);
+    });
     sample = end;
   }
-  fly(block, records, static_cast<Real>(steps) * clock.time_step);
+  fly(block, records, flights.time(from, from + steps));
+  if (auto const factor = flights.scale(from, from + steps); factor != 1)
+    scale_motion(block, system.now, factor);
   return steps;
 }
 

@@ -37,6 +37,12 @@ std::size_t BlockDisks::fastest_disk() const {
   return disk;
 }
 
+void BlockDisks::change_rate() {
+  Real const factor = clock.change_rate();
+  (*loop)(system.blocks.count,
+          [&](std::uint32_t b) { scale_motion(system.blocks.block(b), system.now, factor); });
+}
+
 DiskList BlockDisks::disks() const {
   DiskList list;
   gather(list.position, list.velocity, list.spin);

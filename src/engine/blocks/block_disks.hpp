@@ -7,8 +7,8 @@
 
 #include "kernels/cpu/steps/block_stepper.hpp"
 #include "src/engine/blocks/block_loop.hpp"
-#include "src/engine/clock.hpp"
 #include "src/engine/drive_columns.hpp"
+#include "src/engine/run_clock.hpp"
 #include "src/state/state.hpp"
 
 namespace bagnold {
@@ -23,13 +23,13 @@ struct DiskList {
 struct BlockDisks {
   std::unique_ptr<BlockLoop> loop;
   std::unique_ptr<BlockStepper> stepper;
-  Clock clock;
-  std::int64_t list_step = 0;    ///< of the outer list, since which images move
+  RunClock clock;
+  ShearMark list;                ///< of the outer list's build, since which images move
   std::vector<double> diameter;  ///< [N], [d_s], in the order of the start
   BlockSystem system;
 
   std::size_t count() const { return diameter.size(); }
-  ShearedBox box_at(std::int64_t at) const { return clock.box(at, list_step); }
+  ShearedBox box_at(std::int64_t at) const { return clock.box(at, list); }
 
   /// Those of SumColumns that there are.
   std::span<Real const> columns_of(BlockSums const& sums) const {
@@ -39,6 +39,9 @@ struct BlockDisks {
   /// Largest |v - gammadot y x^|, [d_s/tau_e], and a disk that has it.
   Real fastest() const;
   std::size_t fastest_disk() const;
+
+  /// Goes on at the next strain rate.
+  void change_rate();
 
   DiskList disks() const;
 

@@ -2,6 +2,7 @@
 #include "src/engine/blocks/block_engine.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "src/engine/device_copy.hpp"
@@ -18,14 +19,13 @@ constexpr Real most_active = 0.6;           ///< share of the disks in a lookahe
 }  // namespace
 
 BlockEngine::BlockEngine(std::unique_ptr<BlockLoop> loop, std::unique_ptr<BlockStepper> stepper,
-                         Stepping stepping, SpeciesTable const& table, double strain_rate,
+                         Stepping stepping, SpeciesTable const& table, StrainRates const& rates,
                          double time_step, double skin, Snapshot& snapshot)
     : stepping_(stepping),
       disks_{.loop = std::move(loop),
              .stepper = std::move(stepper),
-             .clock = {strain_rate, time_step, snapshot.state.box_length, snapshot.initial_offset,
-                       snapshot.initial_time, snapshot.state.box_aspect},
-             .list_step = snapshot.list_step,
+             .clock = {rates, time_step, snapshot},
+             .list = {},
              .diameter = std::move(snapshot.state.diameter),
              .system = {}},
       lists_(disks_, skin),
@@ -43,14 +43,19 @@ BlockEngine::BlockEngine(std::unique_ptr<BlockLoop> loop, std::unique_ptr<BlockS
     single_.prune();
     looking_ahead_ = stepping == Stepping::lookahead;
   } else {
+    disks_.list = disks_.clock.at(snapshot.list_step).mark(snapshot.list_step);
     auto const listed = vectors(std::exchange(snapshot.list_position, {}));
     lists_.arrange(std::move(list), &listed);
     for_each_memory(RestoreMemory{snapshot.memory});
+    auto& pruned = lists_.inner.mark;
+    pruned = disks_.clock.at(pruned.step).mark(pruned.step);
     lists_.fill_inner();
   }
 }
 
 void BlockEngine::advance(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) {
+  if (windows.contacts && disks_.clock.rate_end != StrainRates::never)
+    throw std::logic_error("contacts are not followed where the strain rate changes");
   if (disks_.system.trial.record.extent(0) == 0) lists_.take_scratch();
   for (auto const end = std::min(disks_.system.step + steps, sampling.last_step);
        disks_.system.step < end;) {
@@ -65,7 +70,7 @@ Snapshot BlockEngine::snapshot() const {
   Snapshot s;
   s.state = disks_.state();
   s.list_position = lists_.at_build();
-  s.list_step = disks_.list_step;
+  s.list_step = disks_.list.step;
   s.step = disks_.system.step;
   s.initial_offset = disks_.clock.initial_offset;
   s.initial_time = disks_.clock.initial_time;
@@ -83,7 +88,7 @@ template <class Visit>
 void BlockEngine::for_each_memory(Visit const& visit) {
   visit("fastest", lists_.fastest);  // with few contacts a bound that depends on the steps before
   visit("outer_nonaffine_bound", lists_.outer_nonaffine_bound);
-  visit("prune_step", lists_.inner.step);
+  visit("prune_step", lists_.inner.mark.step);
   visit("inner_nonaffine_bound", lists_.inner.nonaffine_bound);
   visit("inner_margin", lists_.inner.margin);
   visit("near_pairs", lists_.near_pairs);
@@ -114,8 +119,16 @@ void BlockEngine::for_each_counter(Visit const& visit) {
   visit("touching_in_lookahead", lookahead_.counters.touching);
 }
 
-void BlockEngine::advance_step(Sampling const& sampling, OpenWindows& windows) {
+/// One step, and the change of the strain rate where it ends.
+void BlockEngine::advance_one(Sampling const& sampling, OpenWindows& windows) {
   single_.advance(sampling, windows);
+  if (disks_.system.step != disks_.clock.rate_end) return;
+  disks_.change_rate();
+  lists_.fastest = disks_.fastest();
+}
+
+void BlockEngine::advance_step(Sampling const& sampling, OpenWindows& windows) {
+  advance_one(sampling, windows);
   if (stepping_ != Stepping::automatic || disks_.system.step % choose_every != 0) return;
   gain_.steps_done(choose_every, single_.contacts_per_disk());
   looking_ahead_ = gain_.enter();
@@ -129,17 +142,20 @@ void BlockEngine::advance_lookahead(Sampling const& sampling, OpenWindows& windo
   auto const end = std::min((begin / length + 1) * length, sampling.last_step);
   lookahead_.cautious = tuning_.cautious();
   set_allowance(length);
-  Real farthest = lists_.farthest_at(end);
-  Lookahead lookahead{begin, end, lists_.room_at(end, farthest)};
-  if (lookahead.most_deviation < 2 * lookahead_.allowance && disks_.list_step != begin) {
+  Real const duration = lookahead_.time_flights(end);
+  Clock const after = end < disks_.clock.rate_end ? disks_.clock : disks_.clock.at(end);
+  Real farthest = lists_.farthest_at(end, after, duration);
+  Lookahead lookahead{begin, end, after, lists_.room_at(end, after, farthest)};
+  if (lookahead.most_deviation < 2 * lookahead_.allowance && disks_.list.step != begin) {
     single_.rebuild();
-    farthest = lists_.farthest_at(end);
-    lookahead.most_deviation = lists_.room_at(end, farthest);
+    farthest = lists_.farthest_at(end, after, duration);
+    lookahead.most_deviation = lists_.room_at(end, after, farthest);
   }
   if (!lookahead_.run(lookahead, sampling, windows,
                       stepping_ == Stepping::lookahead ? 1 : most_active))
     return step_through(lookahead, sampling, windows);
   disks_.system.step = end;
+  if (end >= disks_.clock.rate_end) disks_.clock.move_to(end);
   lists_.outer_nonaffine_bound = farthest + lookahead.deviation;
   if (lookahead.steps() != length) return;
   tuning_.done(cost_of(lookahead) / static_cast<Real>(length));
@@ -169,7 +185,7 @@ void BlockEngine::step_through(Lookahead const& lookahead, Sampling const& sampl
   lists_.fastest = disks_.fastest();
   lists_.outer_nonaffine_bound = lists_.farthest();
   single_.prune();
-  while (disks_.system.step < lookahead.end) single_.advance(sampling, windows);
+  while (disks_.system.step < lookahead.end) advance_one(sampling, windows);
   auto const contacts = single_.contacts_per_disk();
   if (!tuning_.refused()) weigh(lookahead, contacts, single_.cost(contacts));
 }

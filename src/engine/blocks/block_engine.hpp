@@ -14,8 +14,8 @@ class BlockEngine final : public Simulation {
  public:
   /// Takes the snapshot's arrays.
   BlockEngine(std::unique_ptr<BlockLoop> loop, std::unique_ptr<BlockStepper> stepper,
-              Stepping stepping, SpeciesTable const& table, double strain_rate, double time_step,
-              double skin, Snapshot& snapshot);
+              Stepping stepping, SpeciesTable const& table, StrainRates const& rates,
+              double time_step, double skin, Snapshot& snapshot);
 
   int columns() const override {
     auto const& needs = disks_.stepper->needs;
@@ -33,6 +33,7 @@ class BlockEngine final : public Simulation {
   template <class Visit>
   void for_each_counter(Visit const& visit);
 
+  void advance_one(Sampling const& sampling, OpenWindows& windows);
   void advance_step(Sampling const& sampling, OpenWindows& windows);
   void advance_lookahead(Sampling const& sampling, OpenWindows& windows);
   void step_through(Lookahead const& lookahead, Sampling const& sampling, OpenWindows& windows);

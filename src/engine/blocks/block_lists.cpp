@@ -21,7 +21,7 @@ std::uint32_t block_size(std::size_t disks) {
 }  // namespace
 
 void BlockLists::build(DiskList list) {
-  disks_.list_step = disks_.system.step;
+  disks_.list = disks_.clock.mark(disks_.system.step);
   auto const box = disks_.box_at(disks_.system.step);
   for (std::size_t i = 0; i < disks_.count(); ++i) wrap(box, list.position[i], list.velocity[i].x);
   arrange(std::move(list));
@@ -39,8 +39,8 @@ void BlockLists::arrange(DiskList list, std::vector<Vec2<Real>> const* listed) {
   system.species = {};
   at_build_ = {};
   auto const species = species_of(disks_.diameter);
-  system.blocks = loop.build(at_build, species, system.table, disks_.box_at(disks_.list_step),
-                             skin_, block_size(disks_.count()));
+  system.blocks = loop.build(at_build, species, system.table, disks_.clock.box(disks_.list), skin_,
+                             block_size(disks_.count()));
   auto const& blocks = system.blocks;
   system.species = loop.zeros<Species>("state::species", blocks.slots);
   system.now.record = loop.zeros<simd::Record>("state::record", blocks.slots);
@@ -70,8 +70,8 @@ std::vector<std::array<double, 2>> BlockLists::at_build() const {
   return list;
 }
 
-bool BlockLists::holds_next(std::int64_t since, Real nonaffine_bound, Real skin) const {
-  Real const strain = std::abs(disks_.clock.strain_between(since, disks_.system.step + 1));
+bool BlockLists::holds_next(ShearMark const& since, Real nonaffine_bound, Real skin) const {
+  Real const strain = std::abs(disks_.clock.strain_since(since, disks_.system.step + 1));
   if (strain > 0.5) return false;
   // nonaffine_bound adds up |v - gammadot y x^|; w is taken about the flow at the place of the
   // build, which differs by gammadot w_y.
@@ -89,7 +89,7 @@ void BlockLists::prune(ListUse use) {
   use.kept = near_pairs;
   use.per_step = 2 * disks_.clock.time_step * fastest;
   inner.margin = best_margin(use, inner.margin, skin_);
-  inner.step = disks_.system.step;
+  inner.mark = disks_.clock.mark(disks_.system.step);
   inner.nonaffine_bound = 0;
   if (!inner_holds()) inner.margin = skin_;
   fill_inner();
@@ -111,7 +111,7 @@ void BlockLists::fill_inner() {
 }
 
 Real BlockLists::farthest() const {
-  Real const strain = disks_.clock.strain_between(disks_.list_step, disks_.system.step);
+  Real const strain = disks_.clock.strain_since(disks_.list, disks_.system.step);
   Real largest2 = 0;
   for (std::size_t i = 0; i < disks_.count(); ++i) {
     auto const slot = disks_.system.blocks.slot_of(i);
@@ -121,10 +121,9 @@ Real BlockLists::farthest() const {
   return std::sqrt(largest2);
 }
 
-Real BlockLists::farthest_at(std::int64_t step) {
+Real BlockLists::farthest_at(std::int64_t step, Clock const& later, Real duration) {
   auto const& system = disks_.system;
-  Real const duration = static_cast<Real>(step - disks_.system.step) * disks_.clock.time_step;
-  Real const strain = disks_.clock.strain_between(disks_.list_step, step);
+  Real const strain = later.strain_since(disks_.list, step);
   far2_.assign(system.blocks.count, 0);
   (*disks_.loop)(system.blocks.count, [&](std::uint32_t b) {
     Block const& block = system.blocks.block(b);
@@ -134,8 +133,8 @@ Real BlockLists::farthest_at(std::int64_t step) {
   return std::sqrt(*std::max_element(far2_.begin(), far2_.end()));
 }
 
-Real BlockLists::room_at(std::int64_t step, Real farthest) const {
-  return list_reach(disks_.clock.strain_between(disks_.list_step, step), skin_) - farthest;
+Real BlockLists::room_at(std::int64_t step, Clock const& later, Real farthest) const {
+  return list_reach(later.strain_since(disks_.list, step), skin_) - farthest;
 }
 
 void BlockLists::give_back_scratch() {

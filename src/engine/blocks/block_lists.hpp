@@ -32,26 +32,26 @@ class BlockLists {
   /// Where the disks were at the build, in the order of the start, [d_s].
   std::vector<std::array<double, 2>> at_build() const;
 
-  /// Whether a list from `since` still holds for the next trial positions, if no disk has moved
+  /// Whether a list from a mark still holds for the next trial positions, if no disk has moved
   /// more than `nonaffine_bound` beyond the mean flow.
-  bool holds_next(std::int64_t since, Real nonaffine_bound, Real skin) const;
+  bool holds_next(ShearMark const& since, Real nonaffine_bound, Real skin) const;
   bool outer_holds(Real nonaffine_bound) const {
-    return holds_next(disks_.list_step, nonaffine_bound, skin_);
+    return holds_next(disks_.list, nonaffine_bound, skin_);
   }
-  bool inner_holds() const { return holds_next(inner.step, inner.nonaffine_bound, inner.margin); }
+  bool inner_holds() const { return holds_next(inner.mark, inner.nonaffine_bound, inner.margin); }
 
   /// Takes the inner list anew, with the margin that suits its use best.
   void prune(ListUse use);
   void fill_inner();
 
-  /// Largest |w| since the build now, and at a later step if all disks fly straight until then,
-  /// [d_s].
+  /// Largest |w| since the build now, and at a later step if all disks fly straight until then, for
+  /// so long, [d_s]. later: the clock there.
   Real farthest() const;
-  Real farthest_at(std::int64_t step);
+  Real farthest_at(std::int64_t step, Clock const& later, Real duration);
 
   /// How far a disk may still deviate from straight flights to `step`, whose farthest |w| that is,
   /// [d_s].
-  Real room_at(std::int64_t step, Real farthest) const;
+  Real room_at(std::int64_t step, Clock const& later, Real farthest) const;
 
   /// |v - gammadot y x^| as it may be about the mean flow at another place a step on, over what it
   /// is.

@@ -3,6 +3,7 @@
 
 #include "src/engine/blocks/lookahead_gain.hpp"
 #include "src/engine/blocks/meeting_results.hpp"
+#include "src/engine/clock.hpp"
 #include "src/engine/contacts/lookahead_contacts.hpp"
 
 namespace bagnold {
@@ -10,6 +11,7 @@ namespace bagnold {
 /// Steps that are done at one go.
 struct Lookahead {
   std::int64_t begin, end;  ///< [steps]
+  Clock after;              ///< of the step `end`
   Real most_deviation;      ///< from straight flights that the outer list allows, [d_s]
   Real deviation = 0;       ///< out: the largest one, [d_s]
   Real contacts =
@@ -22,6 +24,7 @@ struct Lookahead {
 /// What the parts that do a lookahead share; kept from one to the next.
 struct LookaheadScratch {
   ShearedBox start;  ///< at the lookahead's first configuration
+  FlightTimes flights;
   SampleTimes times;
   LookaheadContacts contacts;
   MeetingResults results;

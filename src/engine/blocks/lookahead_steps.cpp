@@ -14,7 +14,7 @@ bool LookaheadSteps::run(Lookahead& lookahead, Sampling const& sampling, OpenWin
   if (lookahead.most_deviation < 0) return false;
   make_room();
   list_samples(lookahead, sampling);
-  Real const duration = static_cast<Real>(lookahead.steps()) * disks_.clock.time_step;
+  Real const duration = scratch_.flights.time(lookahead.steps());
   scratch_.start = disks_.box_at(lookahead.begin);
   scratch_.contacts.begin(detector_, disks_.system, scratch_.start, lookahead.begin, sampling,
                           windows);
@@ -37,7 +37,7 @@ bool LookaheadSteps::run(Lookahead& lookahead, Sampling const& sampling, OpenWin
   if (scratch_.contacts)
     scratch_.contacts.tell(lookahead.end, scratch_.times, sampling, windows,
                            [&](std::size_t unit) { return results.units[unit].alive; });
-  commit(disks_.box_at(lookahead.end), duration);
+  commit(lookahead.after.box(lookahead.end, disks_.list), lookahead.steps());
   adapt_allowance();
   count(lookahead);
   return true;
@@ -53,12 +53,25 @@ void LookaheadSteps::make_room() {
   arrangement_ = disks_.system.arrangement;
 }
 
+Real LookaheadSteps::time_flights(std::int64_t end) {
+  auto const& clock = disks_.clock;
+  auto& flights = scratch_.flights;
+  flights.clear(clock.time_step);
+  if (clock.rate_end <= end)
+    for (auto step = disks_.system.step; step <= end;) {
+      auto const stretch = clock.rates.at(step);
+      Real const scale = stretch.rate / clock.strain_rate;
+      for (; step <= end && step < stretch.end; ++step) flights.add(scale);
+    }
+  return flights.time(end - disks_.system.step);
+}
+
 void LookaheadSteps::list_samples(Lookahead const& lookahead, Sampling const& sampling) {
   scratch_.times.clear();
   auto const first = sampling.window(lookahead.begin);
   for (auto s = sampling.next(lookahead.begin); s < lookahead.end; s = sampling.next(s + 1))
     scratch_.times.add(s - lookahead.begin, static_cast<std::size_t>(sampling.window(s) - first),
-                       disks_.clock.time_step);
+                       scratch_.flights);
 }
 
 void LookaheadSteps::predict(Real duration) {
@@ -205,22 +218,24 @@ void LookaheadSteps::measure(Lookahead const& lookahead, Sampling const& samplin
   for (auto const& of_block : free_) free += of_block;
   for (std::size_t bin = 0; bin < times.bins(); ++bin) {
     auto const& powers = times.total(bin);
-    if (powers.n == 0) continue;
+    if (powers.samples == 0) continue;
     BlockSums total;
     free.add_to(total, powers);
     for (auto const& unit : results.units)
       if (unit.alive) total += results.sums[unit.sums + bin];
     windows.add(sampling.window(lookahead.begin) + static_cast<std::int64_t>(bin),
-                disks_.columns_of(total), powers.n);
+                disks_.columns_of(total), powers.samples);
   }
 }
 
 /// Moves free disks to the end of the lookahead, and puts the others there.
-void LookaheadSteps::commit(ShearedBox const& end, Real duration) {
+void LookaheadSteps::commit(ShearedBox const& end, std::int64_t steps) {
   auto& all = disks_.system;
+  auto const& flights = scratch_.flights;
   (*disks_.loop)(all.blocks.count, [&](std::uint32_t b) {
     Block const& block = all.blocks.block(b);
-    fly(block, all.now.record.data() + block.first, duration);
+    fly(block, all.now.record.data() + block.first, flights.time(steps));
+    if (!flights.at_one_rate()) scale_motion(block, all.now, flights.scale(steps));
   });
   for (auto const& disk : scratch_.results.disks) {
     simd::Record r = disk.record;

@@ -38,6 +38,10 @@ class LookaheadSteps {
   LookaheadSteps(BlockDisks& disks, ContactDetector& detector)
       : disks_(disks), detector_(detector) {}
 
+  /// How long the flights of a lookahead from here to `end` are, at the rate it begins at, [tau_e]:
+  /// that of the next lookahead.
+  Real time_flights(std::int64_t end);
+
   /// Does the lookahead, adding its sampled configurations to `windows`. False, and nothing is
   /// changed, if more than that share of the disks take part, one comes too far for the list, or a
   /// number is NaN or an overlap too large: then step by step.
@@ -53,7 +57,7 @@ class LookaheadSteps {
   void add_if_missed(SlotPair const& pair, Real duration);
   void take_unit_of(std::uint32_t slot);
   void measure(Lookahead const& lookahead, Sampling const& sampling, OpenWindows& windows);
-  void commit(ShearedBox const& end, Real duration);
+  void commit(ShearedBox const& end, std::int64_t steps);
   void adapt_allowance();
   void count(Lookahead& lookahead);
 

@@ -30,7 +30,7 @@ std::unique_ptr<Simulation> make_block_engine(Scene const& scene, Snapshot& snap
   auto const steps = stepping(scene, stepper->needs.iterations > 0);
   return std::make_unique<BlockEngine>(
       std::move(loop), std::move(stepper), steps, make_species_table(scene.mass_by_area()),
-      scene.shear.strain_rate, time_step(scene), scene.integration.skin, snapshot);
+      strain_rates(scene), time_step(scene), scene.integration.skin, snapshot);
 }
 
 }  // namespace bagnold

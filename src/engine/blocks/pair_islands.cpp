@@ -55,7 +55,8 @@ bool PairIslands::run(BlockDisks const& disks, Islands const& islands, Lookahead
     auto* const sums = results.sums.data() + results.units[first_unit + begin].sums;
     auto const collide = [&](LaneDetector* detector) {
       outcome_[g] = disks.stepper->collide(a, b, static_cast<int>(end - begin), lookahead.steps(),
-                                           disks.clock.strain_rate, scratch.times, sums, detector);
+                                           disks.clock.strain_rate, scratch.flights, scratch.times,
+                                           sums, detector);
     };
     if (scratch.contacts) {
       auto detector = detector_of(begin, end);

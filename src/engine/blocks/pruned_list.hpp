@@ -5,14 +5,14 @@
 #include <cmath>
 #include <cstdint>
 
-#include "kernels/physics/vec2.hpp"
+#include "kernels/physics/box/shear_since.hpp"
 
 namespace bagnold {
 
 /// How long a list of near pairs holds: when it was taken from a wider one, and how far disks have
 /// come.
 struct PrunedList {
-  std::int64_t step = 0;     ///< of the pruning
+  ShearMark mark;            ///< of the pruning
   Real nonaffine_bound = 0;  ///< at least the largest |w| since then, [d_s]
   Real margin = 0;           ///< pairs up to d_ij + margin are in it, [d_s]
 };

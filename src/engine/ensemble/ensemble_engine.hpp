@@ -8,6 +8,7 @@
 #include "src/engine/download_state.hpp"
 #include "src/engine/ensemble/advance_systems.hpp"
 #include "src/engine/ensemble/ensemble.hpp"
+#include "src/engine/run_clock.hpp"
 #include "src/engine/throw_unsound.hpp"
 #include "src/engine/wrap_state.hpp"
 
@@ -21,9 +22,9 @@ class EnsembleEngine final : public Ensemble {
  public:
   static constexpr bool rotates = Law::rotates;
 
-  /// Systems of equally many disks, at one strain rate; threads of a team: 0 chooses.
-  EnsembleEngine(Law law, SpeciesTable table, double strain_rate, double time_step, double skin,
-                 std::vector<Snapshot> const& snapshots, int threads = 0)
+  /// Systems of equally many disks, at the same strain rates; threads of a team: 0 chooses.
+  EnsembleEngine(Law law, SpeciesTable table, StrainRates const& rates, double time_step,
+                 double skin, std::vector<Snapshot> const& snapshots, int threads = 0)
       : rules_{law, table, skin},
         threads_(threads),
         disks_(snapshots.front().state.count()),
@@ -31,9 +32,9 @@ class EnsembleEngine final : public Ensemble {
     views_.step.allocate(law, table, time_step, snapshots.size(), disks_);
     std::size_t most_cells = 0;
     for (auto const& snapshot : snapshots) {
-      add(snapshot, strain_rate, time_step);
-      auto const& [clock, columns, rows] = constants_.back();
-      most_cells = std::max(most_cells, static_cast<std::size_t>(columns) * rows);
+      add(snapshot, {rates, time_step, snapshot});
+      auto const& of = constants_.back();
+      most_cells = std::max(most_cells, static_cast<std::size_t>(of.columns) * of.rows);
     }
     views_.make_cells(most_cells);
     views_.make_entries(8 * disks_);  // grows where that is too little
@@ -49,12 +50,13 @@ class EnsembleEngine final : public Ensemble {
 
   void advance(std::int64_t end, Sampling const& sampling) override {
     while (std::any_of(progress_.begin(), progress_.end(), [&](auto const& p) {
-      return p.wait == Wait::none && (p.step < end || p.list != List::stands);
+      return p.wait == Wait::none && (p.step < end || p.list != List::stands || p.factor != 1);
     })) {
       auto const before = progress_;
       launch(end, sampling);
       take_samples_from_device(before, sampling);
       make_room();
+      change_rates();
     }
   }
 
@@ -62,7 +64,7 @@ class EnsembleEngine final : public Ensemble {
     for (auto const& [window, sums] : pending_[system]) windows.add(window, sums.value, 1);
     pending_[system].clear();
     auto const& p = progress_[system];
-    Clock const& clock = constants_[system].clock;
+    Clock const& clock = clocks_[system];
     if (p.wait == Wait::unsound)
       throw_unsound(space_, forces(system), clock, p.step, raw_state(system));
     if (p.wait == Wait::too_fast)
@@ -72,11 +74,11 @@ class EnsembleEngine final : public Ensemble {
 
   Snapshot snapshot(std::size_t system) const override {
     auto const& p = progress_[system];
-    Clock const& clock = constants_[system].clock;
+    Clock const& clock = clocks_[system];
     Snapshot s;
     s.state = raw_state(system);
     s.list_position = pairs(to_host(part(views_.at_build, system)));
-    s.list_step = p.list_step;
+    s.list_step = p.list_mark.step;
     s.step = p.step;
     s.initial_offset = clock.initial_offset;
     s.initial_time = clock.initial_time;
@@ -98,23 +100,21 @@ class EnsembleEngine final : public Ensemble {
     Sums<rotates> sums;
   };
 
-  void add(Snapshot const& snapshot, double strain_rate, double time_step) {
+  void add(Snapshot const& snapshot, RunClock const& clock) {
     State const& state = snapshot.state;
     std::size_t const s = progress_.size();
     Kokkos::deep_copy(part(views_.position, s), view_of(vectors(state.position)));
     Kokkos::deep_copy(part(views_.motion, s), view_of(motions<rotates>(state)));
     Kokkos::deep_copy(part(views_.species, s), view_of(species_of(state.diameter)));
-    Clock const clock{strain_rate,           time_step,
-                      state.box_length,      snapshot.initial_offset,
-                      snapshot.initial_time, state.box_aspect};
-    auto const grid = empty_cell_grid<Space>(clock.box(0, 0), big_diameter + rules_.skin,
+    auto const grid = empty_cell_grid<Space>(clock.box({}), big_diameter + rules_.skin,
                                              static_cast<std::int64_t>(disks_));
-    constants_.push_back({clock, grid.columns, grid.rows});
+    clocks_.push_back(clock);
+    constants_.push_back({clock, clock.rate_end, grid.columns, grid.rows});
     SystemProgress progress;
     progress.step = snapshot.step;
     progress.list_builds = snapshot.list_builds;
     if (!snapshot.list_position.empty()) {
-      progress.list_step = snapshot.list_step;
+      progress.list_mark = clock.at(snapshot.list_step).mark(snapshot.list_step);
       progress.list = List::missing;
       Kokkos::deep_copy(part(views_.at_build, s), view_of(vectors(snapshot.list_position)));
     }
@@ -179,11 +179,24 @@ class EnsembleEngine final : public Ensemble {
       if (p.list == List::stands) p.list = List::missing;
   }
 
+  /// Where steps at one strain rate are done the next launch begins with the next rate.
+  void change_rates() {
+    bool any = false;
+    for (std::size_t s = 0; s < systems(); ++s) {
+      auto& clock = clocks_[s];
+      if (progress_[s].wait != Wait::none || progress_[s].step != clock.rate_end) continue;
+      progress_[s].factor = clock.change_rate();
+      constants_[s].clock = clock;
+      constants_[s].rate_end = clock.rate_end;
+      any = true;
+    }
+    if (any) Kokkos::deep_copy(device_constants_, view_of(std::as_const(constants_)));
+  }
+
   ContactForces<Law, Repulsion, Space> forces(std::size_t system) const {
     auto const of = views_.of(system);
     auto const& p = progress_[system];
-    Clock const& clock = constants_[system].clock;
-    ShearedBox const box = clock.box(p.step, p.list_step);
+    ShearedBox const box = clocks_[system].box(p.step, p.list_mark);
     auto const& disks = of.disks;
     return {disks.position, disks.motion, disks.species, disks.neighbors,
             rules_.table,   box,          rules_.law,    Repulsion{}};
@@ -191,8 +204,7 @@ class EnsembleEngine final : public Ensemble {
 
   State raw_state(std::size_t system) const {
     return download_state<rotates>(part(views_.position, system), part(views_.motion, system),
-                                   diameter_[system], constants_[system].clock,
-                                   progress_[system].step);
+                                   diameter_[system], clocks_[system], progress_[system].step);
   }
 
   Space space_{};
@@ -200,6 +212,7 @@ class EnsembleEngine final : public Ensemble {
   int threads_;
   std::size_t disks_;  ///< of a system
   Views views_;
+  std::vector<RunClock> clocks_;               ///< [S]
   std::vector<SystemConstants> constants_;     ///< [S]
   std::vector<SystemProgress> progress_;       ///< [S]
   std::vector<std::vector<double>> diameter_;  ///< [S][N]: files have it, steps do not need it

@@ -14,7 +14,8 @@ namespace bagnold {
 /// What one system of an ensemble is made of, apart from its disks.
 struct SystemConstants {
   Clock clock;
-  int columns, rows;  ///< of its cells
+  std::int64_t rate_end;  ///< step up to which it is right
+  int columns, rows;      ///< of its cells
 };
 
 /// Where a system stands, and what it waits for.
@@ -23,8 +24,9 @@ struct SystemProgress {
   enum class Wait { none, for_samples, for_entries, too_fast, unsound };  ///< last two: for ever
 
   std::int64_t step = 0;
-  std::int64_t list_step = 0;
+  ShearMark list_mark;  ///< of the list's build
   std::int64_t list_builds = 0;
+  Real factor = 1;  ///< of the strain rate, by which motions are still to grow
   List list = List::lost;
   Wait wait = Wait::none;
   std::int32_t samples = 0;                             ///< measured since the host took them

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "kernels/device/dynamics/scale_motion.hpp"
 #include "kernels/device/dynamics/stepped_system.hpp"
 #include "kernels/device/neighbors/team_list.hpp"
 #include "kernels/device/sums/team_sums.hpp"
@@ -30,7 +31,7 @@ class SystemRun {
         views_(views),
         system_{views.disks, rules.table, rules.law, constants.clock.time_step},
         progress_(progress),
-        since_(constants.clock.since(progress.list_step)),
+        since_(constants.clock.since(progress.list_mark)),
         box_(box_at(progress.step)) {}
 
   KOKKOS_FUNCTION SystemProgress const& progress() const { return progress_; }
@@ -39,8 +40,10 @@ class SystemRun {
     return system_.disks.position;
   }
 
-  /// Steps on to `end`, or to where the host is needed.
+  /// Steps on to `end`, or to where the host is needed: a change of the strain rate, say.
   KOKKOS_FUNCTION void advance(std::int64_t end, Sampling const& sampling) {
+    if (constants_.rate_end < end) end = constants_.rate_end;
+    if (progress_.factor != 1) change_rate();
     keep_list();
     auto next_sample = sampling.next(progress_.step);
     while (goes_on() && progress_.step < end) {
@@ -64,14 +67,14 @@ class SystemRun {
 
   KOKKOS_FUNCTION ShearedBox box_at(std::int64_t step) const {
     Clock const& clock = constants_.clock;
-    return {clock.box_length, since_.offset(step - progress_.list_step), clock.strain_rate,
+    return {clock.box_length, since_.offset(step), clock.strain_rate,
             clock.box_aspect * clock.box_length};
   }
 
   KOKKOS_FUNCTION void do_step() {
-    auto const steps = progress_.step - progress_.list_step;
-    ShearedBox const next_box = box_at(progress_.step + 1);
-    Real const strain = since_.strain(steps + 1), next_strain = since_.strain(steps + 2);
+    auto const step = progress_.step;
+    ShearedBox const next_box = box_at(step + 1);
+    Real const strain = since_.strain(step + 1), next_strain = since_.strain(step + 2);
     Real const largest2 = system_.end_step(loops_, box_, next_box, strain, next_strain);
     ++progress_.step;
     box_ = next_box;
@@ -83,14 +86,31 @@ class SystemRun {
     if (!list_holds(widest, largest2, rules_.skin)) progress_.list = SystemProgress::List::lost;
   }
 
+  /// At a strain rate that is new to the disks; the list stays, if it still holds for a step.
+  KOKKOS_FUNCTION void change_rate() {
+    auto const& disks = system_.disks;
+    loops_.for_all("dynamics::ScaleMotion", disks.count(),
+                   ScaleMotion<rotates, Space>{disks.motion, progress_.factor});
+    progress_.factor = 1;
+    Real const strain = since_.strain(progress_.step);
+    Real const next_strain = since_.strain(progress_.step + 1);
+    Real largest2 = 0;
+    loops_.reduce("dynamics::Farthest", disks.count(),
+                  Farthest<rotates, Space>{disks.position, disks.motion, disks.at_build,
+                                           constants_.clock.time_step, strain, next_strain},
+                  Kokkos::Max<Real>(largest2));
+    if (!list_holds(math::fabs(next_strain), largest2, rules_.skin))
+      progress_.list = SystemProgress::List::lost;
+  }
+
   KOKKOS_FUNCTION void keep_list() {
     if (progress_.list == SystemProgress::List::lost) take_into_box();
     if (progress_.list == SystemProgress::List::missing) build_list();
   }
 
   KOKKOS_FUNCTION void take_into_box() {
-    progress_.list_step = progress_.step;
-    since_ = constants_.clock.since(progress_.step);
+    progress_.list_mark = constants_.clock.mark(progress_.step);
+    since_ = constants_.clock.since(progress_.list_mark);
     box_ = box_at(progress_.step);
     system_.take_into_box(loops_, box_);
     ++progress_.list_builds;
@@ -98,7 +118,7 @@ class SystemRun {
   }
 
   KOKKOS_FUNCTION void build_list() {
-    ShearedBox const box = box_at(progress_.list_step);
+    ShearedBox const box = constants_.clock.box(progress_.list_mark);
     CellGrid<Space> const grid{
         constants_.columns,           constants_.rows,   box.length / constants_.columns,
         box.height / constants_.rows, views_.cell_first, views_.cell_members};
@@ -110,11 +130,11 @@ class SystemRun {
       return;
     }
     progress_.list = SystemProgress::List::stands;
-    if (progress_.step == progress_.list_step) see_next_step();
+    if (progress_.step == progress_.list_mark.step) see_next_step();
   }
 
   KOKKOS_FUNCTION void see_next_step() {
-    Real const strain = since_.strain(1);
+    Real const strain = since_.strain(progress_.step + 1);
     auto const farthest = system_.farthest_of_next_step(loops_, strain);
     if (list_holds(math::fabs(strain), farthest.val, rules_.skin)) return;
     progress_.wait = SystemProgress::Wait::too_fast;

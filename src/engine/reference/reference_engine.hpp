@@ -7,12 +7,14 @@
 #include <vector>
 
 #include "kernels/device/dynamics/device_drive.hpp"
+#include "kernels/device/dynamics/scale_motion.hpp"
 #include "kernels/device/dynamics/stepped_system.hpp"
 #include "kernels/device/neighbors/verlet_list.hpp"
 #include "kernels/device/sums/measure.hpp"
 #include "src/engine/download_state.hpp"
 #include "src/engine/drive_columns.hpp"
 #include "src/engine/reference/row_contacts.hpp"
+#include "src/engine/run_clock.hpp"
 #include "src/engine/simulation.hpp"
 #include "src/engine/throw_unsound.hpp"
 #include "src/engine/wrap_state.hpp"
@@ -27,17 +29,12 @@ class ReferenceEngine final : public Simulation {
   static constexpr bool rotates = Law::rotates;
 
   /// A start: `snapshot.list_position` empty means no list yet.
-  ReferenceEngine(Law law, SpeciesTable table, double strain_rate, double time_step, double skin,
-                  Snapshot const& snapshot,
+  ReferenceEngine(Law law, SpeciesTable table, StrainRates const& rates, double time_step,
+                  double skin, Snapshot const& snapshot,
                   std::unique_ptr<DeviceDrive<rotates, Space> const> drive)
       : drive_(std::move(drive)),
         skin_(skin),
-        clock_{strain_rate,
-               time_step,
-               snapshot.state.box_length,
-               snapshot.initial_offset,
-               snapshot.initial_time,
-               snapshot.state.box_aspect},
+        clock_(rates, time_step, snapshot),
         step_(snapshot.step),
         builds_(snapshot.list_builds),
         diameter_(snapshot.state.diameter) {
@@ -58,7 +55,7 @@ class ReferenceEngine final : public Simulation {
     if (snapshot.list_position.empty()) {
       renew_list();
     } else {
-      list_step_ = snapshot.list_step;
+      list_ = clock_.at(snapshot.list_step).mark(snapshot.list_step);
       auto const at_build = vectors(snapshot.list_position);
       Kokkos::deep_copy(disks.at_build, view_of(at_build));
       build_list();
@@ -81,6 +78,7 @@ class ReferenceEngine final : public Simulation {
       if (sampled && !drive_) windows.add(sampling.window(step), sums.value, 1);
       auto const power = do_step(sampled && drive_);
       if (sampled && drive_) add_driven(sums, power, sampling.window(step), windows);
+      if (step_ == clock_.rate_end) change_rate();
     }
   }
 
@@ -88,7 +86,7 @@ class ReferenceEngine final : public Simulation {
     Snapshot s;
     s.state = raw_state();
     s.list_position = pairs(to_host(system_.disks.at_build));
-    s.list_step = list_step_;
+    s.list_step = list_.step;
     s.step = step_;
     s.initial_offset = clock_.initial_offset;
     s.initial_time = clock_.initial_time;
@@ -107,7 +105,7 @@ class ReferenceEngine final : public Simulation {
     return (system_.disks.count() + measured_block - 1) / measured_block;
   }
 
-  ShearedBox box_at(std::int64_t step) const { return clock_.box(step, list_step_); }
+  ShearedBox box_at(std::int64_t step) const { return clock_.box(step, list_); }
 
   [[noreturn]] void stop_unsound() const {
     throw_unsound(loops_.space, system_.forces(box_at(step_)), clock_, step_, raw_state());
@@ -121,8 +119,8 @@ class ReferenceEngine final : public Simulation {
 
   /// The drive's powers, if they are asked for.
   DrivePower do_step(bool powers) {
-    double const strain = clock_.strain_between(list_step_, step_ + 1);
-    double const next_strain = clock_.strain_between(list_step_, step_ + 2);
+    double const strain = clock_.strain_since(list_, step_ + 1);
+    double const next_strain = clock_.strain_since(list_, step_ + 2);
     DrivePower power;
     Motions before;
     if (drive_) before = drive_before_end(powers, power);
@@ -168,13 +166,29 @@ class ReferenceEngine final : public Simulation {
     } else {
       drive_->kick_correction(space, seen(disks.trial_position, disks.trial_motion), disks.motion,
                               disks.position);
-      Real farthest2 = 0;
-      loops_.reduce("dynamics::Farthest", disks.count(),
-                    Farthest<rotates, Space>{disks.position, disks.motion, disks.at_build,
-                                             system_.time_step, strain, next_strain},
-                    Kokkos::Max<Real>(farthest2));
-      largest2 = std::max(largest2, farthest2);
+      largest2 = std::max(largest2, farthest2(strain, next_strain));
     }
+  }
+
+  /// The largest |w|^2 now and a step later, [d_s^2].
+  Real farthest2(double strain, double next_strain) const {
+    auto const& disks = system_.disks;
+    Real largest2 = 0;
+    loops_.reduce("dynamics::Farthest", disks.count(),
+                  Farthest<rotates, Space>{disks.position, disks.motion, disks.at_build,
+                                           system_.time_step, strain, next_strain},
+                  Kokkos::Max<Real>(largest2));
+    return largest2;
+  }
+
+  /// Goes on at the next strain rate; the list stays, if it still holds for a step.
+  void change_rate() {
+    double const factor = clock_.change_rate();
+    loops_.for_all("dynamics::ScaleMotion", system_.disks.count(),
+                   ScaleMotion<rotates, Space>{system_.disks.motion, factor});
+    double const strain = clock_.strain_since(list_, step_);
+    double const next_strain = clock_.strain_since(list_, step_ + 1);
+    if (!list_holds(std::abs(next_strain), farthest2(strain, next_strain), skin_)) renew_list();
   }
 
   static void add_driven(Sums<rotates> const& sums, DrivePower const& power, std::int64_t window,
@@ -186,12 +200,12 @@ class ReferenceEngine final : public Simulation {
 
   /// Take the disks into the box, build the list, and see that the next step stays within it.
   void renew_list() {
-    list_step_ = step_;
+    list_ = clock_.mark(step_);
     system_.take_into_box(loops_, box_at(step_));
     build_list();
     ++builds_;
 
-    double const strain = clock_.strain_between(step_, step_ + 1);
+    double const strain = clock_.strain_since(list_, step_ + 1);
     auto const farthest = system_.farthest_of_next_step(loops_, strain);
     if (!list_holds(std::abs(strain), farthest.val, skin_))
       failure::too_fast(clock_, step_, static_cast<std::size_t>(farthest.loc),
@@ -202,7 +216,7 @@ class ReferenceEngine final : public Simulation {
   void build_list() {
     auto& disks = system_.disks;
     VerletList<Space> list{skin_, disks.at_build, std::move(disks.neighbors)};
-    bagnold::build_list(loops_.space, list, disks.species, system_.table, box_at(list_step_));
+    bagnold::build_list(loops_.space, list, disks.species, system_.table, clock_.box(list_));
     disks.neighbors = std::move(list.rows);
   }
 
@@ -239,9 +253,9 @@ class ReferenceEngine final : public Simulation {
   SteppedSystem<Law, Repulsion, Space, Scheme> system_;
   std::unique_ptr<DeviceDrive<rotates, Space> const> drive_;  ///< null: none
   double skin_;                                               ///< [d_s]
-  Clock clock_;
+  RunClock clock_;
   std::int64_t step_ = 0;
-  std::int64_t list_step_ = 0;
+  ShearMark list_;  ///< of its build
   std::int64_t builds_ = 0;
   std::vector<double> diameter_;  ///< kept on the host: files have it, steps do not need it
   Kokkos::View<Sums<rotates>*, Space> block_sums_;

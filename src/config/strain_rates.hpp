@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include "kernels/physics/double_double.hpp"
+#include "src/config/ramp.hpp"
+
+namespace bagnold {
+
+/// The strain rate over the steps of a run: one for all, or that of a ramp. It changes between
+/// steps.
+class StrainRates {
+ public:
+  static constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
+
+  /// Steps at one rate.
+  struct Stretch {
+    std::int64_t begin, end;  ///< steps begin .. end - 1
+    double rate;              ///< [1/tau_e]
+  };
+
+  StrainRates(double rate) : rate_(rate) {}
+  StrainRates(Ramp const& ramp) : ramp_(ramp) {}
+
+  /// That a step belongs to. After the last step of a ramp nothing changes.
+  Stretch at(std::int64_t step) const;
+
+  /// From step 0 to the begin of a stretch.
+  DoubleDouble strain_before(Stretch const& stretch) const;
+
+ private:
+  double rate_ = 0;
+  std::optional<Ramp> ramp_;
+};
+
+/// Of a scene with a protocol of one rate, or a ramp.
+StrainRates strain_rates(Scene const& scene);
+
+}  // namespace bagnold

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "src/config/strain_rates.hpp"
+#include "src/engine/clock.hpp"
+#include "src/state/snapshot.hpp"
+
+namespace bagnold {
+
+/// The clock of the step that a run is at, and of others: what it shows depends on the step alone,
+/// so it does not matter where a run is interrupted.
+struct RunClock : Clock {
+  StrainRates rates;
+  std::int64_t rate_end = StrainRates::never;  ///< step at which the rate changes
+
+  RunClock(StrainRates const& all, double dt, Snapshot const& snapshot)
+      : Clock{0,
+              dt,
+              snapshot.state.box_length,
+              snapshot.initial_offset,
+              snapshot.initial_time,
+              snapshot.state.box_aspect},
+        rates(all) {
+    move_to(snapshot.step);
+  }
+
+  /// The clock of another step.
+  Clock at(std::int64_t step) const {
+    Clock clock = *this;
+    auto const stretch = rates.at(step);
+    clock.strain_rate = stretch.rate;
+    clock.rate_step = stretch.begin;
+    clock.strain_before = rates.strain_before(stretch);
+    return clock;
+  }
+
+  void move_to(std::int64_t step) {
+    static_cast<Clock&>(*this) = at(step);
+    rate_end = rates.at(step).end;
+  }
+
+  /// Goes on to the next rate at rate_end; the factor by which velocities and spins grow there, P2
+  /// Eqs. (40)-(41).
+  double change_rate() {
+    double const before = strain_rate;
+    move_to(rate_end);
+    return strain_rate / before;
+  }
+};
+
+}  // namespace bagnold

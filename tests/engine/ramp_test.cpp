@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Strain rates that change between steps, in every engine.
+#include "src/config/ramp.hpp"
+
+#include "kernels/physics/type_list.hpp"
+#include "tests/reference/two_stage.hpp"
+#include "tests/support/simulations.hpp"
+
+namespace bagnold::test {
+
+class Ramps : public EverySimulation {
+ public:
+  /// A decade up and down, the rate changed by 6% every `piece` steps.
+  Scene ramp_scene(double packing_fraction, std::string_view scheme, std::int64_t count = 64,
+                   std::int64_t piece = 5) const {
+    Scene scene = small_scene(packing_fraction, count);
+    scene.start.kind = "state";  // no way by 1e-3
+    scene.integration.scheme = scheme;
+    scene.integration.skin = 0.35;
+    auto& shear = scene.shear;
+    shear.protocol = "ramp";
+    shear.strain_rate = 2e-3;
+    shear.strain_rate_high = 2e-2;
+    shear.ramp_every = 0.05 * static_cast<double>(piece);
+    shear.ramp_window = 50 * 0.05;
+    shear.ramp_rate = 0.025 / shear.ramp_every * static_cast<double>(piece) / 5;
+    shear.strain = 0.005;
+    return scene;
+  }
+
+  /// As shaken_start(), slower.
+  static State slow_start(Scene const& scene, double share = 0.2) {
+    State state = shaken_start(scene);
+    for (std::size_t i = 0; i < state.count(); ++i) {
+      auto& v = state.velocity[i];
+      double const flow = scene.shear.strain_rate * state.position[i][1];
+      v = {flow + share * (v[0] - flow), share * v[1]};
+    }
+    return state;
+  }
+
+  static WindowSums advance_evaluating(Simulation& simulation, Ramp const& ramp,
+                                       std::int64_t every) {
+    Sampling sampling;
+    sampling.every = every;
+    sampling.last_step = ramp.steps();
+    OpenWindows windows;
+    while (simulation.step() < ramp.steps())
+      simulation.advance(ramp.steps() - simulation.step(), sampling, windows);
+    return windows.take_first();
+  }
+
+  template <class Test>
+  static void for_schemes(Test const& test) {
+    for (auto const scheme : names_of<Schemes>()) {
+      SCOPED_TRACE(scheme);
+      test(scheme);
+    }
+  }
+
+  static void expect_equal(Snapshot const& a, Snapshot const& b) {
+    EXPECT_EQ(a.state.position, b.state.position);
+    EXPECT_EQ(a.state.velocity, b.state.velocity);
+    EXPECT_EQ(a.state.spin, b.state.spin);
+    EXPECT_EQ(a.state.offset, b.state.offset);
+    EXPECT_EQ(a.state.time, b.state.time);
+    EXPECT_EQ(a.state.strain_rate, b.state.strain_rate);
+  }
+};
+
+/// All pairs, all images, with P2 Eqs. (40)-(41) where the rate changes.
+class RampedReference {
+ public:
+  RampedReference(Scene const& scene, State const& start)
+      : ramp_(make_ramp(scene)),
+        two_stage_(scene.integration.scheme != papers_scheme),
+        system_(reference_parameters(scene), start) {}
+
+  void step() {
+    double dissipative[2][2];
+    if (two_stage_)
+      reference::two_stage_step(system_, dissipative);
+    else
+      reference::step(system_);
+    auto const step = system_.step;
+    if (step == ramp_.steps() || ramp_.piece(step).begin != step) return;
+    auto& p = system_.p;
+    double const rate = ramp_.piece(step).rate, factor = rate / p.strain_rate;
+    system_.initial_strain += (p.strain_rate - rate) * p.time_step * static_cast<double>(step);
+    p.strain_rate = rate;
+    for (auto& v : system_.s.velocity) v = {factor * v[0], factor * v[1]};
+    for (auto& spin : system_.s.spin) spin *= factor;
+  }
+
+  reference::System const& system() const { return system_; }
+
+ private:
+  Ramp ramp_;
+  bool two_stage_;
+  reference::System system_;
+};
+
+TEST_P(Ramps, AreThoseOfTheAllPairsReference) {
+  for_schemes([&](std::string_view scheme) {
+    for (double const packing_fraction : {0.60, 0.84})
+      for (double const aspect : {1.0, 4.0}) {
+        if (aspect != 1 && packing_fraction < 0.8) continue;
+        Scene scene = ramp_scene(packing_fraction, scheme, aspect == 1 ? 64 : 160);
+        scene.disks.box_aspect = aspect;
+        State const state = slow_start(scene);
+        Ramp const ramp = make_ramp(scene);
+        auto const simulation = simulate(scene, state, backend());
+        RampedReference oracle(scene, state);
+        for (std::int64_t const stop :
+             {ramp.first_leg() + 3, ramp.first_leg() + ramp.leg_steps(), ramp.steps()}) {
+          while (oracle.system().step < stop) oracle.step();
+          advance(*simulation, stop - simulation->step());
+          double const rate = oracle.system().p.strain_rate;
+          EXPECT_EQ(simulation->state().strain_rate, rate);
+          EXPECT_LT(largest_difference(simulation->state(), oracle.system().s, rate), 1e-11)
+              << "phi " << packing_fraction << " aspect " << aspect << " step " << stop;
+        }
+        EXPECT_GE(simulation->snapshot().list_builds, 2);
+        EXPECT_GE(reference::contacts(oracle.system()).size(), packing_fraction > 0.8 ? 50u : 1u);
+      }
+  });
+}
+
+/// Each piece of the ramp a simulation of its own at one rate.
+TEST_P(Ramps, AreThoseOfPiecesAtOneRate) {
+  for_schemes([&](std::string_view scheme) {
+    Scene scene = ramp_scene(0.80, scheme, 100);
+    Ramp const ramp = make_ramp(scene);
+    auto const whole = simulate(scene, slow_start(scene), backend());
+    Snapshot from = first_snapshot(slow_start(scene));
+    auto const sums = advance_evaluating(*whole, ramp, 1);
+    WindowSums expected{std::vector<double>(sums.sums.size()), 0};
+    scene.shear.protocol = "steady";
+    for (std::int64_t step = 0; step < ramp.steps();) {
+      auto const piece = ramp.piece(step);
+      double const factor = step == 0 ? 1 : piece.rate / scene.shear.strain_rate;
+      for (auto& v : from.state.velocity) v = {factor * v[0], factor * v[1]};
+      for (auto& spin : from.state.spin) spin *= factor;
+      scene.shear.strain_rate = piece.rate;
+      auto const one = simulate(scene, from.state, backend());
+      auto const of_piece = advance(*one, piece.end - piece.begin, 1);
+      for (std::size_t c = 0; c < expected.sums.size(); ++c) expected.sums[c] += of_piece.sums[c];
+      expected.weight += of_piece.weight;
+      from.state = one->state();
+      step = piece.end;
+    }
+    EXPECT_LT(largest_difference(whole->state(), from.state, scene.shear.strain_rate), 1e-10);
+    EXPECT_NEAR(whole->state().time, from.state.time, 1e-10);
+    EXPECT_EQ(sums.weight, expected.weight);
+    for (std::size_t c = 0; c < expected.sums.size(); ++c)
+      EXPECT_NEAR(sums.sums[c], expected.sums[c], 1e-9 * (1 + std::abs(expected.sums[c]))) << c;
+  });
+}
+
+/// A dilute gas that is evaluated at every step, against the reference engine: flights and
+/// collisions go on through changes of the rate, in windows too.
+TEST_P(Ramps, OfADiluteGas) {
+  if (engine() == "reference") GTEST_SKIP() << "is the oracle";
+  for_schemes([&](std::string_view scheme) {
+    Scene scene = ramp_scene(0.6, scheme, 1200);
+    scene.disks.elasticity = 10;
+    scene.shear.strain_rate /= 20;
+    scene.shear.strain_rate_high /= 20;
+    scene.shear.strain = scene.shear.strain / 20;
+    State state = slow_start(scene, 1);
+    for (auto& v : state.velocity) v[1] -= 0.1;  // no common drift
+    for (std::size_t i = 0; i < state.count(); ++i) {
+      double const flow = scene.shear.strain_rate * state.position[i][1];
+      state.velocity[i] = {flow + 0.3 * (state.velocity[i][0] - flow), 0.3 * state.velocity[i][1]};
+    }
+    Ramp const ramp = make_ramp(scene);
+    auto const simulation = simulate(scene, state, backend());
+    scene.integration.engine = "reference";
+    auto const oracle = simulate(scene, state, backend_names().front());
+    auto const sums = advance_evaluating(*simulation, ramp, 1);
+    auto const expected = advance_evaluating(*oracle, ramp, 1);
+    EXPECT_LT(largest_difference(simulation->state(), oracle->state(),
+                                 oracle->state().strain_rate.value()),
+              1e-10);
+    using C = SumColumns;
+    ASSERT_EQ(sums.weight, expected.weight);
+    EXPECT_EQ(sums.weight, ramp.steps());
+    EXPECT_GE(expected.sums[C::contacts], 2000.0);
+    EXPECT_EQ(sums.sums[C::contacts], expected.sums[C::contacts]);
+    double const kinetic = expected.sums[C::kinetic_xx] + expected.sums[C::kinetic_yy];
+    double const elastic = expected.sums[C::elastic_xx] + expected.sums[C::elastic_yy];
+    for (int c = 0; c < simulation->columns(); ++c) {
+      double const scale = c < C::kinetic_xx ? elastic : kinetic;
+      EXPECT_NEAR(sums.sums[c], expected.sums[c], 1e-9 * (std::abs(expected.sums[c]) + scale)) << c;
+    }
+    if (engine() != "lookahead") return;
+    auto const counters = simulation->snapshot().counters;
+    EXPECT_GE(counters.at("steps_in_windows"), ramp.steps() / 2);
+    EXPECT_GT(counters.at("steps_in_windows") / counters.at("windows"), 2 * 5) << "beyond a piece";
+    EXPECT_GT(counters.at("binary_islands"), 0);
+    EXPECT_GT(counters.at("disks_in_larger_islands"), 0);
+  });
+}
+
+/// Interrupted and taken up again, where the rate changes and in between.
+TEST_P(Ramps, GoOnFromASnapshot) {
+  for_schemes([&](std::string_view scheme) {
+    for (double const packing_fraction : {0.82, 0.55}) {
+      Scene const scene = ramp_scene(packing_fraction, scheme, 300);
+      Ramp const ramp = make_ramp(scene);
+      State const state = slow_start(scene);
+      Sampling const sampling{ramp.window_steps, 7, ramp.steps()};
+      auto const straight = simulate(scene, state, backend());
+      auto chained = simulate(scene, state, backend());
+      OpenWindows a, b;
+      straight->advance(ramp.steps(), sampling, a);
+      for (int k = 0; chained->step() < ramp.steps(); ++k) {
+        chained->advance(k % 3 == 0 ? 5 : 33, sampling, b);
+        if (k % 2 == 0) chained->give_back_scratch();
+        chained = make_simulation(scene, chained->snapshot(), backend());
+      }
+      expect_equal(straight->snapshot(), chained->snapshot());
+      EXPECT_EQ(straight->snapshot().list_position, chained->snapshot().list_position);
+      EXPECT_EQ(straight->snapshot().list_builds, chained->snapshot().list_builds);
+      EXPECT_EQ(straight->snapshot().memory, chained->snapshot().memory);
+      EXPECT_EQ(straight->snapshot().counters, chained->snapshot().counters);
+      ASSERT_EQ(a.sums.size(), b.sums.size());
+      for (std::size_t w = 0; w < a.sums.size(); ++w) EXPECT_EQ(a.sums[w].sums, b.sums[w].sums);
+    }
+  });
+}
+
+TEST_P(Ramps, DoNotDependOnTheBackend) {
+  for (double const packing_fraction : {0.82, 0.6}) {
+    Scene const scene = ramp_scene(packing_fraction, DefaultScheme::name, 2500);
+    State const state = slow_start(scene);
+    auto const one = simulate(scene, state, backend());
+    auto const first = simulate(scene, state, backend_names().front());
+    auto const a = advance(*one, 120, 7), b = advance(*first, 120, 7);
+    expect_equal(one->snapshot(), first->snapshot());
+    EXPECT_EQ(a.sums, b.sums);
+  }
+}
+
+/// Lists live as long as they would at one rate: where it changes at every step, about as many are
+/// built as where it changes in each fifty.
+TEST_P(Ramps, KeepTheirLists) {
+  auto const counts = [&](std::int64_t piece) {
+    Scene const scene = ramp_scene(0.80, DefaultScheme::name, 300, piece);
+    Ramp const ramp = make_ramp(scene);
+    auto const simulation = simulate(scene, slow_start(scene), backend());
+    advance(*simulation, ramp.steps());
+    auto const snapshot = simulation->snapshot();
+    auto const found = snapshot.counters.find("prunings");
+    return std::pair{static_cast<double>(snapshot.list_builds),
+                     found == snapshot.counters.end() ? 0 : found->second};
+  };
+  auto const [builds, prunings] = counts(1);
+  auto const [builds_of_fifty, prunings_of_fifty] = counts(50);
+  EXPECT_LE(builds, 1.25 * builds_of_fifty + 1);
+  EXPECT_LE(prunings, 1.25 * prunings_of_fifty + 1);
+  EXPECT_LT(builds, 40) << "of 400 pieces";
+}
+
+BAGNOLD_FOR_EVERY_SIMULATION(Ramps);
+
+}  // namespace bagnold::test
