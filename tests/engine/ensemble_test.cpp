@@ -38,8 +38,8 @@ class EnsembleOf : public testing::Test {
   static Simulations together(Scene const& scene, std::vector<Snapshot> const& from,
                               int threads = 0) {
     return members_of(std::make_shared<Together<Repulsion>>(
-        make_law<Law>(scene.disks), make_species_table(scene.mass_by_area()),
-        scene.shear.strain_rate, time_step(scene), scene.integration.skin, from, threads));
+        make_law<Law>(scene.disks), make_species_table(scene.mass_by_area()), strain_rates(scene),
+        time_step(scene), scene.integration.skin, from, threads));
   }
 
   /// On the program's reference engine.
@@ -125,6 +125,25 @@ TYPED_TEST(EnsembleOf, HasThemUnderHertz) {
   scene.disks.force_exponent = 2.5;
   scene.disks.mass = "equal";
   TestFixture::template expect_same<HertzianRepulsion>(scene, 2, {200, 7, 300}, 300);
+}
+
+/// Where the strain rate changes every five steps, in one advance and in pieces.
+TYPED_TEST(EnsembleOf, HasThemOnRamps) {
+  for (double const packing_fraction : {0.84, 0.55}) {
+    Scene scene = TestFixture::scene(packing_fraction);
+    scene.integration.skin = 0.3;
+    auto& shear = scene.shear;
+    shear.protocol = "ramp";
+    shear.ramp_every = 5 * scene.integration.time_step.number.value();
+    shear.ramp_window = 10 * shear.ramp_every;
+    shear.ramp_rate = 0.01 / shear.ramp_every;
+    shear.strain = 50 * 5e-3 * shear.ramp_every / 5;
+    shear.strain_rate = 5e-3;
+    shear.strain_rate_high = 1e-2;
+    Ramp const ramp = make_ramp(scene);
+    auto const steps = packing_fraction > 0.8 ? ramp.steps() : 33;
+    TestFixture::expect_same(scene, 3, {ramp.window_steps, 7, ramp.steps()}, steps);
+  }
 }
 
 /// More disks than fit into the scratch of a host's team, and several of MeasureBlock's blocks.

@@ -31,7 +31,7 @@ struct BinaryCollisions {
   Repulsion repulsion;
   SpeciesTable table;
   Real time_step;
-  Real strain_rate;                           ///< where the window begins
+  Real strain_rate;                           ///< where the lookahead begins
   SecondStage const* second_stage = nullptr;  ///< of a scheme that has one
 
   /// Brings pairs (a[k], b[k]), k < count <= width, through `steps` steps. What they add to the

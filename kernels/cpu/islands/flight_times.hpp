@@ -10,7 +10,7 @@
 
 namespace bagnold {
 
-/// How far disks fly within a window of steps whose strain rate may change between steps.
+/// How far disks fly within a lookahead whose strain rate may change between steps.
 ///
 /// Velocities and spins scale with the rate (P2 Eqs. 40-41), and so does the flow: a disk that
 /// touches nothing stays on a straight line,
@@ -18,7 +18,7 @@ namespace bagnold {
 ///     r(s) = r(0) + v(0) t(s),   v(s) = q(s) v(0),
 ///     t(s) = dt sum_(s' < s) q(s'),   q(s) = gammadot(s)/gammadot(0),
 ///
-/// s: steps from the start of the window. At one rate q = 1 and t = s dt.
+/// s: steps from the start of the lookahead. At one rate q = 1 and t = s dt.
 class FlightTimes {
  public:
   void clear(Real time_step) {
@@ -27,7 +27,7 @@ class FlightTimes {
     time_.assign(1, 0);
   }
 
-  /// The rates of windows that are not at one: of step 0, 1, .. and of that after the last one.
+  /// The rates of lookaheads that are not at one: of step 0, 1, .. and of that after the last one.
   void add(Real scale) {
     if (!scale_.empty()) time_.push_back(time_.back() + scale_.back() * time_step_);
     scale_.push_back(scale);
@@ -58,7 +58,7 @@ class FlightTimes {
                          : time(from, from + steps) + time_step_;
   }
 
-  /// Steps that begin up to `time` after `from`, at its rate, not counting it; beyond the window
+  /// Steps that begin up to `time` after `from`, at its rate, not counting it; beyond the lookahead
   /// one more than it has.
   Real steps_until(std::int64_t from, Real time) const {
     if (at_one_rate()) return std::floor(time / time_step_);
