@@ -39,7 +39,9 @@ TEST(FlightTimes, AreThoseOfStepsWhereTheRateChanges) {
       EXPECT_NEAR(speed_there * flights.scale(from, to), speed * scale(to), 1e-13);
       auto const time = flights.time(from, to);
       EXPECT_EQ(flights.steps_until(from, time + 1e-9), to - from + (to == steps)) << from;
-      if (to > from) EXPECT_EQ(flights.steps_until(from, time - 1e-9), to - from - 1) << from;
+      if (to > from) {
+        EXPECT_EQ(flights.steps_until(from, time - 1e-9), to - from - 1) << from;
+      }
     }
     EXPECT_GT(flights.steps_until(from, flights.longer_than(from, steps - from)), steps - from);
   }
