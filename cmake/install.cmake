@@ -2,10 +2,12 @@
 #
 # `cmake --install`: the kernel headers, and what find_package(Bagnold) needs to offer the target
 # Bagnold::kernels; if the program was built it too, and with COMPONENTS run the libraries behind `bagnold run`,
-# `sweep` and `analyse`, Bagnold::run, Bagnold::sweep and Bagnold::analysis, with their headers. Headers keep their path from the root of the repository: with
-# Bagnold::kernels linked, #include "kernels/physics/laws/cd_n.hpp" works as it does here.
+# `sweep` and `analyse`, Bagnold::run, Bagnold::sweep and Bagnold::analysis, with their headers. Headers keep their
+# path from the root of the repository: with Bagnold::kernels linked, #include "kernels/physics/laws/cd_n.hpp" works
+# as it does here. `cmake --install BUILD --component program` leaves headers and libraries out.
 
 include(GNUInstallDirs)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
 include(CMakePackageConfigHelpers)
 
 set(bagnold_headers "${CMAKE_INSTALL_INCLUDEDIR}/bagnold")
@@ -17,9 +19,12 @@ set_target_properties(bagnold_kernels PROPERTIES EXPORT_NAME kernels)
 add_library(Bagnold::kernels ALIAS bagnold_kernels)
 
 if(BAGNOLD_PROGRAM)
-  install(TARGETS bagnold RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
-  install(DIRECTORY "${PROJECT_SOURCE_DIR}/inputs/figures"
-    DESTINATION "${CMAKE_INSTALL_DATADIR}/bagnold")
+  install(TARGETS bagnold RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT program)
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/inputs/" COMPONENT program
+    DESTINATION "${CMAKE_INSTALL_DATADIR}/bagnold" PATTERN "checks" EXCLUDE)
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/python/bagnold" COMPONENT program
+    DESTINATION "${CMAKE_INSTALL_DATADIR}/bagnold/python" PATTERN "__pycache__" EXCLUDE)
+  include("${CMAKE_CURRENT_LIST_DIR}/shell.cmake")
   set(bagnold_libraries config statistics io engine start measure run sweep analysis)
   foreach(name IN LISTS bagnold_libraries)
     set_target_properties(bagnold_${name} PROPERTIES EXPORT_NAME ${name})
@@ -37,7 +42,11 @@ if(BAGNOLD_PROGRAM)
 endif()
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/kernels" DESTINATION "${bagnold_headers}"
   FILES_MATCHING PATTERN "*.hpp")
-install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+# Named and placed as packages of Debian have them.
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" RENAME copyright COMPONENT program
+  DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/bagnold")
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" RENAME copyright
+  DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/bagnold-dev")
 
 install(TARGETS bagnold_kernels EXPORT BagnoldTargets)
 install(EXPORT BagnoldTargets NAMESPACE Bagnold:: DESTINATION "${bagnold_package}")

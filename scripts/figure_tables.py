@@ -8,7 +8,8 @@ For each data set NAME of the first folder (a sweep, done or not; by default all
 it writes NAME.csv into the second: a row for each finished point, its KEYS, then mean and standard
 error of every observable that a figure names; and, where a panel shows more than averages, NAME.json:
 {"points": [{"scene": {KEY: value}, PATH of result.h5: its content}]}. `bagnold figure NAME --data
-docs/data/figures` draws from them alone. Means have six digits, errors three, all else four.
+docs/data/figures` draws from them alone. Means have six digits, errors three, all else four. What a
+table has beside these points, from a sweep that is gone, it keeps.
 """
 
 import argparse
@@ -20,8 +21,11 @@ import re
 import sys
 import tomllib
 
-from figure_data import Point, flat, same
-from plotting import np
+import numpy as np
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "python"))
+from bagnold.plots.figure_data import Point, same  # noqa: E402
+from bagnold.scene import Scene  # noqa: E402
 
 FIGURES = pathlib.Path(__file__).resolve().parents[1] / "inputs/figures/figures.toml"
 KEYS = ("disks.packing_fraction", "disks.elasticity", "disks.count", "disks.box_aspect", "disks.seed",
@@ -83,7 +87,9 @@ def paths_of(panel):
         return [panel["samples"]]
     if "series" in panel:
         return ["series/" + name for name in (panel["series"], "strain_rate", "direction")]
-    return []  # averages, or a field: 8192 disks are no small table
+    if "field" in panel:
+        return ["samples/fields", "samples/fields_frame"]
+    return []  # averages
 
 
 def rounded(value, digits=4):
@@ -113,7 +119,7 @@ def points_of(folder):
     for one in listed:
         place = folder / "points" / one["folder"]
         if (place / "summary.json").exists():
-            yield flat(tomllib.loads(one["scene"])), place
+            yield Scene(tomllib.loads(one["scene"])).flat(), place
 
 
 def write_whole(path, text):
@@ -130,9 +136,28 @@ def keys_of(points):
     return keys
 
 
+def identity(row, keys):
+    """What tells a point of a table from others, however its numbers are written."""
+    return tuple(float(row[key]) for key in keys)
+
+
+def rows_kept(path, head, keys, new):
+    """Lines of the table at `path` whose points are not among `new` lines."""
+    if not path.exists():
+        return []
+    with open(path, newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    if rows and not set(keys) <= set(rows[0]):
+        sys.exit(f"figure_tables.py: {path} lacks {sorted(set(keys) - set(rows[0]))}; its points cannot "
+                 "be told from new ones. Move it away")
+    found = {identity(dict(zip(head, line)), keys) for line in new}
+    return [[row.get(name, "") for name in head] for row in rows if identity(row, keys) not in found]
+
+
 def write_means(path, points, names):
     keys = keys_of(points)
-    lines = [keys + [name + ending for name in names for ending in ("", "_error")]]
+    head = keys + [name + ending for name in names for ending in ("", "_error")]
+    lines = []
     for scene, place in points:
         with open(place / "summary.json", encoding="utf-8") as file:
             found = json.load(file)["observables"]
@@ -143,6 +168,7 @@ def write_means(path, points, names):
                 value = one.get(what)
                 line.append("" if value is None else f"{value:.{digits}g}")
         lines.append(line)
+    lines = [head] + rows_kept(path, head, keys, lines) + lines
     part = path.with_name(path.name + ".part")
     with open(part, "w", newline="", encoding="utf-8") as file:
         csv.writer(file, lineterminator="\n").writerows(lines)
@@ -160,6 +186,11 @@ def write_rest(path, points, panels):
         if wanted:
             stored.append({"scene": {key: scene[key] for key in keys}}
                           | {name: content(point, name) for name in sorted(wanted)})
+    if path.exists():
+        with open(path, encoding="utf-8") as file:
+            before = json.load(file)["points"]
+        found = [entry["scene"] for entry in stored]
+        stored = [entry for entry in before if entry["scene"] not in found] + stored
     if stored:
         lines = ",\n".join(json.dumps(one, separators=(",", ":")) for one in stored)
         write_whole(path, f'{{"points": [\n{lines}\n]}}\n')

@@ -7,7 +7,7 @@ build_packages=(
   librandom123-dev libxxhash-dev
 )
 picture_packages=(python3 python3-h5py python3-matplotlib)
-test_packages=(libgtest-dev libbenchmark-dev python3-numpy)
+test_packages=(libgtest-dev libbenchmark-dev python3-numpy python3-yaml help2man zsh)
 
 print_requirements() {
   cat >&2 <<'END'
@@ -19,7 +19,7 @@ This is not Debian 12, so nothing was installed. Bagnold needs, from your system
   Eigen 3.4, HDF5 1.10 (the C library), toml++ 3.3, CLI11 2.1, fmt 9, nlohmann-json 3.11,
   Random123 1.14, xxHash 0.8
   for the pictures, which are optional: Python 3 with h5py and matplotlib
-  for the tests: GoogleTest 1.12, Google Benchmark 1.7, Python 3 with h5py and numpy
+  for the tests: GoogleTest 1.12, Google Benchmark 1.7, Python 3 with h5py, numpy and PyYAML
 
 Point CMake at an installed Kokkos, then build:
 

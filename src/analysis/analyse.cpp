@@ -13,10 +13,13 @@ std::filesystem::path with_ending(std::filesystem::path path, char const* ending
 
 }  // namespace
 
-Analysis analyse(std::filesystem::path const& sweep, KindRequest const& asked,
+Analysis analyse(std::vector<std::filesystem::path> const& sweeps, KindRequest const& asked,
                  std::filesystem::path prefix) {
   auto const& kind = kind_of(asked.kind);
-  auto report = kind.run(read_sweep_table(sweep), asked.request);
+  std::vector<SweepTable> tables;
+  for (auto const& sweep : sweeps) tables.push_back(read_sweep_table(sweep));
+  auto report = kind.run(merge_tables(std::move(tables)), asked.request);
+  auto const& sweep = sweeps.front();
   if (prefix.empty())
     prefix = (std::filesystem::is_directory(sweep) ? sweep : sweep.parent_path()) / asked.kind;
   if (!prefix.parent_path().empty()) std::filesystem::create_directories(prefix.parent_path());

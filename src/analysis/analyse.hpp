@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "src/analysis/kinds/kinds.hpp"
 
@@ -23,11 +25,15 @@ struct Analysis {
   std::filesystem::path picture;  ///< PREFIX.png, for draw_analysis() (src/run/plot.hpp)
 };
 
-/// Analyses the table of a sweep (a folder, or a file as of read_sweep_table) and writes its two
-/// tables, as `bagnold analyse` does. An empty `prefix` is the kind's name in the folder of the
-/// sweep. Throws InputError where the kind or the table is not there, or nothing is found;
+/// Analyses the tables of sweeps (folders, or files as of read_sweep_table), joined, and writes its
+/// two tables, as `bagnold analyse` does. An empty `prefix` is the kind's name in the folder of the
+/// first sweep. Throws InputError where the kind or the table is not there, or nothing is found;
 /// FileError.
-Analysis analyse(std::filesystem::path const& sweep, KindRequest const& asked,
+Analysis analyse(std::vector<std::filesystem::path> const& sweeps, KindRequest const& asked,
                  std::filesystem::path prefix = {});
+inline Analysis analyse(std::filesystem::path const& sweep, KindRequest const& asked,
+                        std::filesystem::path prefix = {}) {
+  return analyse(std::vector{sweep}, asked, std::move(prefix));
+}
 
 }  // namespace bagnold::analysis

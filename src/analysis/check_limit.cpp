@@ -10,6 +10,7 @@
 #include "src/config/scene_file.hpp"
 #include "src/io/atomic_file.hpp"
 #include "src/sweep/checked_sweep.hpp"
+#include "src/sweep/placed_points.hpp"
 
 namespace bagnold::analysis {
 
@@ -76,9 +77,10 @@ Json json_of(RateLimit const& found, double rate, double tolerance) {
 
 LimitCheck check_limit(Scene const& scene, std::filesystem::path const& folder,
                        LimitRequest const& request) {
-  auto const sweep = both_rates(scene, request);
-  LimitCheck check{sweep::run(sweep, folder, request.runs), scene.shear.strain_rate, {}, {}};
+  auto const asked = both_rates(scene, request);
+  LimitCheck check{sweep::run(asked, folder, request.runs), scene.shear.strain_rate, {}, {}};
   if (check.runs != sweep::SweepEnd::done) return check;
+  auto const sweep = sweep::place_points(asked, folder).sweep;
   auto const whole = summary_of(folder / "points" / sweep.points.at(0).folder);
   auto const half = summary_of(folder / "points" / sweep.points.at(1).folder);
   for (auto const* name : compared_names) check.measured[name] = {whole.at(name), half.at(name)};

@@ -21,6 +21,7 @@ namespace {
 
 constexpr std::string_view error_ending = "_error";
 constexpr std::string_view scene_name = "scene";
+constexpr std::string_view texts[] = {"rough_errors", "warnings", "notes", "folder"};
 
 std::size_t count_points(io::Hdf5Reader const& file, std::string const& first) {
   auto const shape = file.shape(first);
@@ -103,7 +104,7 @@ SweepTable read_csv_table(std::filesystem::path const& path) {
     auto const& name = rows.columns[column];
     if (name.find('.') != std::string::npos)
       table.keys[name] = key_column(rows, column);
-    else if (!name.ends_with(error_ending) && name != "rough_errors")  // names, no numbers
+    else if (!name.ends_with(error_ending) && std::ranges::count(texts, name) == 0)
       table.observables[name] = {cells(table, rows, name),
                                  cells(table, rows, name + std::string(error_ending))};
   }
@@ -120,6 +121,48 @@ std::optional<double> number_of(Scene const& scene, std::string const& wanted) {
     if constexpr (std::is_same_v<Member, NumberOrWord>) found = member.number;
   });
   return found;
+}
+
+/// Scene keys that a table can tell runs apart by: what flows, and how fast.
+bool is_physics(std::string_view key) {
+  return key.starts_with("disks.") || key.starts_with("drive.") || key == "shear.strain_rate" ||
+         key == "shear.ramp_rate";
+}
+
+/// Values of a scene's keys of physics, as numbers or texts.
+std::map<std::string, KeyColumn> physics_of(SweepTable const& table) {
+  std::map<std::string, KeyColumn> found;
+  auto const scene = parse_scene(table.scenes.front(), table.origin,
+                                 std::filesystem::path(table.origin).parent_path());
+  for_each_key(scene, [&](Key const& key, auto const& member) {
+    using Member = std::decay_t<decltype(member)>;
+    if (!is_physics(key.name)) return;
+    auto& column = found[std::string(key.name)];
+    if constexpr (std::is_same_v<Member, std::string>) column.texts = {member};
+    if constexpr (std::is_arithmetic_v<Member>) column.numbers = {static_cast<double>(member)};
+  });
+  return found;
+}
+
+/// Keys in which sweeps differ that vary none of them: each becomes a varied one.
+void tell_apart(std::vector<SweepTable>& tables) {
+  if (std::ranges::any_of(tables, [](auto const& one) { return one.scenes.empty(); })) return;
+  std::vector<std::map<std::string, KeyColumn>> all;
+  for (auto const& table : tables) all.push_back(physics_of(table));
+  for (auto const& [key, first] : all.front()) {
+    auto const differs = [&](auto const& other) {
+      auto const& value = other.at(key);
+      return value.numbers != first.numbers || value.texts != first.texts;
+    };
+    if (std::ranges::none_of(all, differs)) continue;
+    for (std::size_t k = 0; k < tables.size(); ++k) {
+      if (tables[k].keys.contains(key)) continue;
+      auto const& value = all[k].at(key);
+      auto& column = tables[k].keys[key];
+      if (!value.numbers.empty()) column.numbers.assign(tables[k].points, value.numbers.front());
+      if (!value.texts.empty()) column.texts.assign(tables[k].points, value.texts.front());
+    }
+  }
 }
 
 /// The same state and seed twice is the same run, not two.
@@ -184,8 +227,9 @@ SweepTable read_sweep_table(std::filesystem::path const& path) {
   return table;
 }
 
-SweepTable merge_tables(std::vector<SweepTable> const& tables) {
-  if (tables.size() == 1) return tables.front();
+SweepTable merge_tables(std::vector<SweepTable> tables) {
+  if (tables.size() == 1) return std::move(tables.front());
+  tell_apart(tables);
   SweepTable out;
   for (auto const& table : tables) {
     out.origin += (out.origin.empty() ? "" : " and ") + table.origin;

@@ -46,8 +46,9 @@ struct SweepTable {
 SweepTable read_sweep_table(std::filesystem::path const& path);
 
 /// Several sweeps as one, their points one after another. Keys are those that any of them varies,
-/// looked up in the scenes of the others; observables those of any, NaN where one has none. Throws
+/// looked up in the scenes of the others, and those of the disks, the rate and the drive in which
+/// one sweep differs from another; observables those of any, NaN where one has none. Throws
 /// InputError: a key that a sweep does not tell, or the same state and seed in two of them.
-SweepTable merge_tables(std::vector<SweepTable> const& tables);
+SweepTable merge_tables(std::vector<SweepTable> tables);
 
 }  // namespace bagnold::analysis

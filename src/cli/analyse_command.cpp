@@ -47,10 +47,35 @@ void print(analysis::Analysis const& made) {
   fmt::print("{} rows in {}\n", rows.rows.size(), made.results.string());
 }
 
+/// How to do what the results, or remarks on them, advise.
+void say_commands(analysis::Analysis const& made, AnalyseOptions const& options) {
+  auto const has = [](std::string const& text, char const* words) {
+    return text.find(words) != std::string::npos;
+  };
+  bool points = false, strain = false;
+  for (auto const& row : made.report.results.rows)
+    for (auto const& text : row) points = points || has(text, "add points");
+  for (auto const& note : made.report.notes) strain = strain || has(note, "longer runs");
+  auto folder = std::filesystem::path(options.sweeps.front());
+  if (!std::filesystem::is_directory(folder)) folder = folder.parent_path();
+  auto const again = fmt::format("`bagnold sweep FILE --out {}`", folder.string());
+  if (points)
+    say(fmt::format(
+        "to add points, add values to the sweep's file (a copy: {}/sweep.toml): {} runs "
+        "these alone; or make another sweep and name both, `bagnold analyse {} {} SWEEP2`",
+        folder.string(), again, options.asked.kind, folder.string()));
+  if (strain)
+    say(fmt::format("for longer runs raise shear.strain in the sweep's file: {} goes on with them",
+                    again));
+}
+
 int analyse_command(AnalyseOptions const& options) {
-  auto const made = analysis::analyse(options.sweep, options.asked, options.prefix);
+  auto const made = analysis::analyse(
+      std::vector<std::filesystem::path>(options.sweeps.begin(), options.sweeps.end()),
+      options.asked, options.prefix);
   if (!options.quiet) print(made);
   for (auto const& note : made.report.notes) warn(note);
+  say_commands(made, options);
   warn(draw_analysis(made.drawn, made.picture));
   return 0;
 }

@@ -66,8 +66,9 @@ std::string analyse_kinds() {
 void add_analyse_options(Words command, AnalyseOptions& options) {
   command.footer(analyse_kinds());
   command.option("KIND", options.asked.kind, "what to find, see below").required();
-  command.option("SWEEP", options.sweep, "folder of a sweep, or sweep.h5").required();
-  command.option("--out", options.prefix, "prefix of the files written [SWEEP/KIND]");
+  command.option("SWEEP", options.sweeps, "folder of a sweep, or sweep.h5; several are joined")
+      .required();
+  command.option("--out", options.prefix, "prefix of the files written [first SWEEP/KIND]");
   add_axes(command, options.asked.request);
   add_fit(command, options.asked.request);
   command.flag("--quiet", options.quiet, "no table; errors and remarks are still shown");

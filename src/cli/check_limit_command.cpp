@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -9,6 +10,7 @@
 #include "src/cli/options.hpp"
 #include "src/cli/signals.hpp"
 #include "src/cli/sweep_terminal.hpp"
+#include "src/run/rounded.hpp"
 
 namespace bagnold {
 
@@ -17,10 +19,34 @@ namespace {
 std::string text_of(analysis::WithError const& one) {
   if (!std::isfinite(one.value)) return "undefined";
   if (!std::isfinite(one.error)) return fmt::format("{:.4g} (no error)", one.value);
-  return fmt::format("{:.4g} +- {:.1g}", one.value, one.error);
+  return rounded(one.value, one.error);
 }
 
-void print(analysis::LimitCheck const& check, double tolerance) {
+/// What would tell, and how to go on to it.
+std::string advice(analysis::Limit const& limit, CheckLimitOptions const& options, double strain,
+                   std::filesystem::path const& folder) {
+  if (limit.verdict != analysis::Verdict::undecided) return {};
+  constexpr double most_worth_running = 100, unknown = 1e300;
+  bool const known = limit.longer < most_worth_running;
+  std::string text;
+  if (known)
+    text = fmt::format("; about {:.2g} times the strain would tell", limit.longer);
+  else if (limit.longer < unknown)
+    text =
+        "; the change lies so near the tolerance that longer runs alone would hardly tell: take "
+        "another --tolerance, or a smaller rate";
+  std::string set;
+  for (auto const& put : options.run.overrides)
+    if (!put.starts_with("shear.strain=")) set += fmt::format(" --set '{}'", put);
+  return text +
+         fmt::format("; `bagnold check-limit {}{} --set shear.strain={:.3g} --out {}` goes on",
+                     options.run.scene_file.string(), set,
+                     strain * std::max(1.5, known ? limit.longer : 4.0), folder.string());
+}
+
+void print(analysis::LimitCheck const& check, CheckLimitOptions const& options, double strain,
+           std::filesystem::path const& folder) {
+  double const tolerance = options.tolerance;
   auto const& [runs, rate, measured, found] = check;
   fmt::print("\n{:<10} {:<22} {:<22} {}\n", "quantity", fmt::format("at {:g}", rate),
              fmt::format("at {:g}", rate / 2), "ratio");
@@ -31,12 +57,8 @@ void print(analysis::LimitCheck const& check, double tolerance) {
   for (auto const& [name, exponent] : found.exponents)
     fmt::print("{} ~ gammadot^x, x = {}\n", name, text_of(exponent));
   for (auto const& limit : found.limits) {
-    auto longer = limit.longer < 1e6
-                      ? fmt::format("; about {:.2g} times the strain would tell", limit.longer)
-                      : std::string("; raise shear.strain");
-    if (limit.verdict != analysis::Verdict::undecided) longer.clear();
     fmt::print("{}'s limit, within {:g}%: {}{}\n", limit.name, 100 * tolerance,
-               analysis::word(limit.verdict), longer);
+               analysis::word(limit.verdict), advice(limit, options, strain, folder));
   }
   fmt::print("verdict: {}\n", found.verdict());
 }
@@ -54,7 +76,8 @@ int check_limit_command(CheckLimitOptions const& options) {
       analysis::check_limit(scene, folder,
                             {options.run.scene_file, options.tolerance, options.run.allow_unstable,
                              sweep_options(options.run.machine, options.jobs, terminal)});
-  if (check.runs == sweep::SweepEnd::done && !options.run.quiet) print(check, options.tolerance);
+  if (check.runs == sweep::SweepEnd::done && !options.run.quiet)
+    print(check, options, scene.shear.strain, folder);
   return exit_code_of(check.runs);
 }
 

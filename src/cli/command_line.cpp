@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/cli/command_line.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <utility>
+
+#include "src/config/nearest_word.hpp"
+#include "src/config/shown.hpp"
 
 namespace bagnold {
 
@@ -85,7 +90,8 @@ void Words::footer(std::string const& text) { app_->footer(text); }
 
 bool Words::given() const { return app_->parsed(); }
 
-CommandLine::CommandLine(char const* description) : app_(std::make_unique<CLI::App>(description)) {}
+CommandLine::CommandLine(char const* description)
+    : app_(std::make_unique<CLI::App>(description, "bagnold")) {}
 
 CommandLine::~CommandLine() = default;
 
@@ -103,9 +109,32 @@ std::vector<std::string> CommandLine::commands() const {
   return names;
 }
 
+namespace {
+
+/// The first word that is no option of the command that was given, and the option most like it.
+std::string wrong_option(CLI::App& app, std::vector<std::string> const& words) {
+  auto const given = app.get_subcommands();
+  auto const& command = given.empty() ? app : *given.front();
+  std::vector<std::string> known;
+  for (auto const* option : command.get_options())
+    for (auto const& name : option->get_lnames()) known.push_back("--" + name);
+  for (auto const& word : words) {
+    auto const name = word.substr(0, word.find('='));
+    if (!name.starts_with("--") || std::ranges::count(known, name) > 0) continue;
+    return fmt::format("unknown option {} (did you mean {}?)", shown(name),
+                       nearest_word(name, known));
+  }
+  return {};
+}
+
+}  // namespace
+
 bool CommandLine::parse(std::vector<std::string> const& words) {
   try {
     app_->parse(std::vector(words.rbegin(), words.rend()));  // the first one last
+  } catch (CLI::ExtrasError const& error) {
+    auto const wrong = wrong_option(*app_, words);
+    throw UnreadableWords(wrong.empty() ? error.what() : wrong);
   } catch (CLI::ParseError const& error) {
     if (error.get_exit_code() != 0) throw UnreadableWords(error.what());
     app_->exit(error);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct SceneOptions {
   std::filesystem::path folder;        ///< "": results/NAME of the scene file
   Machine machine;
   bool quiet = false;
+  bool all = false;  ///< the whole table
   bool force = false;
   bool allow_unstable = false;
 };
@@ -31,14 +33,21 @@ Scene read_scene(SceneOptions const& options);
 
 struct ResumeOptions {
   std::filesystem::path folder;
+  std::optional<double> strain;  ///< make it as long
   Machine machine;
   bool quiet = false;
+  bool all = false;  ///< the whole table
+};
+
+struct PlotOptions {
+  std::filesystem::path folder;
+  std::string format = "png";
 };
 
 struct AnalyseOptions {
   analysis::KindRequest asked;
-  std::filesystem::path sweep;   ///< folder or sweep.h5
-  std::filesystem::path prefix;  ///< of the files written; "": the folder of the sweep and the kind
+  std::vector<std::string> sweeps;  ///< folders or sweep.h5, joined
+  std::filesystem::path prefix;     ///< of the files written; "": the first folder and the kind
   bool quiet = false;
 };
 
@@ -70,6 +79,24 @@ struct FigureOptions {
   bool quiet = false;
 };
 
+struct ExportOptions {
+  std::filesystem::path folder;  ///< of a run
+  std::string format;            ///< "lammps", "extxyz", "gsd" or "vtk"
+  std::string frames = ":";      ///< "A:B"
+  std::filesystem::path file;    ///< "": trajectory.ENDING in the folder
+  bool contacts = false;
+  bool quiet = false;
+};
+
+/// Texts that the Python package reads; "": not given.
+struct ImportOptions {
+  std::filesystem::path file;   ///< configuration of another program
+  std::filesystem::path state;  ///< to write
+  std::string format;           ///< "lammps", "dump" or "extxyz"; "": as the file looks
+  std::string frame, unit, time_unit, rate, diameters, atom_style, tolerance;
+  bool quiet = false;
+};
+
 /// A command of the program: its words on the command line, and what it does once they are read.
 struct Command {
   Words words;
@@ -81,12 +108,13 @@ struct Command {
 
 using AddCommand = Command(Words program);
 
-AddCommand add_run, add_validate, add_resume, add_sweep, add_analyse, add_check_limit, add_figure,
-    add_info;
+AddCommand add_run, add_validate, add_resume, add_status, add_plot, add_sweep, add_analyse,
+    add_check_limit, add_figure, add_export, add_import, add_info;
 
 /// All of them, in the order of the help.
-inline constexpr AddCommand* all_commands[] = {add_run,     add_validate,    add_resume, add_sweep,
-                                               add_analyse, add_check_limit, add_figure, add_info};
+inline constexpr AddCommand* all_commands[] = {
+    add_run,     add_validate,    add_resume, add_status, add_plot,   add_sweep,
+    add_analyse, add_check_limit, add_figure, add_export, add_import, add_info};
 
 /// Prints what a sweep file comes to: points, chains, steps, time.
 int validate_sweep_command(SceneOptions const& options);

@@ -70,4 +70,9 @@ int exit_code_of(sweep::SweepEnd end) {
   return end == sweep::SweepEnd::done ? done : points_failed;
 }
 
+int exit_code_of_package(int code) {
+  bool const ours = code == done || code == bad_input || code == file_failure || code > 128;
+  return ours ? code : internal_error;
+}
+
 }  // namespace bagnold

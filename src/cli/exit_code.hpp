@@ -8,7 +8,7 @@
 
 namespace bagnold {
 
-/// How the program ends where it is not stopped by a signal; README.md tells users.
+/// How the program ends where it is not stopped by a signal; docs/scenes.md tells users.
 enum ExitCode {
   done = 0,
   points_failed = 1,  ///< of a sweep
@@ -24,5 +24,8 @@ ExitCode exit_code_of(std::exception_ptr const& failure);
 /// Code of a run or a sweep that ended without a failure thrown: 128 + the signal that stopped it.
 int exit_code_of(RunEnd end);
 int exit_code_of(sweep::SweepEnd end);
+
+/// That of the Python package, where it is one of ours; internal_error where it ended otherwise.
+int exit_code_of_package(int code);
 
 }  // namespace bagnold

@@ -18,18 +18,25 @@ int run_command(SceneOptions const& options) {
                           ? std::filesystem::path("results") / options.scene_file.stem()
                           : options.folder;
   catch_signals();
-  Terminal terminal(options.quiet);
+  Terminal terminal(options.quiet, options.all);
   return exit_code_of(run(scene, folder,
                           {.machine = options.machine,
                            .replace = options.force,
                            .allow_unstable = options.allow_unstable,
+                           .strain = {},
                            .monitor = &terminal}));
 }
 
 int resume_command(ResumeOptions const& options) {
   catch_signals();
-  Terminal terminal(options.quiet);
-  return exit_code_of(resume(options.folder, {.machine = options.machine, .monitor = &terminal}));
+  Terminal terminal(options.quiet, options.all);
+  return exit_code_of(
+      resume(options.folder,
+             {.machine = options.machine, .strain = options.strain, .monitor = &terminal}));
+}
+
+void add_all_flag(Words command, bool& all) {
+  command.flag("--all", all, "all quantities in the table on the screen");
 }
 
 }  // namespace
@@ -39,6 +46,7 @@ Command add_run(Words program) {
   Words command = add_command(program, "run", "run a scene");
   add_scene_options(command, *options);
   command.option("--out", options->folder, "folder for the results [results/SCENE]").not_empty();
+  add_all_flag(command, options->all);
   command.flag("--force", options->force, "replace the run that is in the folder");
   add_machine_options(command, options->machine, options->quiet);
   return {command, [options] { return run_command(*options); }};
@@ -46,8 +54,13 @@ Command add_run(Words program) {
 
 Command add_resume(Words program) {
   auto const options = std::make_shared<ResumeOptions>();
-  Words command = add_command(program, "resume", "go on with an interrupted run, bit for bit");
+  Words command =
+      add_command(program, "resume", "go on with a run, bit for bit: interrupted, or made longer");
   command.option("DIR", options->folder, "folder of the run").required();
+  add_all_flag(command, options->all);
+  command.option("--strain", options->strain,
+                 "make the run that long, in all, with the bits of one that was so from its start; "
+                 "of a cascade its last rate");
   add_machine_options(command, options->machine, options->quiet);
   return {command, [options] { return resume_command(*options); }};
 }

@@ -43,8 +43,10 @@ int sweep_command(SweepFileOptions const& options) {
 
 Command add_sweep(Words program) {
   auto const options = std::make_shared<SweepFileOptions>();
-  Words command = add_command(program, "sweep",
-                              "run all points of a sweep file; the same command goes on with it");
+  Words command = add_command(
+      program, "sweep",
+      "run all points of a sweep file; the same command goes on with it, also when the file has "
+      "gained points or strain");
   command.option("FILE", options->sweep_file, "scene with a table [sweep] (see inputs/)")
       .required();
   command.option("--out", options->folder, "folder for the points and tables [results/FILE]");

@@ -64,7 +64,8 @@ void SweepTerminal::end() {
 void SweepTerminal::collected(sweep::Sweep const& sweep, sweep::SweepFolder const& folder,
                               sweep::Results const& results) {
   if (quiet_) return;
-  warn(suspect_points(sweep, results));
+  warn(suspect_points(sweep, results, folder.path()));
+  if (auto const notes = noted_points(results); !notes.empty()) say("note: " + notes);
   fmt::print("table of {} points in {}\n", sweep.points.size(), folder.table().string());
 }
 

@@ -9,6 +9,8 @@
 
 #include "src/run/paper_values.hpp"
 #include "src/run/protocols/ramp/hysteresis.hpp"
+#include "src/run/rounded.hpp"
+#include "src/run/warnings/warning.hpp"
 
 namespace bagnold {
 
@@ -17,8 +19,26 @@ namespace {
 std::string with_error(statistics::Estimate const& estimate) {
   if (!estimate.mean) return "undefined";
   if (!estimate.error) return fmt::format("{:.4g} (no error)", *estimate.mean);
-  return fmt::format("{:.4g} +- {:.1g}{}", *estimate.mean, *estimate.error,
-                     estimate.rough ? " (rough)" : "");
+  return rounded(*estimate.mean, *estimate.error) + (estimate.rough ? " (rough)" : "");
+}
+
+/// What most people look at. B is constant in Bagnold's rheology, eta in Newton's, which CD_n has
+/// not.
+bool is_short(Scene const& scene, std::string_view name) {
+  constexpr std::string_view always[] = {"p",
+                                         "sigma",
+                                         "mu",
+                                         "Z",
+                                         "T_g",
+                                         "B_p",
+                                         "B_sigma",
+                                         "tau_dur",
+                                         "nu_coll",
+                                         "band_fraction_phi",
+                                         "band_fraction_gammadot"};
+  if (std::ranges::count(always, name) > 0) return true;
+  if (scene.shear.target_error.contains(std::string(name))) return true;
+  return (name == "eta_p" || name == "eta_sigma") && scene.disks.model != "CD_n";
 }
 
 /// Shear stress up and down, every few rates.
@@ -35,28 +55,62 @@ void print_loop(Run const& run) {
                sigma(loop.down[k]));
 }
 
+/// "; `command`", to be typed with this folder; "" where there is none.
+std::string typed(std::string const& command, std::string const& folder) {
+  if (folder.empty() || command.empty()) return {};
+  return fmt::format("; `{}`", with_folder(command, folder));
+}
+
 /// Where a run that looks at errors ended, and what "auto" discarded.
-void print_ends(Run const& run) {
+void print_ends(Run const& run, std::string const& folder) {
+  auto const longer = typed(longer_run(run, 2), folder);
   if (!run.scene.shear.discard)
     fmt::print("\nsteady {} (MSER-5): {} of {} windows discarded\n",
-               run.steady_found ? "state found" : "state not found, so half discarded: run longer",
+               run.steady_found ? "state found" : "state not found, so half discarded" + longer,
                run.plan.discarded_windows, run.plan.windows);
   for (auto const& [name, error] : run.reached)
     fmt::print("relative error of {}: {} wanted, {} reached at strain {:.4g}\n", name,
                run.scene.shear.target_error.at(name),
                error ? fmt::format("{:.2g}", *error) : "none", run.plan.strain(run.plan.steps));
   if (!run.reached.empty() && !run.target_met)
-    fmt::print("not reached at two looks in a row: raise shear.strain\n");
+    fmt::print("not reached at two looks in a row{}\n", longer);
+}
+
+/// What is without an error, or has a rough one, and what would do.
+void print_remarks(FinishedRun const& finished, std::string const& folder) {
+  std::set<std::string> remarks;
+  int none = 0, rough = 0;
+  for (auto const& named : finished.found)
+    if (auto const& all = named.estimate.all; !all.remark.empty()) {
+      ++(all.error ? rough : none);
+      remarks.insert(all.remark);
+    }
+  if (remarks.empty()) return;
+  double const fewest = fewest_independent_windows(finished);
+  auto const why = std::isfinite(fewest)
+                       ? fmt::format(
+                             "the shortest is worth {:.2g} independent windows, of {:g} that an "
+                             "error takes{}",
+                             fewest, enough_windows, typed(until_errors(finished), folder))
+                       : *remarks.begin();
+  fmt::print("\n{} of {} quantities have no error, {} a rough one (with Student's factor): {}\n",
+             none, finished.found.size(), rough, why);
 }
 
 }  // namespace
 
-void print_table(Run const& run, std::vector<NamedEstimate> const& list) {
+void print_table(Run const& run, std::vector<NamedEstimate> const& list, std::string const& folder,
+                 bool all_of_them) {
   if (run.plan.ramp) return print_loop(run);
-  fmt::print("\n{:<13} {:<26} {:<17} {:<19} {}\n", "quantity", "mean +- standard error", "unit",
+  fmt::print("\n{:<13} {:<26} {:<17} {:<19} {}\n", "quantity", "mean(standard error)", "unit",
              "correlation strain", "what it is");
+  std::size_t left_out = 0;
   for (auto const& named : list) {
     auto const& [name, unit, meaning, value] = named.observable;
+    if (!all_of_them && !is_short(run.scene, name)) {
+      ++left_out;
+      continue;
+    }
     auto const& all = named.estimate.all;
     fmt::print(
         "{:<13} {:<26} {:<17} {:<19} {}\n", name, with_error(all), unit,
@@ -64,21 +118,16 @@ void print_table(Run const& run, std::vector<NamedEstimate> const& list) {
         meaning);
   }
 
-  print_ends(run);
+  if (left_out > 0) fmt::print("{} more in summary.json (on the screen with --all)\n", left_out);
+
+  print_ends(run, folder);
   if (run.replicas.size() > 1)
     fmt::print("\n{} replicas, seeds {} to {}; errors: {}\n", run.replicas.size(),
                run.scene.disks.seed,
                run.scene.disks.seed + static_cast<std::int64_t>(run.replicas.size()) - 1,
                errors_from(run));
 
-  std::set<std::string> remarks, rough;
-  for (auto const& named : list)
-    if (auto const& all = named.estimate.all; !all.remark.empty())
-      (all.error ? rough : remarks).insert(all.remark);
-  if (!remarks.empty())
-    fmt::print("\nno error where the statistics are too short: {}\n", *remarks.begin());
-  if (!rough.empty())
-    fmt::print("\nrough: errors from few blocks, with Student's factor: {}\n", *rough.begin());
+  print_remarks({run, list}, folder);
 
   std::vector<Observable> only;
   for (auto const& named : list) only.push_back(named.observable);

@@ -9,8 +9,31 @@
 #include "src/cli/standard_streams.hpp"
 #include "src/cli/table.hpp"
 #include "src/run/messages.hpp"
+#include "src/run/protocols/cascade/cascade.hpp"
 
 namespace bagnold {
+
+namespace {
+
+/// What can be made longer: of a cascade its last rate.
+std::string growing_folder(RunFolder const& folder, std::optional<StageFolder> const& stage) {
+  if (!stage) return folder.path().string();
+  return stage->is_last() ? stage->cascade.string() : "";
+}
+
+/// Of a rate of a cascade, what makes the run longer is said to the cascade.
+Warning with_command(Warning warning, std::optional<StageFolder> const& stage) {
+  if (!stage || !warning.command.starts_with("bagnold resume")) return warning;
+  if (stage->is_last())
+    warning.command = with_folder(warning.command, stage->cascade.string());
+  else
+    warning.command =
+        fmt::format("bagnold run {0}/scene.toml --set shear.strain={1} --out {0}-longer",
+                    stage->cascade.string(), 2 * stage->scene.shear.strain.at(stage->stage));
+  return warning;
+}
+
+}  // namespace
 
 bool Terminal::stop_requested() { return stop_signal() != 0; }
 
@@ -27,10 +50,14 @@ void Terminal::begin(Scene const& scene, Plan const& plan, std::int64_t steps) {
 void Terminal::finished(RunFolder const& folder, FinishedRun const& run,
                         std::vector<Warning> const& suspect) {
   if (quiet_) return;
-  print_table(run.run, run.found);
+  auto const stage = stage_folder_in_cascade(folder.path());
+  print_table(run.run, run.found, growing_folder(folder, stage), all_);
   fmt::print("\nresults in {}\n", folder.path().string());
   std::fflush(stdout);  // before stderr
-  for (auto const& warning : suspect) warn(text_of(warning));
+  for (auto const& warning : suspect) {
+    auto const text = text_of(with_command(warning, stage), folder.path().string());
+    warning.is_note ? say("note: " + text) : warn(text);
+  }
 }
 
 }  // namespace bagnold

@@ -11,7 +11,8 @@ namespace bagnold {
 /// Shows a run to its user on stdout, unless quiet, and stops it on their signals.
 class Terminal final : public RunMonitor {
  public:
-  explicit Terminal(bool quiet) : quiet_(quiet) {}
+  /// all: the whole table, not only what most people look at.
+  Terminal(bool quiet, bool all) : quiet_(quiet), all_(all) {}
 
   bool stop_requested() override;
   bool checkpoint_requested() override;
@@ -25,7 +26,7 @@ class Terminal final : public RunMonitor {
                 std::vector<Warning> const& suspect) override;
 
  private:
-  bool quiet_;
+  bool quiet_, all_;
   std::optional<Progress> progress_;
 };
 

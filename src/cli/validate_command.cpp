@@ -6,6 +6,7 @@
 
 #include "src/cli/options.hpp"
 #include "src/config/cascade.hpp"
+#include "src/config/quasi_static.hpp"
 #include "src/config/run_time.hpp"
 #include "src/config/scene_file.hpp"
 #include "src/config/stability.hpp"
@@ -86,11 +87,15 @@ int validate_command(SceneOptions const& options) {
   fmt::print("# box            {:.6g} d_s wide{}\n", scene.box_length(),
              square ? "" : fmt::format(", {:.6g} d_s high", scene.box_height()));
   auto const scheme = scheme_of(scene);
-  fmt::print("# time step      {:.6g} tau_e, {}, spectral radius of a single contact {:.6f}\n",
-             plan.time_step, scheme, contact_spectral_radius(scene, plan.time_step));
-  fmt::print(
-      "# stable         up to {:.3g} tau_e for six contacts a disk, measured {:.3g} (Z = 3.5)\n",
-      largest_stable_time_step(scene, scheme), dense_flow_time_step(scene, scheme));
+  if (is_quasi_static(scene)) {
+    fmt::print("# time step      {:.6g} tau_e, {}, stable at any\n", plan.time_step, scheme);
+  } else {
+    fmt::print("# time step      {:.6g} tau_e, {}, spectral radius of a single contact {:.6f}\n",
+               plan.time_step, scheme, contact_spectral_radius(scene, plan.time_step));
+    fmt::print(
+        "# stable         up to {:.3g} tau_e for six contacts a disk, measured {:.3g} (Z = 3.5)\n",
+        largest_stable_time_step(scene, scheme), dense_flow_time_step(scene, scheme));
+  }
   if (scene.disks.replicas > 1)
     fmt::print("# replicas       {}, seeds {} to {}; the steps and windows below are of each\n",
                scene.disks.replicas, scene.disks.seed, scene.disks.seed + scene.disks.replicas - 1);

@@ -23,6 +23,13 @@ std::string stage_folder(Scene const& cascade, std::size_t stage) {
   return fmt::format("{:04}_strain_rate={}", stage + 1, cascade.shear.strain_rates.at(stage));
 }
 
+std::vector<std::string> stage_folders(Scene const& cascade) {
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < cascade.shear.strain_rates.size(); ++k)
+    names.push_back(stage_folder(cascade, k));
+  return names;
+}
+
 std::vector<Scene> runs_of(Scene const& scene) {
   if (scene.shear.protocol != "cascade") return {scene};
   std::vector<Scene> runs;

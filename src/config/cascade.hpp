@@ -16,6 +16,9 @@ Scene stage_of(Scene const& cascade, std::size_t stage, std::string const& befor
 /// Name of the folder of a stage: "0002_strain_rate=0.0001".
 std::string stage_folder(Scene const& cascade, std::size_t stage);
 
+/// Of all stages.
+std::vector<std::string> stage_folders(Scene const& cascade);
+
 /// The scenes of all runs of a scene: itself, or the stages of a cascade, each but the first
 /// starting from "../FOLDER/state.h5".
 std::vector<Scene> runs_of(Scene const& scene);

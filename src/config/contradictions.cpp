@@ -5,10 +5,11 @@
 
 #include <algorithm>
 #include <functional>
-#include <initializer_list>
 #include <string_view>
+#include <vector>
 
 #include "src/config/names.hpp"
+#include "src/config/quasi_static.hpp"
 #include "src/config/shown.hpp"
 
 namespace bagnold {
@@ -22,7 +23,7 @@ struct Refusals {
   std::string const& origin;
   Mistakes& mistakes;
 
-  void operator()(std::initializer_list<std::string_view> keys, std::string const& message) const {
+  void operator()(std::vector<std::string_view> const& keys, std::string const& message) const {
     if (std::ranges::none_of(keys, [&](auto const& key) { return mistakes.about(key); }))
       mistakes.add("", fmt::format("{}: {}", origin, message));
   }
@@ -58,6 +59,15 @@ void look_at_protocol(Scene const& scene, Refusals const& refuse) {
         "(where their frames begin depends on where the run ends); give shear.strain alone");
 }
 
+void look_at_trajectories(std::string_view key, double spacing, std::int64_t replicas,
+                          Refusals const& refuse) {
+  if (spacing > 0 && replicas > most_trajectories)
+    refuse({key, "disks.replicas"},
+           fmt::format("{0} = {1} with disks.replicas = {2} (must be at most {3}: a file is open "
+                       "for each); run some of the seeds at a time, or set {0} = 0",
+                       key, spacing, replicas, most_trajectories));
+}
+
 void look_at_others(Scene const& scene, Refusals const& refuse) {
   auto const& disks = scene.disks;
   if (disks.count % 2 != 0)
@@ -80,6 +90,10 @@ void look_at_others(Scene const& scene, Refusals const& refuse) {
   if (scene.start.kind == "state" && scene.start.file.empty())
     refuse({"start.kind", "start.file"},
            "start.file is missing: start.kind = \"state\" needs a state file");
+  if (scene.start.kind == "random" && scene.start.relax)
+    refuse({"start.kind", "start.relax"},
+           "start.relax = true is for start.kind = \"state\" (a random start is always relaxed); "
+           "leave it out");
   if (scene.start.kind == "random" && !scene.start.file.empty())
     refuse({"start.kind", "start.file"},
            fmt::format("start.file = \"{}\" is not used by start.kind = \"random\"; set "
@@ -87,17 +101,23 @@ void look_at_others(Scene const& scene, Refusals const& refuse) {
                        shown(scene.start.file)));
   if (scene.shear.discard && *scene.shear.discard >= 1)
     refuse({"shear.discard"}, "shear.discard = 1 (must be below 1) would leave nothing to measure");
-  if (scene.output.trajectory_strain > 0 && disks.replicas > most_trajectories)
-    refuse(
-        {"output.trajectory_strain", "disks.replicas"},
-        fmt::format("output.trajectory_strain = {} with disks.replicas = {} (must be at most {}: a "
-                    "file is open for each); run some of the seeds at a time, or set "
-                    "output.trajectory_strain = 0",
-                    scene.output.trajectory_strain, disks.replicas, most_trajectories));
+  look_at_trajectories("output.trajectory_strain", scene.output.trajectory_strain, disks.replicas,
+                       refuse);
+  look_at_trajectories("output.trajectory_decades", scene.output.trajectory_decades, disks.replicas,
+                       refuse);
   if (scene.measure.correlations && !scene.measure.contacts)
     refuse({"measure.correlations", "measure.contacts"},
            "measure.correlations = true (looks at contacts, which are not followed); set "
            "measure.contacts = true, or measure.correlations = false");
+  bool const trajectory = scene.output.trajectory_strain > 0 || scene.output.trajectory_decades > 0;
+  if (scene.measure.contact_frames && !(scene.measure.contacts && trajectory))
+    refuse(
+        {"measure.contact_frames", "measure.contacts", "output.trajectory_strain",
+         "output.trajectory_decades"},
+        fmt::format("measure.contact_frames = true (needs the frames of a trajectory, and "
+                    "contacts that are followed for their ages); set measure.contacts = true and "
+                    "output.trajectory_{}, or measure.contact_frames = false",
+                    scene.shear.protocol == "ramp" ? "decades" : "strain"));
   if (scene.measure.rotation && !scene.rotates())
     refuse({"measure.rotation", "disks.model"},
            fmt::format("measure.rotation = true (disks of model \"{}\" do not rotate); use model "
@@ -157,6 +177,11 @@ void look_at_scheme(Scene const& scene, Refusals const& refuse) {
                        scene.drive.kind, integration.scheme));
 }
 
+void look_at_quasi_static(Scene const& scene, Refusals const& refuse) {
+  for (auto const& [keys, message] : not_quasi_static(scene)) refuse(keys, message);
+  for (auto const& [keys, message] : misused_quasi_static(scene)) refuse(keys, message);
+}
+
 }  // namespace
 
 void find_contradictions(Scene const& scene, std::string const& origin, Mistakes& mistakes) {
@@ -164,6 +189,7 @@ void find_contradictions(Scene const& scene, std::string const& origin, Mistakes
   look_at_others(scene, refuse);
   look_at_drive(scene, refuse);
   look_at_scheme(scene, refuse);
+  look_at_quasi_static(scene, refuse);
   if (!mistakes.about("shear.protocol")) look_at_protocol(scene, refuse);
 }
 

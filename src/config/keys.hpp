@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "src/config/names.hpp"
+#include "src/config/quasi_static.hpp"
 #include "src/config/scene.hpp"
 
 namespace bagnold {
@@ -102,8 +103,10 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
             "scale velocities and spins of a state made at another strain rate (P2 Eqs. 40-41)",
             optional},
         start.rescale);
-  visit(Key{"start.overlap", "", "relative overlap at which a random start is relaxed enough",
-            optional, 0, 0.05, above},
+  visit(Key{"start.relax", "", "push the overlapping disks of a state apart first", optional},
+        start.relax);
+  visit(Key{"start.overlap", "", "relative overlap at which a start is relaxed enough", optional, 0,
+            0.05, above},
         start.overlap);
   visit(Key{"start.iterations", "", "most iterations of that relaxation", optional, 0, 1e8},
         start.iterations);
@@ -159,24 +162,31 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
   visit(Key{"drive.temperature", "m d_s^2/tau_e^2", "T of a thermal drive", optional, 0, 1e3},
         drive.temperature);
 
-  visit(Key{"integration.scheme", "", "how the motion is stepped, or \"auto\": two stages",
+  visit(Key{"integration.scheme", "",
+            "how the motion is stepped, or \"auto\": two stages, and implicit damping where it "
+            "serves",
             optional, 0, 0, false, scheme_words()},
         integration.scheme);
-  visit(Key{"integration.engine",
-            "",
-            "how the scheme is computed; none changes the physics",
-            optional,
-            0,
-            0,
-            false,
-            {"auto", "reference", "few-contacts", "many-contacts", "lookahead"}},
-        integration.engine);
+  visit(
+      Key{"integration.engine",
+          "",
+          "how the scheme is computed, none changes the physics; \"quasi-static\": by long steps, "
+          "for "
+          "flows that creep",
+          optional,
+          0,
+          0,
+          false,
+          {"auto", "reference", "few-contacts", "many-contacts", "lookahead", quasi_static_engine}},
+      integration.engine);
   visit(Key{"integration.time_step",
             "tau_e",
-            "dt, or \"auto\": the scheme's rule, or \"paper\": the papers'",
+            "dt, or \"auto\": the scheme's rule, or \"paper\": the papers'; quasi-static: a strain "
+            "of "
+            "1e-3",
             optional,
             0,
-            10,
+            1e12,
             above,
             {automatic, of_papers}},
         integration.time_step);
@@ -184,32 +194,34 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
             0.01, 10},
         integration.skin);
 
-  visit(Key{"measure.every", "steps", "between evaluations inside a window", optional, 1, 1e12},
+  visit(Key{"measure.every", "steps", "between evaluations inside a window; quasi-static: of all",
+            optional, 1, 1e12},
         measure.every);
-  visit(
-      of({"steady", "cascade"},
-         Key{"measure.contacts", "", "durations, rate, angles and clusters of contacts", optional}),
-      measure.contacts);
+  visit(Key{"measure.contacts", "", "durations, rate, angles and clusters of contacts", optional},
+        measure.contacts);
   visit(
       of({"steady", "cascade"},
          Key{"measure.correlations", "",
              "relative velocities in contact, of contacts in time and once a collision", optional}),
       measure.correlations);
-  visit(of({"steady", "cascade"},
-           Key{"measure.profiles", "",
-               "profiles over y of flow, packing and stress; band fractions", optional}),
+  visit(Key{"measure.contact_frames", "",
+            "contacts in the frames of trajectory.h5md, with forces and ages", optional},
+        measure.contact_frames);
+  visit(Key{"measure.profiles", "", "profiles over y of flow, packing and stress; band fractions",
+            optional},
         measure.profiles);
-  visit(of({"steady", "cascade"},
-           Key{"measure.fields", "", "packing fraction and strain rate within 4 d_s of each disk",
-               optional}),
+  visit(Key{"measure.fields", "", "packing fraction and strain rate within 4 d_s of each disk",
+            optional},
         measure.fields);
-  visit(of({"steady", "cascade"},
-           Key{"measure.rotation", "", "histogram of thetadot/gammadot", optional}),
-        measure.rotation);
+  visit(Key{"measure.rotation", "", "histogram of thetadot/gammadot", optional}, measure.rotation);
   visit(of({"steady", "cascade"},
            Key{"measure.frame_strain", "", "between the frames that these three look at", optional,
                0, many, above}),
         measure.frame_strain);
+  visit(of({"ramp"}, Key{"measure.frame_decades", "",
+                         "of the rate, between these frames, each of which is told by itself",
+                         optional, 0, 100, above}),
+        measure.frame_decades);
 
   visit(of({"steady", "cascade"},
            Key{"output.sample_strain", "", "window whose averages are recorded", optional, 0, many,
@@ -219,6 +231,10 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
            Key{"output.trajectory_strain", "", "between the frames of trajectory.h5md; 0: none",
                optional, 0, many}),
         output.trajectory_strain);
+  visit(of({"ramp"},
+           Key{"output.trajectory_decades", "",
+               "of the rate, between the frames of trajectory.h5md; 0: none", optional, 0, 100}),
+        output.trajectory_decades);
   visit(Key{"output.checkpoint_minutes", "min", "wall time between checkpoints", optional, 0, many,
             above},
         output.checkpoint_minutes);

@@ -12,6 +12,7 @@
 #include "kernels/physics/type_list.hpp"
 #include "src/config/drives.hpp"
 #include "src/config/laws.hpp"
+#include "src/config/quasi_static.hpp"
 #include "src/config/schemes.hpp"
 
 namespace bagnold {
@@ -77,6 +78,7 @@ bool is_implicit(std::string_view scheme) {
 Names scheme_words() {
   Names words = names_of<Schemes>();
   words.insert(words.begin(), automatic);
+  words.push_back(backward_euler);
   return words;
 }
 

@@ -9,6 +9,7 @@
 
 #include "kernels/physics/species.hpp"
 #include "src/config/errors.hpp"
+#include "src/config/quasi_static.hpp"
 #include "src/config/stability.hpp"
 #include "src/config/step_counts.hpp"
 #include "src/config/time_step.hpp"
@@ -52,6 +53,7 @@ double memory_of_frames(Scene const& scene, Plan const& plan) {
   double const frames = 1 + measured / static_cast<double>(plan.frame_steps);
   double bytes = 0;
   if (scene.measure.profiles) bytes += frames * (8 + scene.box_height() / 1.5) * 2 * 21 * 8 * 5;
+  if (plan.ramp) bytes += frames * 2000 * 8 * 5;  // histograms of each
   if (scene.measure.fields) bytes += static_cast<double>(scene.disks.count) * 7 * 8 * 3;
   if (plan.trajectory_steps > 0) bytes += memory_of_trajectory(scene, plan);
   return bytes;
@@ -82,6 +84,14 @@ Plan plan_of_ramp(Scene const& scene) {
   auto const windows = static_cast<double>(plan.windows);
   refuse_many_windows(windows, "shear.ramp_window", scene.shear.ramp_window,
                       scene.shear.ramp_window * std::ceil(windows / most_windows));
+  double const window_decades = scene.shear.ramp_rate * scene.shear.ramp_window;
+  auto const steps_between = [&](double decades) {
+    double const whole = std::clamp(std::round(decades / window_decades), 1.0, windows);
+    return static_cast<std::int64_t>(whole) * plan.window_steps;
+  };
+  plan.frame_steps = steps_between(scene.measure.frame_decades);
+  if (scene.output.trajectory_decades > 0)
+    plan.trajectory_steps = steps_between(scene.output.trajectory_decades);
   return plan;
 }
 
@@ -92,7 +102,7 @@ Plan make_plan(Scene const& scene) {
   Plan plan;
   plan.strain_rate = scene.shear.strain_rate;
   plan.time_step = time_step(scene);
-  plan.every = scene.measure.every;
+  plan.every = is_quasi_static(scene) ? 1 : scene.measure.every;  // the forces are there
   double const step_strain = plan.time_step * scene.shear.strain_rate;
   double const steps = round_up(scene.shear.strain / step_strain);
   if (!(steps * static_cast<double>(scene.disks.replicas) <= most_steps))
@@ -101,7 +111,9 @@ Plan make_plan(Scene const& scene) {
                     "= {} or lower "
                     "shear.strain",
                     scene.shear.strain.at(0), steps, most_steps, scene.shear.strain_rate));
-  double const window = std::max(1.0, round_up(scene.output.sample_strain / step_strain));
+  auto const whole = static_cast<double>(implicit_step_length(scene));  // windows hold whole steps
+  double const window =
+      std::max(1.0, round_up(scene.output.sample_strain / step_strain / whole)) * whole;
   plan.steps = std::max<std::int64_t>(1, static_cast<std::int64_t>(steps));
   plan.window_steps = static_cast<std::int64_t>(std::min(window, most_steps));
   plan.windows = (plan.steps + plan.window_steps - 1) / plan.window_steps;

@@ -38,6 +38,7 @@ struct Scene {
     std::string kind = "random";  ///< or "state"
     std::string file;             ///< relative to the scene file; absolute once read
     bool rescale = true;
+    bool relax = false;
     double overlap = 1e-4;
     std::int64_t iterations = 20000;
   } start;
@@ -64,7 +65,7 @@ struct Scene {
   } drive;
 
   struct Integration {
-    std::string scheme = automatic;  ///< scheme_of(scene) resolves it
+    std::string scheme = default_scheme;  ///< or "auto", which scheme_of(scene) resolves
     std::string engine = "auto";
     NumberOrWord time_step = automatic;  ///< dt; time_step(scene) resolves it
     double skin = 0.35;
@@ -74,15 +75,18 @@ struct Scene {
     std::int64_t every = 10;
     bool contacts = false;
     bool correlations = false;
+    bool contact_frames = false;
     bool profiles = false;
     bool fields = false;
     bool rotation = false;
     double frame_strain = 0.1;
+    double frame_decades = 0.05;  ///< of a ramp
   } measure;
 
   struct Output {
     double sample_strain = 1e-2;
     double trajectory_strain = 0.0;
+    double trajectory_decades = 0.0;  ///< of a ramp
     double checkpoint_minutes = 10.0;
     bool plot = true;
   } output;

@@ -13,6 +13,7 @@
 #include "src/config/mistakes.hpp"
 #include "src/config/names.hpp"
 #include "src/config/nearest_word.hpp"
+#include "src/config/quasi_static.hpp"
 #include "src/config/shown.hpp"
 #include "src/config/toml_table.hpp"
 #include "src/config/toml_text.hpp"
@@ -66,6 +67,8 @@ class Reader {
     if (!missing.empty())
       mistakes_.add("", fmt::format("{}: {}; every scene must give {}", origin_,
                                     fmt::join(missing, ", "), missing.size() == 1 ? "it" : "them"));
+    bool const has_scheme = table_.at_path("integration.scheme").node() != nullptr;
+    if (is_quasi_static(scene) && !has_scheme) scene.integration.scheme = automatic;  // its own
     return scene;
   }
 
@@ -256,11 +259,11 @@ Override from_command_line(std::string const& text) {
 Scene scene_of(toml::table table, std::string const& origin, std::filesystem::path const& folder,
                std::vector<Override> const& overrides, std::vector<std::string>* notes = nullptr) {
   std::map<std::string, std::string> set;
+  Mistakes mistakes;
   for (auto const& put : overrides) {
-    put_override(table, put);
+    mistakes.collect(put.key, [&] { put_override(table, put); });
     set[put.key] = put.origin;
   }
-  Mistakes mistakes;
   Scene scene = Reader(table, origin, set, mistakes, notes).read();
   find_contradictions(scene, origin, mistakes);
   mistakes.throw_any();

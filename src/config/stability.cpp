@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "kernels/physics/schemes/schemes.hpp"
 #include "kernels/physics/type_list.hpp"
 #include "src/config/contact_rates.hpp"
+#include "src/config/quasi_static.hpp"
 #include "src/config/time_step.hpp"
 
 namespace bagnold {
@@ -33,6 +35,7 @@ double contact_spectral_radius(Scene const& scene, double time_step) {
 }
 
 double largest_stable_time_step(Scene const& scene, std::string_view scheme) {
+  if (scheme == backward_euler) return std::numeric_limits<double>::infinity();
   constexpr double contacts = 6;
   ContactRates const r(scene);
   double const rate = contacts * std::max(r.normal, r.tangential) + drag_rate(scene);
@@ -46,6 +49,7 @@ double largest_stable_time_step(Scene const& scene, std::string_view scheme) {
 }
 
 double dense_flow_time_step(Scene const& scene, std::string_view scheme) {
+  if (scheme == backward_euler) return std::numeric_limits<double>::infinity();
   ContactRates const r(scene);
   return with_named<Schemes>(scheme, [&]<class S>(std::type_identity<S>) -> double {
     if constexpr (ImplicitScheme<S>)  // any damping alone

@@ -8,9 +8,12 @@
 #include "kernels/physics/drives/drive.hpp"
 #include "kernels/physics/schemes/schemes.hpp"
 #include "src/config/laws.hpp"
+#include "src/config/quasi_static.hpp"
 #include "src/config/schemes.hpp"
 
 namespace bagnold {
+
+static_assert(DefaultScheme::name == default_scheme);
 
 double rule_time_step(Scene const& scene, std::string_view scheme) {
   return law_of(scene.disks).rule_time_step(scheme, scene.disks);
@@ -24,6 +27,7 @@ double drag_rate(Scene const& scene) {
 }
 
 std::string_view scheme_of(Scene const& scene) {
+  if (is_quasi_static(scene)) return backward_euler;
   auto const& given = scene.integration.scheme;
   return given == automatic ? DefaultScheme::name : std::string_view(given);
 }
@@ -46,6 +50,7 @@ double drag_time_step(Scene const& scene) {
 double time_step(Scene const& scene) {
   auto const& given = scene.integration.time_step;
   if (given.number) return *given.number;
+  if (is_quasi_static(scene)) return quasi_static_time_step(scene);
   double const rule = given.word == of_papers ? paper_time_step(scene.disks)
                                               : std::min(rule_time_step(scene, scheme_of(scene)),
                                                          drag_time_step(scene));
@@ -54,9 +59,37 @@ double time_step(Scene const& scene) {
   return piece / std::ceil(piece / rule * (1 - 1e-12));
 }
 
+namespace {
+
+/// Steps of implicit damping that are shorter cost more than they save: its five terms take as long
+/// as two steps of two stages.
+constexpr double least_gain = 3;
+
+bool damps_sliding(Scene::Disks const& disks) {
+  auto const constants = law_of(disks).constants(disks);
+  return constants.tangential >= ImplicitDamping::least_tangential_share * constants.normal;
+}
+
+bool suits_implicit_damping(Scene const& scene) {
+  auto const& engine = scene.integration.engine;
+  return damps_sliding(scene.disks) && scene.integration.time_step.word != of_papers &&
+         (engine == "auto" || engine == "many-contacts" || engine == "reference") &&
+         scene.shear.protocol != "ramp" && !scene.driven() && !scene.measure.contacts;
+}
+
+}  // namespace
+
+std::int64_t implicit_step_length(Scene const& scene) {
+  if (scene.integration.scheme != automatic || !suits_implicit_damping(scene)) return 1;
+  double const gain = rule_time_step(scene, ImplicitDamping::name) / time_step(scene);
+  return gain < least_gain ? 1 : static_cast<std::int64_t>(gain * (1 + 1e-12));
+}
+
 Scene resolved(Scene scene) {
-  scene.integration.time_step = time_step(scene);
-  scene.integration.scheme = scheme_of(scene);
+  bool const changes = implicit_step_length(scene) > 1;
+  if (!is_quasi_static(scene) || scene.shear.protocol != "cascade")  // else one for each rate
+    scene.integration.time_step = time_step(scene);
+  if (!changes) scene.integration.scheme = scheme_of(scene);
   return scene;
 }
 

@@ -5,6 +5,7 @@
 
 #include "kernels/physics/box/shear_since.hpp"
 #include "kernels/physics/box/sheared_box.hpp"
+#include "src/state/state.hpp"
 
 namespace bagnold {
 
@@ -73,6 +74,15 @@ struct Clock {
   /// The box at `step`, its offset counted from a mark.
   KOKKOS_FUNCTION ShearedBox box(std::int64_t step, ShearMark const& mark) const {
     return {box_length, offset(step, mark), strain_rate, box_aspect * box_length};
+  }
+
+  /// What a state tells of box, time and rate, at a step at this rate.
+  void tell(State& state, std::int64_t step) const {
+    state.box_length = box_length;
+    state.box_aspect = box_aspect;
+    state.offset = offset(step, step);
+    state.time = time(step);
+    state.strain_rate = strain_rate;
   }
 
  private:

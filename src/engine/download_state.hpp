@@ -15,11 +15,7 @@ State download_state(Kokkos::View<Vec2<Real>*, Space> const& position,
   state.position = pairs(to_host(position));
   split_motions(to_host(motion), state);
   state.diameter = diameter;
-  state.box_length = clock.box_length;
-  state.box_aspect = clock.box_aspect;
-  state.offset = clock.offset(step, step);
-  state.time = clock.time(step);
-  state.strain_rate = clock.strain_rate;
+  clock.tell(state, step);
   return state;
 }
 

@@ -13,6 +13,7 @@
 #include "src/engine/drives/drive_setup.hpp"
 #include "src/engine/ensemble/ensemble.hpp"
 #include "src/engine/simulation.hpp"
+#include "src/state/frame_contact.hpp"
 
 namespace bagnold {
 
@@ -38,6 +39,9 @@ struct LawEngines {
   /// What each disk adds to the sums over pairs in the step that begins at a state, see
   /// src/measure/disk_stress.hpp. search: of all that touch.
   std::vector<Sums<false>> (*disk_sums)(Scene const&, State const&, HostSearch const& search);
+
+  /// The contacts of a state, by i, then j, of unknown age. search: of all that touch.
+  FrameContacts (*contacts)(Scene const&, State const&, HostSearch const& search);
 };
 
 template <class Law>

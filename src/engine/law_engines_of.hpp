@@ -7,6 +7,7 @@
 #include "src/engine/disk_sums.hpp"
 #include "src/engine/drives/drive_engines.hpp"
 #include "src/engine/ensemble/ensemble_engine.hpp"
+#include "src/engine/frame_contacts.hpp"
 #include "src/engine/law_engines.hpp"
 #include "src/engine/reference/reference_engine.hpp"
 #include "src/engine/with_physics.hpp"
@@ -50,8 +51,12 @@ std::shared_ptr<Ensemble> make_ensemble(Scene const& scene, std::vector<Snapshot
 /// To be instantiated once for each law.
 template <class Law>
 LawEngines engines_of() {
-  return {Law::name, make_stepper<Law>, detail::make_reference<Law>, detail::make_ensemble<Law>,
-          detail::disk_sums<Law>};
+  return {Law::name,
+          make_stepper<Law>,
+          detail::make_reference<Law>,
+          detail::make_ensemble<Law>,
+          detail::disk_sums<Law>,
+          detail::frame_contacts<Law>};
 }
 
 }  // namespace bagnold

@@ -4,11 +4,18 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "src/config/errors.hpp"
+#include "src/config/quasi_static.hpp"
+#include "src/config/time_step.hpp"
+#include "src/engine/auto_scheme/auto_scheme.hpp"
 #include "src/engine/backends.hpp"
 #include "src/engine/ensemble/ensemble.hpp"
 #include "src/engine/law_engines.hpp"
 #include "src/engine/levels/levels.hpp"
+#include "src/engine/quasi_static/make_quasi_static.hpp"
 
 namespace bagnold {
 
@@ -17,6 +24,7 @@ namespace {
 /// The engine of a scene on a backend; nullptr if the build has no such backend.
 std::unique_ptr<Simulation> make_engine(Scene const& scene, Snapshot& snapshot,
                                         std::string const& backend) {
+  if (is_quasi_static(scene)) return make_quasi_static(scene, snapshot, backend);
   auto const drive = drive_setup(scene, snapshot.initial_time);
   if (scene.integration.engine != "reference")
     if (auto made = level_of(scene).make(scene, snapshot, drive, backend)) return made;
@@ -33,12 +41,26 @@ std::vector<std::string> names(std::tuple<Spaces...> const*) {
   return {std::string(backend_name<Spaces>)...};
 }
 
+bool is_one_of(std::vector<std::string> const& names, std::string const& name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+/// Likewise where the scheme may change on the way.
+std::unique_ptr<Simulation> make_choosing(Scene const& scene, std::int64_t length,
+                                          Snapshot&& snapshot, std::string const& backend) {
+  return std::make_unique<AutoScheme>(scene, length, std::move(snapshot),
+                                      [backend](Scene const& of_scheme, Snapshot&& from) {
+                                        return make_engine(of_scheme, from, backend);
+                                      });
+}
+
 /// Disks up to which a team, so one multiprocessor, should be as quick as launches for each step.
 constexpr std::int64_t most_disks_of_a_team = 1024;
 
 /// Whether nothing is asked for that members of an ensemble do not do.
 bool suits_ensembles(Scene const& scene) {
-  return scene.integration.engine != "reference" && !scene.measure.contacts && !scene.driven();
+  return scene.integration.engine != "reference" && !is_quasi_static(scene) &&
+         !scene.measure.contacts && !scene.driven();
 }
 
 }  // namespace
@@ -69,6 +91,9 @@ std::unique_ptr<Simulation> make_simulation(Scene const& scene, Snapshot&& snaps
   if (is_device_backend(chosen) && suits_ensembles(scene) &&
       static_cast<std::int64_t>(snapshot.state.count()) <= most_disks_of_a_team)
     return std::move(make_simulations(scene, {snapshot}, chosen).front());
+  auto const length = implicit_step_length(scene);
+  if (length > 1 && !is_device_backend(chosen) && is_one_of(backend_names(), chosen))
+    return make_choosing(scene, length, std::move(snapshot), chosen);
   auto made = make_engine(scene, snapshot, chosen);
   if (!made)
     throw InputError(fmt::format("--backend {}: not in this build (has: {})", backend,

@@ -23,6 +23,7 @@ struct Sampling {
   std::int64_t window_steps = std::int64_t{1} << 60;
   std::int64_t every = std::int64_t{1} << 60;                         ///< [steps]
   std::int64_t last_step = std::numeric_limits<std::int64_t>::max();  ///< the end of the run
+  bool whole = false;  ///< stop before a lookahead that the end of the run would cut short
 
   KOKKOS_FUNCTION std::int64_t window(std::int64_t step) const { return step / window_steps; }
   KOKKOS_FUNCTION bool sampled(std::int64_t step) const { return step % window_steps % every == 0; }

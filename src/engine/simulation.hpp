@@ -18,7 +18,8 @@ class Simulation {
 
   virtual std::int64_t step() const = 0;
 
-  /// Steps on by at least `steps`, to where the engine can stop, but not beyond sampling.last_step.
+  /// Steps on by at least `steps`, to where the engine can stop, but not beyond sampling.last_step;
+  /// with sampling.whole only to where a longer run would stop too, which may be short of that.
   /// Evaluates configurations at the start of sampled steps and adds them to `windows`. How a run
   /// is cut into calls changes no bit. Throws NumericalError.
   virtual void advance(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) = 0;

@@ -17,7 +17,7 @@
 namespace bagnold::io {
 namespace {
 
-constexpr std::int64_t schema = 8;  ///< of the file, see SCHEMA.md
+constexpr std::int64_t schema = 8;  ///< of the file, see docs/files.md
 
 std::filesystem::path newest_of(std::filesystem::path const& folder) {
   return folder / "checkpoint.h5";
@@ -161,6 +161,7 @@ Checkpoint get_checkpoint(Hdf5Reader const& file) {
   Checkpoint checkpoint;
   checkpoint.scene = file.text("/scene");
   if (file.has("/simd")) checkpoint.simd = file.text("/simd");
+  checkpoint.whole = file.has_attribute("/", "whole") && file.integer("/", "whole") == 1;
   auto const all = places(file);
   for (auto const& at : all) checkpoint.systems.push_back(get_system(file, at));
   checkpoint.wall_seconds = file.number(all.front() + "/run", "wall_seconds");
@@ -183,6 +184,7 @@ Hdf5Writer checkpoint_file(Checkpoint checkpoint) {
   if (count > 1) file.attribute("/", "replicas", static_cast<std::int64_t>(count));
   file.text("/scene", checkpoint.scene);
   if (!checkpoint.simd.empty()) file.text("/simd", checkpoint.simd);
+  file.attribute("/", "whole", std::int64_t{checkpoint.whole ? 1 : 0});
   if (count > 1) file.group("/replicas");
   for (std::size_t r = 0; r < count; ++r) {
     auto const at = place_of(r, count);

@@ -24,11 +24,12 @@ struct SystemCheckpoint : Snapshot {
   std::map<std::string, std::vector<double>> frames;  ///< what observers of frames know
 };
 
-/// All that a run needs to go on bit for bit. Form of the file: SCHEMA.md.
+/// All that a run needs to go on bit for bit. Form of the file: docs/files.md.
 struct Checkpoint {
-  std::string scene;                      ///< resolved, TOML
-  std::string simd;                       ///< level of the engine, src/engine/levels; "" unknown
-  double wall_seconds = 0.0;              ///< so far, [s]
+  std::string scene;          ///< resolved, TOML
+  std::string simd;           ///< level of the engine, src/engine/levels; "" unknown
+  double wall_seconds = 0.0;  ///< so far, [s]
+  bool whole = true;  ///< no lookahead was cut short by the end of a run that may be made longer
   std::vector<SystemCheckpoint> systems;  ///< [R], one at least; each perhaps at a step of its own
 
   std::int64_t steps() const;  ///< done by all systems together

@@ -58,8 +58,8 @@ Joined write_joined(std::filesystem::path const& path, TrajectoryHeader const& h
     auto const file = open_in_memory(image);
     if (!file.valid()) fail_in_hdf5("read a part of", path);
     joined.digest.add(file);
-    for_each_frame(file, [&](State const& state, std::int64_t step) {
-      whole.append(state, step);
+    for_each_frame(file, [&](State const& state, FrameNumbers const& numbers) {
+      whole.append(state, numbers);
       joined.time.push_back(state.time);
     });
   }
@@ -93,6 +93,15 @@ bool reads_back(std::filesystem::path const& path, Hdf5Digest const& expected) {
 }
 
 }  // namespace
+
+void read_h5md(std::filesystem::path const& path,
+               std::function<void(State const&, FrameNumbers const&)> const& visit) {
+  quiet_hdf5();
+  auto const access = access_without_locks();
+  Handle const file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), H5Fclose);
+  if (!file.valid()) fail_in_hdf5("read", path);
+  for_each_frame(file, visit);
+}
 
 std::vector<double> join_h5md(std::filesystem::path const& path, TrajectoryHeader const& header,
                               std::size_t parts, TrajectoryPart const& part) {

@@ -20,4 +20,9 @@ using TrajectoryPart = std::function<std::vector<std::byte>(std::size_t k)>;
 std::vector<double> join_h5md(std::filesystem::path const& path, TrajectoryHeader const& header,
                               std::size_t parts, TrajectoryPart const& part);
 
+/// visit(state, numbers) for every frame of a file that join_h5md() made, in order; see
+/// for_each_frame(). Throws FileError.
+void read_h5md(std::filesystem::path const& path,
+               std::function<void(State const&, FrameNumbers const&)> const& visit);
+
 }  // namespace bagnold::io

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 
@@ -11,18 +12,20 @@
 namespace bagnold::io {
 namespace {
 
-void require(bool good, std::string const& path) {
+void require_read(bool good, std::string const& path) {
   if (!good) throw FileError(fmt::format("{} cannot be read: {}", path, hdf5_reason()));
 }
 
 using Names = std::vector<std::string>;
 
-herr_t keep_attribute(hid_t, char const* name, H5A_info_t const*, void* names) {
+constexpr std::size_t block = std::size_t{1} << 20;  ///< read at once, about, [bytes]
+
+herr_t list_attribute(hid_t, char const* name, H5A_info_t const*, void* names) {
   static_cast<Names*>(names)->emplace_back(name);
   return 0;
 }
 
-herr_t keep_member(hid_t, char const* name, H5L_info_t const*, void* names) {
+herr_t list_member(hid_t, char const* name, H5L_info_t const*, void* names) {
   static_cast<Names*>(names)->emplace_back(name);
   return 0;
 }
@@ -33,7 +36,7 @@ struct Extent {
 
 Extent extent_of(Handle const& space, std::string const& path) {
   int const rank = space.valid() ? H5Sget_simple_extent_ndims(space.get()) : -1;
-  require(rank >= 0, path);
+  require_read(rank >= 0, path);
   Extent extent{Shape(static_cast<std::size_t>(rank)), Shape(static_cast<std::size_t>(rank))};
   H5Sget_simple_extent_dims(space.get(), extent.now.data(), extent.most.data());
   return extent;
@@ -55,12 +58,13 @@ void Hdf5Digest::add(Handle const& file) {
 }
 
 void Hdf5Digest::add_object(Handle const& object, std::string const& path) {
-  require(object.valid(), path);
+  require_read(object.valid(), path);
   add_attributes(object, path);
   if (H5Iget_type(object.get()) == H5I_DATASET) return add_dataset(object, path);
   Names names;
-  require(H5Literate(object.get(), H5_INDEX_NAME, H5_ITER_INC, nullptr, keep_member, &names) >= 0,
-          path);
+  require_read(
+      H5Literate(object.get(), H5_INDEX_NAME, H5_ITER_INC, nullptr, list_member, &names) >= 0,
+      path);
   for (auto const& name : names)
     add_object(Handle(H5Oopen(object.get(), name.c_str(), H5P_DEFAULT), H5Oclose),
                (path == "/" ? path : path + "/") + name);
@@ -68,17 +72,17 @@ void Hdf5Digest::add_object(Handle const& object, std::string const& path) {
 
 void Hdf5Digest::add_attributes(Handle const& object, std::string const& path) {
   Names names;
-  require(
-      H5Aiterate2(object.get(), H5_INDEX_NAME, H5_ITER_INC, nullptr, keep_attribute, &names) >= 0,
+  require_read(
+      H5Aiterate2(object.get(), H5_INDEX_NAME, H5_ITER_INC, nullptr, list_attribute, &names) >= 0,
       path);
   for (auto const& name : names) {
     auto const where = path + "@" + name;
     Handle const attribute(H5Aopen(object.get(), name.c_str(), H5P_DEFAULT), H5Aclose);
-    require(attribute.valid(), where);
+    require_read(attribute.valid(), where);
     Handle const type(H5Aget_type(attribute.get()), H5Tclose);
     auto const extent = extent_of(Handle(H5Aget_space(attribute.get()), H5Sclose), where);
     auto value = room_for(extent.now, type);
-    require(H5Aread(attribute.get(), type.get(), value.data()) >= 0, where);
+    require_read(H5Aread(attribute.get(), type.get(), value.data()) >= 0, where);
     auto const [hash, added] = fixed_.try_emplace(where);
     if (!added) continue;
     add_shape(hash->second, extent.now);
@@ -95,20 +99,26 @@ void Hdf5Digest::add_dataset(Handle const& set, std::string const& path) {
   if (!grows) {
     if (!added) return;
     auto value = room_for(now, type);
-    require(H5Dread(set.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, value.data()) >= 0, path);
+    require_read(H5Dread(set.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, value.data()) >= 0,
+                 path);
     add_shape(hash->second, now);
     hash->second.add(value);
     return;
   }
-  Shape row = now, start(now.size(), 0);
-  row.front() = 1;
-  if (added) add_shape(hash->second, row);
-  auto value = room_for(row, type);
-  Handle const here(H5Screate_simple(static_cast<int>(row.size()), row.data(), nullptr), H5Sclose);
-  for (; start.front() < now.front(); ++start.front()) {
-    H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, start.data(), nullptr, row.data(), nullptr);
-    require(H5Dread(set.get(), type.get(), here.get(), space.get(), H5P_DEFAULT, value.data()) >= 0,
-            path);
+  Shape rows = now, start(now.size(), 0);
+  rows.front() = 1;
+  if (added) add_shape(hash->second, rows);
+  auto const at_once =
+      std::max<hsize_t>(1, block / std::max<std::size_t>(1, room_for(rows, type).size()));
+  for (; start.front() < now.front(); start.front() += rows.front()) {
+    rows.front() = std::min(at_once, now.front() - start.front());
+    auto value = room_for(rows, type);
+    Handle const here(H5Screate_simple(static_cast<int>(rows.size()), rows.data(), nullptr),
+                      H5Sclose);
+    H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, start.data(), nullptr, rows.data(), nullptr);
+    require_read(
+        H5Dread(set.get(), type.get(), here.get(), space.get(), H5P_DEFAULT, value.data()) >= 0,
+        path);
     hash->second.add(value);
   }
 }

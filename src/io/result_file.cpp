@@ -8,12 +8,19 @@
 namespace bagnold::io {
 namespace {
 
+/// Of numbers that are n for each of some frames.
+Shape shape_of(std::vector<std::size_t> const& frames, std::size_t n) {
+  Shape shape(frames.begin(), frames.end());
+  shape.push_back(n);
+  return shape;
+}
+
 void put(Hdf5Writer& file, statistics::Histogram const& h) {
   auto const at = "/histograms/" + h.name;
   file.group(at);
   file.attribute(at, "description", h.description);
   file.dataset(at + "/edges", h.edges, {h.edges.size()}, {{"unit", h.unit}});
-  file.dataset(at + "/density", h.density, {h.density.size()});
+  file.dataset(at + "/density", h.density, shape_of(h.frames, h.edges.size() - 1));
 }
 
 void put(Hdf5Writer& file, statistics::Profile const& p) {
@@ -21,7 +28,8 @@ void put(Hdf5Writer& file, statistics::Profile const& p) {
   file.group(at);
   file.attribute(at, "description", p.description);
   file.dataset(at + "/y", p.y, {p.y.size()}, {{"unit", "d_s"}});
-  file.dataset(at + "/value", p.value, {p.value.size()}, {{"unit", p.unit}});
+  file.dataset(at + "/value", p.value, shape_of(p.frames, p.y.size()), {{"unit", p.unit}});
+  if (!p.frames.empty()) return;
   file.dataset(at + "/error", p.error, {p.error.size()}, {{"unit", p.unit}});
 }
 

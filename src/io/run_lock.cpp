@@ -100,4 +100,12 @@ void RunLock::check_folder() const {
                   path_.string()));
 }
 
+std::string lock_holder(std::filesystem::path const& folder) {
+  auto const file = open_descriptor(folder / ".lock", O_RDONLY | O_NOFOLLOW | O_NONBLOCK);
+  if (!file.open()) return {};
+  // shared, and let go of when the descriptor is closed, at once
+  if (::flock(file.get(), LOCK_SH | LOCK_NB) == 0 || errno != EWOULDBLOCK) return {};
+  return holder(file);
+}
+
 }  // namespace bagnold::io

@@ -36,4 +36,8 @@ class RunLock {
   std::string remark_;
 };
 
+/// Host and process that hold the lock of a folder; "" where nobody does, or none can be told.
+/// Writes nothing.
+std::string lock_holder(std::filesystem::path const& folder);
+
 }  // namespace bagnold::io

@@ -13,7 +13,7 @@
 
 namespace bagnold::io {
 
-/// Reads the states in the group `/state` of an HDF5 file, see SCHEMA.md: one, or R where the
+/// Reads the states in the group `/state` of an HDF5 file, see docs/files.md: one, or R where the
 /// datasets have a leading axis. Numbers of any width come as doubles, where that loses nothing.
 /// InputError where the file is missing, is not of that form, or a state is impossible: shapes
 /// differ, R < 1, N < 2, a value is not finite, a length is not above 0; with `expected_count`,

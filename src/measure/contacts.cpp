@@ -7,6 +7,7 @@
 
 #include "src/measure/contact_histograms.hpp"
 #include "src/measure/contact_samples.hpp"
+#include "src/measure/each_frame.hpp"
 
 namespace bagnold {
 
@@ -109,6 +110,11 @@ class Contacts final : public FrameObserver {
     found_->histograms.load(numbers);
   }
 
+  void forget_before(double /*strain*/) override {
+    found_->histograms = ContactHistograms(time_step_);
+    if (found_->velocities) found_->velocities.emplace();
+  }
+
   void report(std::vector<FrameObserver const*> const& systems,
               FrameResults& results) const override {
     ContactHistograms all(time_step_);
@@ -167,9 +173,14 @@ std::shared_ptr<ContactRecord> watch_contacts(Scene const& scene, Plan const& pl
   auto const record =
       std::make_shared<ContactRecord>(static_cast<std::size_t>(scene.disks.count), columns,
                                       plan.discarded_windows * plan.window_steps, found, choice);
+  frames.know_contacts(record);
+  auto contacts = std::make_unique<Contacts>(scene, plan.time_step, record, found);
   constexpr auto never = std::int64_t{1} << 60;
-  frames.add_observer(std::make_unique<Contacts>(scene, plan.time_step, record, found), never,
-                      never);
+  if (plan.ramp)
+    frames.add_observer(std::make_unique<EachFrame>("contacts", std::move(contacts), plan),
+                        plan.frame_steps, plan.discarded_windows * plan.window_steps);
+  else
+    frames.add_observer(std::move(contacts), never, never);
   return record;
 }
 

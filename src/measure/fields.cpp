@@ -5,10 +5,8 @@
 
 namespace bagnold {
 
-Fields::Fields(double strain_rate)
-    : rate_(strain_rate),
-      packing_fraction_(even_edges(0.0, 1.2, 240)),
-      strain_rate_(sinh_edges(1.0, 12.0, 240)) {}
+Fields::Fields()
+    : packing_fraction_(even_edges(0.0, 1.2, 240)), strain_rate_(sinh_edges(1.0, 12.0, 240)) {}
 
 void Fields::add(Frame const& frame) {
   State const& state = frame.state;
@@ -16,7 +14,7 @@ void Fields::add(Frame const& frame) {
   last_.clear();
   for (std::size_t i = 0; i < state.count(); ++i) {
     packing_fraction_.add(fields.packing_fraction[i]);
-    strain_rate_.add(fields.strain_rate[i] / rate_);
+    strain_rate_.add(fields.strain_rate[i] / state.strain_rate.value());
     last_.insert(last_.end(), {state.position[i][0], state.position[i][1], state.diameter[i],
                                fields.packing_fraction[i], fields.strain_rate[i]});
   }
@@ -37,8 +35,10 @@ void Fields::load(ObserverState const& numbers) {
   frame_ = numbers.at("fields_frame");
 }
 
+void Fields::forget_before(double /*strain*/) { *this = Fields(); }
+
 void Fields::report(std::vector<FrameObserver const*> const& systems, FrameResults& results) const {
-  Fields all(rate_);
+  Fields all;
   for (auto const* system : systems) {
     auto const& of = dynamic_cast<Fields const&>(*system);
     all.packing_fraction_.add(of.packing_fraction_);

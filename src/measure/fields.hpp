@@ -10,17 +10,17 @@ namespace bagnold {
 /// of the last one, for a picture; of several systems, of the first.
 class Fields final : public FrameObserver {
  public:
-  /// strain_rate: [1/tau_e]. The box is least_box_for_fields() wide at least.
-  explicit Fields(double strain_rate);
+  /// The box is least_box_for_fields() wide at least.
+  Fields();
 
   void add(Frame const& frame) override;
   void save(ObserverState& numbers) override;
   void load(ObserverState const& numbers) override;
+  void forget_before(double strain) override;
   void report(std::vector<FrameObserver const*> const& systems,
               FrameResults& results) const override;
 
  private:
-  double rate_;
   Counts packing_fraction_;
   Counts strain_rate_;
   std::vector<double> last_;   ///< [N][5]: x, y, diameter, phi, gammadot

@@ -3,9 +3,11 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "src/engine/contacts/contact_record.hpp"
 #include "src/engine/observables.hpp"
 #include "src/state/state.hpp"
 #include "src/statistics/tables.hpp"
@@ -43,6 +45,11 @@ class FrameObserver {
   /// The inverse, before the first frame of a resumed run.
   virtual void load(ObserverState const& numbers) = 0;
 
+  /// Forgets the frames before this strain, as if it had not been shown them: of a run that was
+  /// made longer more is discarded. Those that cannot tell their frames apart forget all, and are
+  /// asked only where no other frame was shown.
+  virtual void forget_before(double /*strain*/) {}
+
   /// What of its files is no longer as it was saved, and what to do; empty: nothing. The run goes
   /// on.
   virtual std::string lost() const { return {}; }
@@ -54,6 +61,9 @@ class FrameObserver {
 
   /// Numbers that it measures, from a table whose rows are its frames.
   virtual std::vector<SampledObservable> observables() const { return {}; }
+
+  /// The record of contacts of its system, if there is one, before the first frame.
+  virtual void know_contacts(std::shared_ptr<ContactRecord const> const& /*record*/) {}
 
   /// A run begins that is not resumed; its last frame has been shown; all its results are written.
   virtual void begin() {}

@@ -27,9 +27,13 @@ void Frames::show(Simulation const& simulation, std::int64_t from) {
   auto const waits = [&](Observed const& w) { return w.waits(from, step); };
   if (std::ranges::none_of(observed_, waits)) return;
   State const state = simulation.state();
-  Frame const frame{state, step, static_cast<double>(step) * step_strain_};
+  Frame const frame{state, step, strain_(step)};
   for (auto const& w : observed_)
     if (waits(w)) w.observer->add(frame);
+}
+
+void Frames::know_contacts(std::shared_ptr<ContactRecord const> const& record) {
+  for (auto const& w : observed_) w.observer->know_contacts(record);
 }
 
 void Frames::begin() {
@@ -52,6 +56,10 @@ ObserverState Frames::save() {
 
 void Frames::load(ObserverState const& numbers) {
   for (auto const& w : observed_) w.observer->load(numbers);
+}
+
+void Frames::forget_before(std::int64_t step) {
+  for (auto const& w : observed_) w.observer->forget_before(strain_(step));
 }
 
 std::vector<std::string> Frames::lost() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -17,8 +18,9 @@ namespace bagnold {
 /// not depend on how the run is cut into calls, if each goes no further than next().
 class Frames {
  public:
-  /// step_strain: gammadot dt.
-  explicit Frames(double step_strain = 0.0) : step_strain_(step_strain) {}
+  /// strain(step): from step 0 to the start of `step`.
+  explicit Frames(std::function<double(std::int64_t)> strain = [](std::int64_t) { return 0.0; })
+      : strain_(std::move(strain)) {}
 
   /// spacing: [steps], 1 at least. Frames before first_step are not shown.
   void add_observer(std::unique_ptr<FrameObserver> observer, std::int64_t spacing,
@@ -32,9 +34,11 @@ class Frames {
   void show(Simulation const& simulation, std::int64_t from);
 
   /// To all observers, see FrameObserver.
+  void know_contacts(std::shared_ptr<ContactRecord const> const& record);
   void begin();
   ObserverState save();
   void load(ObserverState const& numbers);
+  void forget_before(std::int64_t step);
   std::vector<std::string> lost() const;
   void finish();
   void tidy();
@@ -51,7 +55,7 @@ class Frames {
 
     bool waits(std::int64_t from, std::int64_t to) const;
   };
-  double step_strain_;
+  std::function<double(std::int64_t)> strain_;
   static std::vector<FrameObserver const*> observers(std::vector<Frames const*> const& systems,
                                                      std::size_t which);
 

@@ -72,9 +72,14 @@ double or_nan(std::optional<double> const& value) {
 }  // namespace
 
 Profiles::Profiles(Scene const& scene, Slices const& slices)
-    : scene_(scene), slices_(slices), plain_{slices_.n * columns, {}, {}}, aligned_(plain_) {}
+    : scene_(scene),
+      slices_(slices),
+      rate_(scene.shear.strain_rate),
+      plain_{slices_.n * columns, {}, {}},
+      aligned_(plain_) {}
 
 void Profiles::add(Frame const& frame) {
+  rate_ = frame.state.strain_rate.value();
   std::vector<double> mass;
   for (double const d : frame.state.diameter) mass.push_back(disk_mass(scene_.mass_by_area(), d));
   auto const stress = disk_stress(scene_, frame.state);
@@ -99,9 +104,22 @@ void Profiles::load(ObserverState const& numbers) {
   plain_.weight = aligned_.weight = std::vector<double>(band_position_.size() / 2, 1.0);
 }
 
+void Profiles::forget_before(double strain) {
+  std::size_t frames = 0;
+  while (2 * frames < band_position_.size() && band_position_[2 * frames] < strain) ++frames;
+  auto const drop = [frames](std::vector<double>& values, std::size_t each) {
+    values.erase(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(frames * each));
+  };
+  drop(band_position_, 2);
+  for (auto* table : {&plain_, &aligned_}) {
+    drop(table->sums, table->columns);
+    drop(table->weight, 1);
+  }
+}
+
 void Profiles::report_profiles(std::vector<statistics::Windows const*> const& frames,
                                std::string const& suffix, FrameResults& results) const {
-  double const rate = scene_.shear.strain_rate;
+  double const rate = rate_;
   auto const first = results.profiles.size();
   auto const quantities = profile_quantities(slices_, rate, scene_.rotates());
   for (auto const& quantity : quantities)
@@ -144,7 +162,7 @@ void Profiles::report(std::vector<FrameObserver const*> const& systems,
 }
 
 std::vector<SampledObservable> Profiles::observables() const {
-  double const rate = scene_.shear.strain_rate;
+  double const rate = rate_;
   auto const quantities = profile_quantities(slices_, rate, scene_.rotates());
   auto const share = [&](std::string_view name, double level, double sign) {
     auto const quantity = *std::ranges::find(quantities, name, &ProfileQuantity::name);

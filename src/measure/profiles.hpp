@@ -24,6 +24,7 @@ class Profiles final : public FrameObserver {
   void add(Frame const& frame) override;
   void save(ObserverState& numbers) override;
   void load(ObserverState const& numbers) override;
+  void forget_before(double strain) override;
   void report(std::vector<FrameObserver const*> const& systems,
               FrameResults& results) const override;
   std::vector<SampledObservable> observables() const override;
@@ -35,6 +36,7 @@ class Profiles final : public FrameObserver {
 
   Scene scene_;
   Slices slices_;
+  double rate_;                ///< of the last frame, [1/tau_e]
   statistics::Windows plain_;  ///< a frame is a window; columns: [slices][SliceColumns]
   statistics::Windows aligned_;
   std::vector<double> band_position_;  ///< [frames][2]: strain, and y of the band, [d_s]

@@ -12,6 +12,8 @@ void Rotation::save(ObserverState& numbers) { numbers["rotation"] = counts_.numb
 
 void Rotation::load(ObserverState const& numbers) { counts_.restore(numbers.at("rotation")); }
 
+void Rotation::forget_before(double /*strain*/) { counts_ = Rotation().counts_; }
+
 void Rotation::report(std::vector<FrameObserver const*> const& systems,
                       FrameResults& results) const {
   auto all = Rotation().counts_;

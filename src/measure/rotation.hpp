@@ -13,6 +13,7 @@ class Rotation final : public FrameObserver {
   void add(Frame const& frame) override;
   void save(ObserverState& numbers) override;
   void load(ObserverState const& numbers) override;
+  void forget_before(double strain) override;
   void report(std::vector<FrameObserver const*> const& systems,
               FrameResults& results) const override;
 

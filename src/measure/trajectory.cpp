@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <mutex>
 #include <set>
 
@@ -26,6 +27,7 @@ std::mutex one_at_a_time;
 constexpr std::size_t increment = std::size_t{1} << 16;  ///< of a part in memory, [bytes]
 
 constexpr char const* saved_hashes = "trajectory_hashes";
+constexpr char const* saved_last_step = "trajectory_last_step";
 
 constexpr int half = 32;  ///< bits of a hash in a double
 
@@ -34,8 +36,16 @@ constexpr int saves_that_replace_all = 3;
 
 }  // namespace
 
-Trajectory::Trajectory(fs::path file, io::TrajectoryHeader header, std::size_t part_bytes)
-    : file_(std::move(file)), header_(std::move(header)), part_bytes_(part_bytes) {}
+Trajectory::Trajectory(fs::path file, io::TrajectoryHeader header, std::size_t part_bytes,
+                       Contacts contacts)
+    : file_(std::move(file)),
+      header_(std::move(header)),
+      part_bytes_(part_bytes),
+      contacts_(std::move(contacts)) {}
+
+void Trajectory::know_contacts(std::shared_ptr<ContactRecord const> const& record) {
+  record_ = record;
+}
 
 fs::path Trajectory::folder() const { return fs::path(file_).replace_extension(".parts"); }
 
@@ -46,10 +56,34 @@ fs::path Trajectory::part(std::size_t number) const {
 }
 
 void Trajectory::add(Frame const& frame) {
+  io::FrameNumbers numbers{frame.step, frame.strain};
+  if (header_.contacts) numbers.contacts = contacts_(frame, record_.get());
   std::lock_guard const lock(one_at_a_time);
+  if (joined() && !outdated_) take_apart();
+  if (!unwrapping_.begun() && !hashes_.empty()) go_on_from_parts();
+  last_step_ = frame.step;
   if (!open_) open_.emplace(io::create_in_memory(increment), header_);
-  open_->append(frame.state, frame.step);
+  if (header_.numbers) numbers.images = unwrapping_.next(frame.state, frame.strain);
+  open_->append(frame.state, numbers);
   if (open_->bytes() >= part_bytes_) write_part();
+}
+
+/// Of a resumed run. Where the last part is lost, which is told, images begin anew.
+void Trajectory::go_on_from_parts() {
+  try {
+    auto image = read_part(hashes_.size() - 1);
+    auto const file = io::open_in_memory(image);
+    header_.numbers = io::has_numbers(file);
+    if (!header_.numbers) return;
+    State last;
+    io::FrameNumbers known;
+    io::for_each_frame(file, [&](State const& state, io::FrameNumbers const& numbers) {
+      last = state;
+      known = numbers;
+    });
+    unwrapping_.go_on_from(last, known.strain, std::move(known.images));
+  } catch (FileError const&) {
+  }
 }
 
 void Trajectory::write_part() {
@@ -67,12 +101,16 @@ void Trajectory::write_part() {
 
 void Trajectory::save(ObserverState& numbers) {
   if (open_) write_part();
-  if (++saves_ == saves_that_replace_all) remove_other_parts();
+  if (++saves_ == saves_that_replace_all) {  // no checkpoint is left that does not count the parts
+    remove_other_parts();
+    if (outdated_) remove_joined();
+  }
   std::vector<double> halves;
   for (auto const hash : hashes_)
     halves.insert(halves.end(), {static_cast<double>(hash >> half),
                                  static_cast<double>(hash & ((std::uint64_t{1} << half) - 1))});
   numbers[saved_hashes] = std::move(halves);
+  numbers[saved_last_step] = {static_cast<double>(last_step_)};
 }
 
 void Trajectory::load(ObserverState const& numbers) {
@@ -86,6 +124,31 @@ void Trajectory::load(ObserverState const& numbers) {
   for (std::size_t k = 0; k + 1 < halves.size(); k += 2)
     hashes_.push_back(static_cast<std::uint64_t>(halves[k]) << half |
                       static_cast<std::uint64_t>(halves[k + 1]));
+  auto const last = numbers.find(saved_last_step);  // an older version knew all frames at its end
+  last_step_ = last == numbers.end() ? std::numeric_limits<std::int64_t>::max()
+                                     : static_cast<std::int64_t>(last->second.front());
+  outdated_ = joined() && !hashes_.empty() && parts_are_whole();
+}
+
+/// Frames beyond the checkpoint's are left out: a longer run may have stopped for them elsewhere.
+void Trajectory::take_apart() {
+  auto const last = last_step_;
+  hashes_.clear();
+  io::read_h5md(file_, [&](State const& state, io::FrameNumbers const& numbers) {
+    if (numbers.step > last) return;
+    header_.numbers = !numbers.images.empty();
+    if (header_.numbers) unwrapping_.go_on_from(state, numbers.strain, numbers.images);
+    if (!open_) open_.emplace(io::create_in_memory(increment), header_);
+    open_->append(state, numbers);
+    if (open_->bytes() >= part_bytes_) write_part();
+  });
+  outdated_ = true;
+}
+
+void Trajectory::remove_joined() {
+  io::remove_file(file_);
+  io::remove_file(xdmf());
+  outdated_ = false;
 }
 
 void Trajectory::remove_other_parts() const {
@@ -120,6 +183,15 @@ bool Trajectory::joined() const {
   return fs::exists(file_, ignored);
 }
 
+bool Trajectory::parts_are_whole() const {
+  try {
+    for (std::size_t k = 0; k < hashes_.size(); ++k) (void)read_part(k);
+    return true;
+  } catch (FileError const&) {
+    return false;
+  }
+}
+
 std::string Trajectory::lost() const {
   if (joined()) return {};
   try {
@@ -132,12 +204,16 @@ std::string Trajectory::lost() const {
 
 void Trajectory::begin() {
   tidy();
-  io::remove_file(file_);
-  io::remove_file(xdmf());
+  remove_joined();
 }
 
 void Trajectory::finish() {
-  if (joined()) return;
+  if (joined() && !outdated_) return;
+  if (open_) write_part();
+  if (!hashes_.empty()) {  // perhaps of an older version
+    auto image = read_part(0);
+    header_.numbers = io::has_numbers(io::open_in_memory(image));
+  }
   auto const temporary = io::temporary_of(file_);
   auto const time = io::join_h5md(temporary, header_, hashes_.size(),
                                   [&](std::size_t k) { return read_part(k); });

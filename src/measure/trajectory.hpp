@@ -3,11 +3,14 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "src/io/h5md_file.hpp"
 #include "src/measure/frame_observer.hpp"
+#include "src/measure/unwrapping.hpp"
 
 namespace bagnold {
 
@@ -19,13 +22,21 @@ namespace bagnold {
 /// the place of one that an older checkpoint, or one that could not be read for once, counts; those
 /// of other lineages are removed when no checkpoint can count them any more. Every part is a
 /// trajectory of its own. Nothing is copied but once, at the end.
+///
+/// Where a finished run is made longer, NAME.h5md becomes parts again at the first new frame, those
+/// frames of it that the checkpoint counts; it is removed when a checkpoint counts these parts.
 class Trajectory final : public FrameObserver {
  public:
+  using Contacts = std::function<FrameContacts(Frame const&, ContactRecord const*)>;
+
   /// file: NAME.h5md. part_bytes: memory that frames may take; a part has one frame at least.
-  Trajectory(std::filesystem::path file, io::TrajectoryHeader header, std::size_t part_bytes);
+  /// contacts: of a frame, where header.contacts.
+  Trajectory(std::filesystem::path file, io::TrajectoryHeader header, std::size_t part_bytes,
+             Contacts contacts = {});
 
   /// Those of several systems may be called by threads of their own.
   void add(Frame const& frame) override;
+  void know_contacts(std::shared_ptr<ContactRecord const> const& record) override;
   void save(ObserverState& numbers) override;
   void load(ObserverState const& numbers) override;
   void report(std::vector<FrameObserver const*> const&, FrameResults&) const override {}
@@ -49,14 +60,23 @@ class Trajectory final : public FrameObserver {
   std::filesystem::path xdmf() const;
   std::vector<std::byte> read_part(std::size_t number) const;
   void write_part();
+  void go_on_from_parts();
   void remove_other_parts() const;
   bool joined() const;
+  bool parts_are_whole() const;
+  void take_apart();  ///< NAME.h5md
+  void remove_joined();
 
   std::filesystem::path file_;
   io::TrajectoryHeader header_;
   std::size_t part_bytes_;
-  std::optional<io::H5mdFile> open_;   ///< the part in memory
+  Contacts contacts_;
+  std::shared_ptr<ContactRecord const> record_;  ///< or none
+  std::optional<io::H5mdFile> open_;             ///< the part in memory
+  Unwrapping unwrapping_;
   std::vector<std::uint64_t> hashes_;  ///< of the parts on the disk, seals left out
+  std::int64_t last_step_ = -1;        ///< of the frames so far
+  bool outdated_ = false;              ///< NAME.h5md, which lacks frames that the parts have
   int saves_ = 0;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 namespace bagnold {
@@ -12,5 +13,8 @@ void say(std::string const& message);
 
 /// A warning on stderr, quiet or not; nothing for no message.
 void warn(std::string const& message);
+
+/// What a run says that is stopped while its start is made.
+std::string stopped_before_the_first_step(std::filesystem::path const& folder);
 
 }  // namespace bagnold

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "src/io/atomic_file.hpp"
 #include "src/run/messages.hpp"
 #include "src/run/plot.hpp"
 
@@ -15,8 +16,18 @@ void draw_missing_pictures(RunFolder const& folder, Scene const& scene) {
   };
   if (missing("plot.png")) warn(draw_plot(folder.result(), folder.picture()));
   if ((scene.measure.profiles && missing("profiles.png")) ||
-      (scene.measure.fields && missing("fields.png")))
+      (scene.measure.fields && scene.shear.protocol != "ramp" && missing("fields.png")) ||
+      (makes_histograms(scene) && missing("histograms.png")))
     warn(draw_frames(folder.result(), folder.path()));
+}
+
+bool makes_histograms(Scene const& scene) {
+  return scene.measure.contacts || scene.measure.rotation || scene.measure.fields;
+}
+
+void drop_pictures(RunFolder const& folder) {
+  for (auto const* name : {"plot.png", "profiles.png", "fields.png", "histograms.png"})
+    io::remove_file(folder.path() / name);
 }
 
 }  // namespace bagnold

@@ -10,4 +10,10 @@ namespace bagnold {
 /// where one cannot be drawn.
 void draw_missing_pictures(RunFolder const& folder, Scene const& scene);
 
+/// Whether the scene measures what histograms.png shows.
+bool makes_histograms(Scene const& scene);
+
+/// Removes these pictures, whether the scene asks for them or not.
+void drop_pictures(RunFolder const& folder);
+
 }  // namespace bagnold

@@ -20,7 +20,8 @@ bool is_program(fs::path const& file) {
          access(file.c_str(), X_OK) == 0;
 }
 
-/// The first program of a name in PATH; none: empty.
+}  // namespace
+
 fs::path in_path(std::string const& name) {
   char const* const path = std::getenv("PATH");
   std::istringstream folders(path ? path : "");
@@ -28,8 +29,6 @@ fs::path in_path(std::string const& name) {
     if (auto const program = fs::path(folder) / name; is_program(program)) return program;
   return {};
 }
-
-}  // namespace
 
 std::vector<fs::path> pythons() {
   std::vector<fs::path> found;

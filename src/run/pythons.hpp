@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace bagnold {
@@ -12,5 +13,8 @@ namespace bagnold {
 /// All are absolute, and entries of PATH that are not are passed over: what lies in the folder
 /// where the user stands is data, whoever put it there, and is not run.
 std::vector<std::filesystem::path> pythons();
+
+/// The first program of a name in PATH, of entries that are absolute; none: empty.
+std::filesystem::path in_path(std::string const& name);
 
 }  // namespace bagnold

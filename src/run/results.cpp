@@ -284,15 +284,18 @@ void add_protocol(Json& summary, Run const& run) {
   if (!run.reached.empty()) summary["target_error_reached"] = run.target_met;
 }
 
-Json warnings_json(std::vector<Warning> const& warnings) {
+/// Warnings, or notes, of all that is said.
+Json warnings_json(std::vector<Warning> const& said, bool notes) {
   Json all = Json::array();
-  for (auto const& warning : warnings) {
+  for (auto const& warning : said) {
+    if (warning.is_note != notes) continue;
     Json numbers = Json::object();
     for (auto const& [name, value] : warning.numbers) numbers[name] = number(value);
     all.push_back({{"name", warning.name},
                    {"numbers", std::move(numbers)},
                    {"reason", warning.reason},
                    {"remedy", warning.remedy}});
+    if (!warning.command.empty()) all.back()["command"] = warning.command;
   }
   return all;
 }
@@ -331,7 +334,8 @@ void write_summary(RunFolder const& folder, Run const& run, std::vector<NamedEst
   summary["wall_seconds"] = run.wall_seconds;
   summary["disk_steps_per_second"] =
       number(run.wall_seconds > 0 ? disk_steps / run.wall_seconds : nan);
-  summary["warnings"] = warnings_json(warnings);
+  summary["warnings"] = warnings_json(warnings, false);
+  summary["notes"] = warnings_json(warnings, true);
   add_protocol(summary, run);
   bool const several = run.replicas.size() > 1 && !run.plan.ramp;
   if (several) summary["errors_from"] = errors_from(run);

@@ -21,7 +21,8 @@ struct Replica {
   std::map<std::string, double> start_record;
   std::map<std::string, double> engine;  ///< its counters and choices at the last checkpoint
   std::optional<ObserverState>
-      saved_frames;  ///< of the checkpoint it goes on from; none: it begins
+      saved_frames;            ///< of the checkpoint it goes on from; none: it begins
+  bool discards_more = false;  ///< than at the checkpoint: the run was made longer since
   Measurement measurement;
 };
 

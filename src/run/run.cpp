@@ -11,6 +11,7 @@
 #include "src/config/time_step.hpp"
 #include "src/io/atomic_file.hpp"
 #include "src/io/trajectory_parts.hpp"
+#include "src/run/make_longer.hpp"
 #include "src/run/pictures.hpp"
 #include "src/run/protocols/cascade/cascade.hpp"
 #include "src/run/start_or_resume.hpp"
@@ -28,9 +29,32 @@ RunMonitor& monitor_of(RunOptions const& options) {
 void refuse_sweep(std::filesystem::path const& folder) {
   if (std::filesystem::exists(folder / "points.json"))
     throw InputError(
-        fmt::format("{}: holds a sweep; the command that began it goes on with it: `bagnold "
-                    "sweep FILE --out {}`",
+        fmt::format("{}: holds a sweep; the command that began it goes on with it, also with more "
+                    "points or strain in its file: `bagnold sweep FILE --out {}`",
                     folder.string(), folder.string()));
+}
+
+/// `bagnold resume DIR --strain`: of a cascade its last rate, which no other starts from.
+void give_strain(RunFolder const& folder, double strain, RunMonitor& monitor) {
+  if (!std::filesystem::exists(folder.scene()))
+    throw InputError(fmt::format("{}: has no scene.toml; `bagnold resume {}` writes it again",
+                                 folder.path().string(), folder.path().string()));
+  if (auto const stage = stage_folder_in_cascade(folder.path()))
+    throw InputError(fmt::format(
+        "{}: is a rate of the cascade in {}, whose last rate alone can be made longer: `bagnold "
+        "resume {} --strain {}`",
+        folder.path().string(), stage->cascade.string(), stage->cascade.string(), strain));
+  Scene const before = read_scene(folder.scene());
+  Scene const after = with_strain(before, strain, folder.path().string());
+  if (write_scene(after) == write_scene(before)) return;
+  if (before.shear.protocol != "cascade") return make_longer(folder, after);
+  auto const& rates = after.shear.strain_rates;
+  monitor.status(
+      fmt::format("the last rate of the cascade, {}, gets {} instead of {} of strain; those before "
+                  "stay as they "
+                  "are, for each starts from the last state of the one before",
+                  rates.back(), strain, before.shear.strain.at(rates.size() - 1)));
+  make_cascade_longer(folder, after);
 }
 
 }  // namespace
@@ -53,6 +77,7 @@ RunEnd resume(std::filesystem::path const& name, RunOptions const& options) {
   refuse_sweep(name);
   RunFolder const folder = RunFolder::open(name);
   RunMonitor& monitor = monitor_of(options);
+  if (options.strain) give_strain(folder, *options.strain, monitor);
   if (io::run_finished(folder.path())) {
     folder.remove_trajectory_parts();
     if (std::filesystem::exists(folder.scene()) && !cascade_in(folder))

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "src/config/scene.hpp"
 #include "src/run/machine.hpp"
@@ -13,6 +14,7 @@ struct RunOptions {
   Machine machine;
   bool replace = false;           ///< the run that is in the folder
   bool allow_unstable = false;    ///< accept a time step beyond the scheme's stability
+  std::optional<double> strain;   ///< of resume(): make the run, or a cascade's last rate, as long
   RunMonitor* monitor = nullptr;  ///< null: nobody
 };
 
@@ -25,8 +27,8 @@ struct RunOptions {
 RunEnd run(Scene scene, std::filesystem::path const& folder, RunOptions const& options = {});
 
 /// Goes on with the run in a folder, bit for bit, from its newest checkpoint that verifies, as
-/// `bagnold resume` does; nothing is left to do in a finished one. Of `options` the machine and the
-/// monitor count.
+/// `bagnold resume` does; nothing is left to do in a finished one, unless `options.strain` makes it
+/// longer (make_longer.hpp). Of `options` that, the machine and the monitor count.
 RunEnd resume(std::filesystem::path const& folder, RunOptions const& options = {});
 
 }  // namespace bagnold

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
+#include <vector>
 
 namespace bagnold {
 
@@ -23,10 +25,12 @@ class StretchSize {
 };
 
 /// Steps one system on to `stop`, or to where it can stop, and takes what it measures on the way.
-void advance(MeasuredSystem const& system, std::int64_t stop, Plan const& plan) {
+/// Returns false where it goes no further (LegEnd::whole).
+bool advance(MeasuredSystem const& system, std::int64_t stop, Plan const& plan, LegEnd end) {
   auto& [simulation, measurement] = system;
   auto const from = simulation.step();
-  simulation.advance(stop - from, {plan.window_steps, plan.every, plan.steps}, measurement.open);
+  simulation.advance(stop - from, {plan.window_steps, plan.every, plan.steps, end == LegEnd::whole},
+                     measurement.open);
   measurement.frames.show(simulation, from);
   while (std::min((measurement.open.first + 1) * plan.window_steps, plan.steps) <=
              simulation.step() &&
@@ -34,31 +38,36 @@ void advance(MeasuredSystem const& system, std::int64_t stop, Plan const& plan) 
     WindowSums const done = measurement.open.take_first();
     measurement.windows.push_back(done.sums, done.weight);
   }
+  return simulation.step() >= std::min(stop, plan.steps);
 }
 
-/// The step of the system that is furthest behind.
-std::int64_t step_of(std::span<MeasuredSystem const> systems) {
-  auto least = systems.front().simulation.step();
-  for (auto const& system : systems) least = std::min(least, system.simulation.step());
+constexpr auto nobody = std::numeric_limits<std::int64_t>::max();
+
+/// The step of the system that is furthest behind of those that go on.
+std::int64_t step_of(std::span<MeasuredSystem const> systems, std::vector<bool> const& ended) {
+  auto least = nobody;
+  for (std::size_t s = 0; s < systems.size(); ++s)
+    if (!ended[s]) least = std::min(least, systems[s].simulation.step());
   return least;
 }
 
 }  // namespace
 
 bool run_measured(std::span<MeasuredSystem const> systems, Plan const& plan,
-                  std::function<bool()> const& go_on) {
+                  std::function<bool()> const& go_on, LegEnd end) {
   StretchSize stretch;
+  std::vector<bool> ended(systems.size(), false);
   for (auto const& [simulation, measurement] : systems)
     if (simulation.step() == 0) measurement.frames.show(simulation, -1);
-  for (auto from = step_of(systems); from < plan.steps; from = step_of(systems)) {
+  for (auto from = step_of(systems, ended); from < plan.steps; from = step_of(systems, ended)) {
     auto const start = std::chrono::steady_clock::now();
     auto stop = from + stretch.steps();
     for (auto const& [simulation, measurement] : systems)
       stop = std::min(stop, measurement.frames.next(simulation.step()));
     for (std::size_t s = 0; s < systems.size(); ++s) {
-      if (systems[s].simulation.step() >= std::min(stop, plan.steps)) continue;
+      if (ended[s] || systems[s].simulation.step() >= std::min(stop, plan.steps)) continue;
       try {
-        advance(systems[s], stop, plan);
+        ended[s] = !advance(systems[s], stop, plan, end);
       } catch (NumericalError const& error) {
         throw SystemFailure(s, error);
       }
@@ -70,9 +79,9 @@ bool run_measured(std::span<MeasuredSystem const> systems, Plan const& plan,
 }
 
 bool run_measured(Simulation& simulation, Plan const& plan, Measurement& measurement,
-                  std::function<bool()> const& go_on) {
+                  std::function<bool()> const& go_on, LegEnd end) {
   MeasuredSystem const one{simulation, measurement};
-  return run_measured({&one, 1}, plan, go_on);
+  return run_measured({&one, 1}, plan, go_on, end);
 }
 
 }  // namespace bagnold

@@ -138,7 +138,7 @@ RunTimeTrial::RunTimeTrial(Scene const& scene, std::optional<State> start, doubl
   small_.disks.replicas = 1;
   small_.start.rescale = true;
   small_.shear.protocol = "steady";
-  small_.integration.scheme = automatic;
+  small_.integration.scheme = default_scheme;
   small_.integration.time_step = automatic;
   small_.integration.engine = "auto";
   small_.measure = {};
@@ -188,7 +188,7 @@ RunTimeTrial::Cost RunTimeTrial::cost(Scene const& run, Plan const& plan, double
     double const share = budget / static_cast<double>(stretches.size());
     stepped.step(share / 3);  // lists, windows and the flow find their ways
     cost.steps += steps * stepped.step(2 * share / 3);
-    if (!plan.ramp) cost.frame = stepped.frame(scene);
+    cost.frame = stepped.frame(scene);
     state_ = stepped.state();
   }
   return cost;

@@ -70,8 +70,7 @@ bool Runner::start(std::vector<std::optional<Snapshot>> snapshots) {
     return true;
   };
   if (!work(all)) {
-    say(fmt::format("stopped before the first step; `bagnold resume {}` begins anew",
-                    folder_.path().string()));
+    say(stopped_before_the_first_step(folder_.path()));
     return false;
   }
   if (together_) make_all_together(starts);
@@ -126,8 +125,10 @@ std::unique_ptr<Simulation> Runner::simulation_of(std::size_t r, Snapshot&& snap
 void Runner::make_frames_of(std::size_t r, State const& start) {
   auto const file =
       folder_.trajectory(run_.replicas.size() > 1 ? std::optional(seed(r)) : std::nullopt);
+  Scene scene = run_.scene;
+  scene.disks.seed = seed(r);
   run_.replicas[r].measurement.frames =
-      make_frames(run_.scene, run_.plan, start, file, provenance().version);
+      make_frames(scene, run_.plan, start, file, provenance().version);
 }
 
 void Runner::add_observers(std::size_t r) {
@@ -143,6 +144,7 @@ void Runner::add_observers(std::size_t r) {
   }
   if (!replica.saved_frames) return frames.begin();
   frames.load(*std::exchange(replica.saved_frames, {}));
+  if (replica.discards_more) frames.forget_before(whole_.discarded_windows * whole_.window_steps);
   for (auto const& lost : frames.lost()) warn(lost);
 }
 
@@ -176,15 +178,32 @@ RunEnd Runner::run() {
   bool done = false;
   do {
     if (!run_.scene.shear.target_error.empty()) run_.plan = next_leg();
-    done = (work(all) || steps() == steps_wanted()) && enough();
+    done = work_on_leg(all) && enough();
   } while (!done && !monitor_.stop_requested());
   monitor_.end(steps());
-  checkpoint();
+  if (!done || !is_last_leg()) checkpoint();
   if (done)
     finish();
   else
     say_where_it_stopped();
   return done ? RunEnd::done : RunEnd::stopped;
+}
+
+/// The checkpoint of the last leg lies before a lookahead that the end of the run cuts short: a
+/// run that is made longer goes on from there with the bits of one that was as long from its start.
+bool Runner::work_on_leg(ReplicaScheduler& all) {
+  auto const ended = [&] { return work(all) || steps() == steps_wanted(); };
+  leg_end_ = is_last_leg() ? LegEnd::whole : LegEnd::exact;
+  if (!ended()) return false;
+  if (!is_last_leg()) return true;
+  write_checkpoint();
+  leg_end_ = LegEnd::exact;
+  auto to_the_end = all;  // a lookahead or less: it waits for nobody
+  to_the_end.request = [] { return ReplicaScheduler::Request::go_on; };
+  auto const before = SteadyClock::now();
+  bool const done = work(to_the_end);
+  run_.wall_seconds += std::chrono::duration<double>(SteadyClock::now() - before).count();
+  return done;
 }
 
 /// One replica, or all where they step together.
@@ -194,10 +213,13 @@ bool Runner::step_on(std::size_t first, std::function<bool()> const& go_on) {
   for (auto r = first; r < end; ++r)
     systems.push_back({*simulations_[r], run_.replicas[r].measurement});
   try {
-    return run_measured(systems, run_.plan, [&] {
-      for (auto r = first; r < end; ++r) steps_[r] = simulations_[r]->step();
-      return go_on();
-    });
+    return run_measured(
+        systems, run_.plan,
+        [&] {
+          for (auto r = first; r < end; ++r) steps_[r] = simulations_[r]->step();
+          return go_on();
+        },
+        leg_end_);
   } catch (SystemFailure const& failure) {
     auto const r = first + failure.system;
     throw ReplicaFailure{r, failure.what(), simulations_[r]->state()};
@@ -237,13 +259,18 @@ ReplicaScheduler::Request Runner::request() const {
                                                 : ReplicaScheduler::Request::go_on;
 }
 
+void Runner::note_engine(std::size_t r, Snapshot const& at) {
+  auto& engine = run_.replicas[r].engine;
+  engine = at.memory;
+  engine.insert(at.counters.begin(), at.counters.end());
+}
+
 io::SystemCheckpoint Runner::checkpoint_of(std::size_t r) {
   Replica& replica = run_.replicas[r];
   io::SystemCheckpoint c;
   simulations_[r]->give_back_scratch();
   static_cast<Snapshot&>(c) = simulations_[r]->snapshot();
-  replica.engine = c.memory;
-  replica.engine.insert(c.counters.begin(), c.counters.end());
+  note_engine(r, c);
   auto& [windows, open, frames] = replica.measurement;
   c.columns = static_cast<std::int64_t>(windows.columns);
   c.window_sums = windows.sums;
@@ -257,9 +284,8 @@ io::SystemCheckpoint Runner::checkpoint_of(std::size_t r) {
   return c;
 }
 
-void Runner::checkpoint() {
+void Runner::write_checkpoint() {
   folder_.check();
-  discard_transient(run_);
   std::chrono::duration<double> const stepping = SteadyClock::now() - started_;
   run_.wall_seconds = wall_before_ + stepping.count();
   io::Checkpoint c;
@@ -268,8 +294,13 @@ void Runner::checkpoint() {
   c.wall_seconds = run_.wall_seconds;
   for (std::size_t r = 0; r < simulations_.size(); ++r) c.systems.push_back(checkpoint_of(r));
   io::write_checkpoint(folder_.path(), std::move(c));
-  write_result_file(folder_, run_);
   checkpointed_ = SteadyClock::now();
+}
+
+void Runner::checkpoint() {
+  write_checkpoint();
+  discard_transient(run_);
+  write_result_file(folder_, run_);
 }
 
 void Runner::say_where_it_stopped() const {
@@ -291,13 +322,17 @@ std::string Runner::join_trajectories() {
 }
 
 void Runner::finish() {
+  folder_.check();
   std::vector<State> states;
-  for (auto const& simulation : simulations_) {
-    simulation->give_back_scratch();
-    states.push_back(simulation->state());
+  for (std::size_t r = 0; r < simulations_.size(); ++r) {
+    simulations_[r]->give_back_scratch();
+    note_engine(r, simulations_[r]->snapshot());
+    states.push_back(simulations_[r]->state());
   }
+  write_result_file(folder_, run_);
   io::write_states(folder_.state(), std::move(states));
   auto const list = estimates(run_);
+  drop_pictures(folder_);  // `bagnold plot` may have drawn some on the way
   FinishedRun const finished{run_, list};
   auto const suspect = warnings(finished);
   write_summary(folder_, run_, list, suspect);

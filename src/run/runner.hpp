@@ -43,6 +43,8 @@ class Runner {
   std::unique_ptr<Simulation> simulation_of(std::size_t r, Snapshot&& snapshot) const;
   Plan next_leg() const;  ///< to where the target error is looked at next
   bool enough();          ///< whether the run may end there
+  bool is_last_leg() const { return run_.plan.windows == whole_.windows; }
+  bool work_on_leg(ReplicaScheduler& all);
   void make_frames_of(std::size_t replica, State const& start);
   void add_observers(std::size_t replica);  ///< once it has its simulation and its frames
   std::int64_t seed(std::size_t replica) const;
@@ -50,9 +52,11 @@ class Runner {
   bool step_on(std::size_t replica, std::function<bool()> const& go_on);
   std::int64_t steps() const;         ///< of all replicas together
   std::int64_t steps_wanted() const;  ///< likewise, at the end of the leg
+  void note_engine(std::size_t replica, Snapshot const& at);
   ReplicaScheduler::Request request() const;
   io::SystemCheckpoint checkpoint_of(std::size_t replica);
-  void checkpoint();
+  void write_checkpoint();
+  void checkpoint();  ///< and what has been measured so far
   void say_where_it_stopped() const;
   void finish();
   /// Those that can be; the first failure, or nothing.
@@ -65,6 +69,7 @@ class Runner {
   Plan whole_;  ///< to where the strain is spent
   Machine machine_;
   RunMonitor& monitor_;
+  LegEnd leg_end_ = LegEnd::exact;
   bool together_;  ///< replicas share launches: for ReplicaScheduler all are one system
   std::vector<std::unique_ptr<Simulation>> simulations_;  ///< [R]
   std::vector<std::atomic<std::int64_t>> steps_;          ///< [R], seen while others step

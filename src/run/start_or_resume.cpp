@@ -11,6 +11,7 @@
 #include "src/io/atomic_file.hpp"
 #include "src/io/checkpoint.hpp"
 #include "src/io/state_file.hpp"
+#include "src/run/make_longer.hpp"
 #include "src/run/messages.hpp"
 #include "src/run/runner.hpp"
 #include "src/start/deep_overlaps.hpp"
@@ -39,9 +40,10 @@ Run run_of(Scene const& scene, Plan const& plan, Machine const& machine) {
   return run;
 }
 
-RunEnd run_from_checkpoint(RunFolder const& folder, io::Checkpoint checkpoint, Machine machine,
+/// `longer`: where the run was made longer since.
+RunEnd run_from_checkpoint(RunFolder const& folder, io::Checkpoint checkpoint, Scene const& scene,
+                           std::optional<Longer> const& longer, Machine machine,
                            RunMonitor& monitor) {
-  Scene const scene = parse_scene(checkpoint.scene, "scene in the checkpoint", folder.path());
   if (checkpoint.systems.size() != static_cast<std::size_t>(scene.disks.replicas))
     throw InputError(
         fmt::format("{}: the checkpoint holds {} systems, its scene says disks.replicas "
@@ -52,6 +54,8 @@ RunEnd run_from_checkpoint(RunFolder const& folder, io::Checkpoint checkpoint, M
   Plan const plan = make_plan(scene);
   Run run = run_of(scene, plan, machine);
   run.wall_seconds = checkpoint.wall_seconds;
+  if (longer)
+    for (auto const& line : longer->remarks(checkpoint)) monitor.status(line);
   monitor.status(fmt::format("going on from step {} of {}", checkpoint.steps(),
                              plan.steps * scene.disks.replicas));
   if (auto const now = level_of(scene).name; !checkpoint.simd.empty() && checkpoint.simd != now)
@@ -61,7 +65,9 @@ RunEnd run_from_checkpoint(RunFolder const& folder, io::Checkpoint checkpoint, M
         checkpoint.simd, now, checkpoint.simd));
   std::vector<std::optional<Snapshot>> snapshots;
   for (auto& system : checkpoint.systems) {
+    if (longer) longer->reopen_last_window(system);
     run.replicas.push_back(replica_of(system));
+    run.replicas.back().discards_more = longer && longer->discards_more();
     snapshots.push_back(std::move(static_cast<Snapshot&>(system)));
   }
   Runner runner(folder, std::move(run), machine, monitor);
@@ -69,12 +75,26 @@ RunEnd run_from_checkpoint(RunFolder const& folder, io::Checkpoint checkpoint, M
   return runner.run();
 }
 
+/// The scene beside a checkpoint, where it is that of the checkpoint with more strain. InputError
+/// where it is neither that nor the checkpoint's.
+std::optional<Longer> longer_than(Scene const& before, RunFolder const& folder) {
+  Scene const after = read_scene(folder.scene());
+  if (write_scene(after) == write_scene(before)) return std::nullopt;
+  if (is_longer(before, after)) return Longer(before, after);
+  throw InputError(
+      fmt::format("{} is not the scene of the checkpoint beside it; put it back (of it only "
+                  "shear.strain may grow: `bagnold resume {} --strain ...`), or start a new run "
+                  "with it in another folder",
+                  folder.scene().string(), folder.path().string()));
+}
+
 }  // namespace
 
 std::vector<StartedState> states_in_file(Scene const& scene) {
   if (scene.start.kind != "state") return {};
   auto started = fit_to_scene(io::read_states(scene.start.file), scene);
-  for (auto const& one : started) warn(deep_overlap_warning(one.state, scene.start.file));
+  if (!scene.start.relax)
+    for (auto const& one : started) warn(deep_overlap_warning(one.state, scene.start.file));
   return started;
 }
 
@@ -94,7 +114,16 @@ RunEnd run_from_start(RunFolder const& folder, Scene const& scene, Machine const
   run.replicas.resize(replicas);
   monitor.status(fmt::format("{}, a step of {:.6g} tau_e", scheme_of(scene), plan.time_step));
   std::vector<std::optional<Snapshot>> snapshots(replicas);
+  if (scene.start.relax)
+    monitor.status(fmt::format("relaxing the overlaps of {}", scene.start.file));
   for (std::size_t r = 0; r < started.size(); ++r) {
+    try {
+      if (scene.start.relax)
+        relax_state(started[r], scene, [&] { return !monitor.stop_requested(); });
+    } catch (StartStopped const&) {
+      say(stopped_before_the_first_step(folder.path()));
+      return RunEnd::stopped;
+    }
     run.replicas[r].start_record = std::move(started[r].record);
     snapshots[r] = first_snapshot(std::move(started[r].state));
   }
@@ -112,12 +141,17 @@ RunEnd go_on_in(RunFolder const& folder, Machine const& machine, RunMonitor& mon
   for (auto const& remark : remarks) say(remark);
   if (checkpoint && !std::filesystem::exists(folder.scene()))
     io::replace_text(folder.scene(), checkpoint->scene);
-  if (checkpoint && read_text(folder.scene()) != checkpoint->scene)
-    throw InputError(
-        fmt::format("{} is not the scene of the checkpoint beside it; put it back, or "
-                    "start a new run with it in another folder",
-                    folder.scene().string()));
-  if (checkpoint) return run_from_checkpoint(folder, std::move(*checkpoint), machine, monitor);
+  if (checkpoint) {
+    Scene scene = parse_scene(checkpoint->scene, "scene in the checkpoint", folder.path());
+    auto const longer = longer_than(scene, folder);
+    if (longer) {
+      longer->refuse_mixed_frames(*checkpoint);
+      drop_results(folder);
+      scene = longer->after;
+      io::replace_text(folder.scene(), write_scene(scene));
+    }
+    return run_from_checkpoint(folder, std::move(*checkpoint), scene, longer, machine, monitor);
+  }
 
   if (begun(folder.path()))
     say(fmt::format("no checkpoint in {} can be used: starting again from its scene.toml",

@@ -24,7 +24,7 @@ RunEnd run_from_start(RunFolder const& folder, Scene const& scene, Machine const
                       RunMonitor& monitor, std::vector<StartedState> started);
 
 /// Goes on with the run in a folder, from its newest checkpoint that verifies; from the beginning
-/// where none does.
+/// where none does. A scene.toml with more strain than the checkpoint's makes the run longer.
 RunEnd go_on_in(RunFolder const& folder, Machine const& machine, RunMonitor& monitor);
 
 }  // namespace bagnold

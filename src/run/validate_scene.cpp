@@ -9,6 +9,7 @@
 #include "kernels/physics/species.hpp"
 #include "src/config/cascade.hpp"
 #include "src/config/errors.hpp"
+#include "src/config/mistakes.hpp"
 #include "src/run/messages.hpp"
 #include "src/run/target_error.hpp"
 
@@ -49,10 +50,12 @@ void refuse_too_many_pairs(Scene const& scene) {
 }  // namespace
 
 void validate_scene(Scene const& scene, Plan const& plan, bool allow_unstable) {
-  refuse_too_many_pairs(scene);
-  check_feasible(scene, plan, allow_unstable);
-  check_target(scene);
-  refuse_less_than_a_window(scene, plan);
+  Mistakes mistakes;  // told in one go
+  mistakes.collect("", [&] { refuse_too_many_pairs(scene); });
+  mistakes.collect("", [&] { check_feasible(scene, plan, allow_unstable); });
+  mistakes.collect("", [&] { check_target(scene); });
+  mistakes.collect("", [&] { refuse_less_than_a_window(scene, plan); });
+  mistakes.throw_any();
 }
 
 Plan validated_plan(Scene const& scene, bool allow_unstable) {

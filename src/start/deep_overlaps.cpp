@@ -103,7 +103,8 @@ std::string deep_overlap_warning(State const& state, std::string const& file) {
   return fmt::format(
       "{}: {}{} pair{} of disks overlap{} by more than {:.0f}%, disks {} and {} (from 0) by "
       "{:.3g}%: "
-      "the run stops there; push them apart, or let start.kind = \"random\" make a state",
+      "the run stops there; push them apart by start.relax = true, or let start.kind = \"random\" "
+      "make a state",
       file, found.pairs == DeepOverlaps::most_pairs ? "at least " : "", found.pairs,
       found.pairs == 1 ? "" : "s", found.pairs == 1 ? "s" : "", 100 * largest_relative_overlap,
       found.disk, found.neighbour, 100 * found.deepest);

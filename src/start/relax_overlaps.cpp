@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/start/relax_overlaps.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,6 +16,7 @@
 #include "src/engine/device_copy.hpp"
 #include "src/engine/make_simulation.hpp"
 #include "src/start/deep_overlaps.hpp"
+#include "src/start/start.hpp"
 
 namespace bagnold {
 
@@ -194,6 +197,21 @@ Relaxation relax_overlaps(State& state, double overlap, std::int64_t iterations,
     if (relax_in_blocks(state, relaxed, overlap, iterations, skin, go_on)) break;
   }
   return relaxed;
+}
+
+void relax_start(State& state, Scene const& scene, std::string const& what,
+                 std::map<std::string, double>& record, std::function<bool()> const& go_on) {
+  auto const& start = scene.start;
+  auto const [iterations, overlap] =
+      relax_overlaps(state, start.overlap, start.iterations, scene.integration.skin, go_on);
+  record["start_iterations"] = static_cast<double>(iterations);
+  record["start_overlap"] = overlap;
+  if (overlap > largest_start_overlap)
+    throw NumericalError(
+        fmt::format("after {} iterations of relaxing {} an overlap of {:.1f}% is left (limit "
+                    "{:.0f}%); lower disks.packing_fraction = {}, or raise start.iterations = {}",
+                    iterations, what, 100 * overlap, 100 * largest_start_overlap,
+                    scene.disks.packing_fraction, start.iterations));
 }
 
 }  // namespace bagnold

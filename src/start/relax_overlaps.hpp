@@ -3,7 +3,10 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
+#include <string>
 
+#include "src/config/scene.hpp"
 #include "src/state/state.hpp"
 
 namespace bagnold {
@@ -24,5 +27,11 @@ struct StartStopped {};
 Relaxation relax_overlaps(
     State& state, double overlap, std::int64_t iterations, double skin,
     std::function<bool()> const& go_on = [] { return true; });
+
+/// The same with the keys of a scene, where largest_start_overlap is the most that may be left;
+/// NumericalError otherwise. record: takes `start_iterations` and `start_overlap`. what: is
+/// relaxed, in messages.
+void relax_start(State& state, Scene const& scene, std::string const& what,
+                 std::map<std::string, double>& record, std::function<bool()> const& go_on);
 
 }  // namespace bagnold

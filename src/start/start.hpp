@@ -26,6 +26,17 @@ struct StartedState {
 StartedState random_start(
     Scene const& scene, std::function<bool()> const& go_on = [] { return true; });
 
+/// Relative overlap that a relaxation may leave.
+inline constexpr double largest_start_overlap = 0.05;
+
+/// Pushes the overlapping disks of a state apart, as those of a random start: for states from
+/// elsewhere. Velocities against the mean flow and spins stay. Recorded as `start_iterations` and
+/// `start_overlap`. Throws NumericalError where more than largest_start_overlap is left, and
+/// StartStopped when go_on says no. Kokkos must run.
+void relax_state(
+    StartedState& started, Scene const& scene,
+    std::function<bool()> const& go_on = [] { return true; });
+
 /// The states of a file, taken as they are, one for each of the scene's replicas; throws InputError
 /// where they disagree with the scene, are more or fewer than its replicas, or two are the same:
 /// those would run alike, and errors over replicas would be too small. Made at another strain rate,

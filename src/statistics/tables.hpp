@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
-/// What a result holds beside series: named tables of numbers, NaN where undefined.
+/// What a result holds beside series: named tables of numbers, NaN where undefined. Of a ramp each
+/// frame has its own: `frames` are the leading axes of the numbers then, {F} or of several systems
+/// {R, F}.
 namespace bagnold::statistics {
 
 /// How often a quantity takes which value.
@@ -14,6 +17,7 @@ struct Histogram {
   std::string description;
   std::vector<double> edges;    ///< [n + 1], ascending
   std::vector<double> density;  ///< [n]; its integral is the share that lies within the edges
+  std::vector<std::size_t> frames = {};
 };
 
 /// A quantity as a function of y.
@@ -23,7 +27,8 @@ struct Profile {
   std::string description;
   std::vector<double> y;      ///< [n], centres of the bins, [d_s]
   std::vector<double> value;  ///< [n]
-  std::vector<double> error;  ///< [n], one standard deviation of the mean
+  std::vector<double> error;  ///< [n], one standard deviation of the mean; of a frame there is none
+  std::vector<std::size_t> frames = {};
 };
 
 /// Rows of numbers that belong together.

@@ -12,8 +12,9 @@
 
 namespace bagnold::sweep {
 
-SweepEnd write_tables(Sweep const& sweep, SweepFolder const& folder, SweepMonitor& monitor) {
-  auto const results = read_results(sweep, folder);
+SweepEnd write_tables(Sweep const& asked, SweepFolder const& folder, SweepMonitor& monitor) {
+  auto const results = read_results(asked, folder);
+  auto const sweep = as_run(asked, results);
   Provenance const made = provenance();
   write_csv(folder.table(), sweep, results);
   write_hdf5(folder.path() / "sweep.h5", sweep, results,
@@ -22,27 +23,55 @@ SweepEnd write_tables(Sweep const& sweep, SweepFolder const& folder, SweepMonito
   auto const done = std::ranges::count(results.status, "done");
   auto const points = std::ssize(sweep.points);
   if (done == points) return SweepEnd::done;
-  say(
-      fmt::format("{} of {} points have no result: their rows are empty; the same sweep "
-                  "without --collect tries them again",
-                  points - done, points));
+  say(fmt::format(
+      "{} of {} points have no result: their rows are empty; `bagnold sweep {} --out {}` "
+      "tries them again",
+      points - done, points, sweep.origin, folder.path().string()));
   return SweepEnd::incomplete;
 }
 
-std::string suspect_points(Sweep const& sweep, Results const& results) {
-  std::map<std::string, int> points;  // by name of the warning
-  for (auto const& names : results.warnings) {
+namespace {
+
+/// How many points have each name.
+std::map<std::string, int> counts_of(std::vector<std::string> const& lists) {
+  std::map<std::string, int> points;
+  for (auto const& names : lists) {
     std::istringstream words(names);
     for (std::string name; words >> name;) ++points[name];
   }
-  auto const suspect =
-      std::ranges::count_if(results.warnings, [](auto const& names) { return !names.empty(); });
-  if (suspect == 0) return {};
-  std::string list;
-  for (auto const& [name, count] : points)
-    list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", name, count);
-  return fmt::format("{} of {} points are suspect: {}; see warnings in their summary.json", suspect,
-                     sweep.points.size(), list);
+  return points;
+}
+
+/// "12 of 40 points are suspect: steady_state (10), error_bar (2)"; "" where no list has a name.
+std::string counted_points(std::vector<std::string> const& lists, char const* what) {
+  auto const some = std::ranges::count_if(lists, [](auto const& names) { return !names.empty(); });
+  if (some == 0) return {};
+  std::string names;
+  for (auto const& [name, count] : counts_of(lists))
+    names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", name, count);
+  return fmt::format("{} of {} points {}: {}", some, lists.size(), what, names);
+}
+
+}  // namespace
+
+std::string suspect_points(Sweep const& sweep, Results const& results,
+                           std::filesystem::path const& folder) {
+  auto text = counted_points(results.warnings, "are suspect");
+  if (text.empty()) return text;
+  text += "; which, and why: column warnings of sweep.csv, and the points' summary.json";
+  auto const names = counts_of(results.warnings);
+  for (auto const* short_run : {"steady_state", "error_bar", "few_collisions", "contact_durations"})
+    if (names.contains(short_run))
+      return text + fmt::format(
+                        "; raise shear.strain in {}, and `bagnold sweep {} --out {}` goes on "
+                        "with points from which no other starts",
+                        sweep.origin, sweep.origin, folder.string());
+  return text;
+}
+
+std::string noted_points(Results const& results) {
+  auto text = counted_points(results.notes, "have notes");
+  return text.empty() ? text : text + "; see notes in their summary.json, docs/stability.md";
 }
 
 }  // namespace bagnold::sweep

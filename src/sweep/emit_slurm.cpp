@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include "src/io/atomic_file.hpp"
+#include "src/run/messages.hpp"
+#include "src/sweep/placed_points.hpp"
 #include "src/sweep/slurm.hpp"
 #include "src/sweep/sweep_times.hpp"
 
@@ -12,7 +14,9 @@ namespace bagnold::sweep {
 SlurmScripts emit_slurm(Sweep const& sweep, std::filesystem::path const& name, bool allow_unstable,
                         SweepOptions const& options) {
   refuse_slurm_name(name);
-  auto const folder = SweepFolder::make(name, sweep);
+  auto const placed = place_points(sweep, name);
+  auto const folder = SweepFolder::make(name, placed);
+  if (auto const text = changes(placed); !text.empty()) say(text);
   std::string words;
   for (auto const& word : point_words(options)) words += fmt::format(" {}", shell_word(word));
   if (allow_unstable) words += " --allow-unstable";

@@ -41,11 +41,17 @@ void append(std::string& names, std::string const& name) {
   names += (names.empty() ? "" : " ") + name;
 }
 
-std::string names_of_warnings(Json const& summary) {
+/// Names of its "warnings" or "notes".
+std::string names_in(Json const& summary, char const* list) {
   std::string names;
-  for (auto const& warning : summary.value("warnings", Json::array()))
+  for (auto const& warning : summary.value(list, Json::array()))
     append(names, warning.value("name", ""));
   return names;
+}
+
+double strain_of(Json const& summary) {
+  auto const at = Json::json_pointer("/scene/shear/strain");
+  return summary.contains(at) && summary[at].is_number() ? summary[at].get<double>() : nothing;
 }
 
 Column& column(Results& results, std::string const& name, std::size_t points) {
@@ -61,7 +67,9 @@ Results read_results(Sweep const& sweep, SweepFolder const& folder) {
   auto const points = sweep.points.size();
   Results results;
   results.warnings.resize(points);
+  results.notes.resize(points);
   results.rough_errors.resize(points);
+  results.strain.resize(points, nothing);
   for (std::size_t k = 0; k < points; ++k) {
     if (!folder.has_results(k)) {
       results.status.push_back(folder.begun(k) && !folder.in_use(k) ? "failed" : "open");
@@ -69,7 +77,9 @@ Results read_results(Sweep const& sweep, SweepFolder const& folder) {
     }
     results.status.push_back("done");
     Json const summary = read_summary(folder.summary(k));
-    results.warnings[k] = names_of_warnings(summary);
+    results.warnings[k] = names_in(summary, "warnings");
+    results.notes[k] = names_in(summary, "notes");
+    results.strain[k] = strain_of(summary);
     for (auto const& [name, estimate] : summary["observables"].items()) {
       auto& of_name = column(results, name, points);
       of_name.mean[k] = number(estimate, "mean");
@@ -78,6 +88,18 @@ Results read_results(Sweep const& sweep, SweepFolder const& folder) {
     }
   }
   return results;
+}
+
+Sweep as_run(Sweep sweep, Results const& results) {
+  auto const key = std::ranges::find(sweep.keys, "shear.strain") - sweep.keys.begin();
+  for (std::size_t k = 0; k < sweep.points.size(); ++k) {
+    auto& point = sweep.points[k];
+    if (!(results.strain[k] > point.scene.shear.strain)) continue;
+    point.scene.shear.strain = results.strain[k];
+    if (key < std::ssize(sweep.keys))
+      point.values[static_cast<std::size_t>(key)] = results.strain[k];
+  }
+  return sweep;
 }
 
 }  // namespace bagnold::sweep

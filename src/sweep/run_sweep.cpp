@@ -10,6 +10,7 @@
 #include "src/config/errors.hpp"
 #include "src/run/messages.hpp"
 #include "src/sweep/collect.hpp"
+#include "src/sweep/placed_points.hpp"
 #include "src/sweep/scheduler.hpp"
 
 namespace bagnold::sweep {
@@ -41,6 +42,10 @@ SweepEnd run_chains(Sweep const& sweep, SweepFolder const& folder, SweepOptions 
   return SweepEnd::stopped;
 }
 
+void say_changes(PlacedPoints const& placed) {
+  if (auto const text = changes(placed); !text.empty()) say(text);
+}
+
 }  // namespace
 
 int threads_of(SweepOptions const& options) { return std::max(1, options.machine.threads); }
@@ -53,12 +58,14 @@ std::vector<std::string> point_words(SweepOptions const& options) {
 }
 
 SweepEnd run(Sweep const& sweep, std::filesystem::path const& name, SweepOptions const& options) {
-  auto const folder = SweepFolder::make(name, sweep);
+  auto const placed = place_points(sweep, name);
+  auto const folder = SweepFolder::make(name, placed);
+  say_changes(placed);
   std::vector<std::size_t> chains(sweep.chains.size());
   std::iota(chains.begin(), chains.end(), std::size_t{0});
-  auto const end = run_chains(sweep, folder, options, chains);
+  auto const end = run_chains(placed.sweep, folder, options, chains);
   if (end == SweepEnd::stopped) return end;
-  return std::max(end, write_tables(sweep, folder, monitor_of(options)));
+  return std::max(end, write_tables(placed.sweep, folder, monitor_of(options)));
 }
 
 SweepEnd run_chain(Sweep const& sweep, std::filesystem::path const& name, std::int64_t chain,
@@ -67,13 +74,17 @@ SweepEnd run_chain(Sweep const& sweep, std::filesystem::path const& name, std::i
   if (chain < 1 || chain > chains)
     throw InputError(fmt::format("--chain {} (must be from 1 to {}, the chains of {})", chain,
                                  chains, sweep.origin));
-  auto const folder = SweepFolder::join(name, sweep);
-  return run_chains(sweep, folder, options, {static_cast<std::size_t>(chain - 1)});
+  auto const placed = place_points(sweep, name);
+  auto const folder = SweepFolder::join(name, placed);
+  return run_chains(placed.sweep, folder, options, {static_cast<std::size_t>(chain - 1)});
 }
 
 SweepEnd collect(Sweep const& sweep, std::filesystem::path const& name,
                  SweepOptions const& options) {
-  return write_tables(sweep, SweepFolder::make(name, sweep), monitor_of(options));
+  auto const placed = place_points(sweep, name);
+  auto const folder = SweepFolder::make(name, placed);
+  say_changes(placed);
+  return write_tables(placed.sweep, folder, monitor_of(options));
 }
 
 }  // namespace bagnold::sweep

@@ -29,10 +29,11 @@ enum class SweepEnd {
 };
 
 /// Runs all points of a sweep into a folder, which is made, and writes the tables sweep.csv and
-/// sweep.h5, as `bagnold sweep` does; goes on where an earlier call ended. Points are processes of
-/// their own, which end with this one. What failed, and why, goes to stderr.
+/// sweep.h5, as `bagnold sweep` does; goes on where an earlier call ended. Where the sweep has
+/// gained points or strain since, what is there is kept (placed_points.hpp). Points are processes
+/// of their own, which end with this one. What failed, and why, goes to stderr.
 ///
-/// Throws InputError where the folder is in use, holds a run, or a sweep whose points differ;
+/// Throws InputError where the folder is in use, holds a run, or a sweep of which no point is left;
 /// FileError.
 SweepEnd run(Sweep const& sweep, std::filesystem::path const& folder,
              SweepOptions const& options = {});

@@ -4,11 +4,12 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "src/config/errors.hpp"
 #include "src/config/scene_file.hpp"
 #include "src/io/atomic_file.hpp"
+#include "src/run/make_longer.hpp"
+#include "src/run/start_or_resume.hpp"
 
 namespace bagnold::sweep {
 
@@ -36,20 +37,13 @@ void make_folder(fs::path const& folder) {
                                 folder.string(), error.message()));
 }
 
-Json points_json(Sweep const& sweep) {
+Json points_json(PlacedPoints const& placed) {
   Json all = {{"schema", 1}, {"points", Json::array()}};
-  for (auto const& point : sweep.points)
+  for (auto const& point : placed.sweep.points)
     all["points"].push_back({{"folder", point.folder}, {"scene", write_scene(point.scene)}});
+  for (auto const& left : placed.left)
+    all["left"].push_back({{"folder", left.folder}, {"scene", left.scene}});
   return all;
-}
-
-/// The first line in which two texts differ, "old -> new".
-std::string difference(std::string const& old_text, std::string const& new_text) {
-  std::istringstream old_lines(old_text), new_lines(new_text);
-  for (std::string before, after;
-       std::getline(old_lines, before) && std::getline(new_lines, after);)
-    if (before != after) return fmt::format("`{}` there, `{}` now", before, after);
-  return "another length";
 }
 
 }  // namespace
@@ -59,59 +53,68 @@ SweepFolder::SweepFolder(fs::path const& folder, Sweep const& sweep) : path_(fs:
 }
 
 SweepFolder SweepFolder::make(fs::path const& folder, Sweep const& sweep) {
+  return make(folder, place_points(sweep, folder));
+}
+
+SweepFolder SweepFolder::make(fs::path const& folder, PlacedPoints const& placed) {
   if (fs::exists(folder / "scene.toml") || fs::exists(folder / "checkpoint.h5"))
     throw InputError(
         fmt::format("--out {}: holds a run; choose another folder for the sweep", folder.string()));
   make_folder(folder);
-  SweepFolder made(folder, sweep);
+  SweepFolder made(folder, placed.sweep);
   made.lock_ = std::make_unique<io::RunLock>(folder);
-  if (fs::exists(folder / "points.json")) made.refuse_other(sweep);
-  made.write_points(sweep);
+  auto const shorter = made.shorter_on_disk(placed.sweep);
+  made.make_longer(placed.sweep, shorter, refuse_longer);  // all, before one is changed
+  made.write_points(placed);
+  made.make_longer(placed.sweep, shorter, bagnold::make_longer);
   return made;
 }
 
-SweepFolder SweepFolder::join(fs::path const& folder, Sweep const& sweep) {
-  if (!fs::exists(folder / "points.json"))
+SweepFolder SweepFolder::join(fs::path const& folder, PlacedPoints const& placed) {
+  auto const refuse = [&](std::string const& what) {
     throw InputError(
-        fmt::format("--out {}: holds no sweep yet; `bagnold sweep {} --out {} "
-                    "--emit-slurm` prepares one",
-                    folder.string(), sweep.origin, folder.string()));
-  SweepFolder joined(folder, sweep);
-  joined.refuse_other(sweep);
-  return joined;
+        fmt::format("--out {}: {}; `bagnold sweep {} --out {} --emit-slurm` prepares it",
+                    folder.string(), what, placed.sweep.origin, folder.string()));
+  };
+  if (!fs::exists(folder / "points.json")) refuse("holds no sweep yet");
+  if (placed.added() > 0 || !placed.longer.empty())
+    refuse(fmt::format("{} has points that the folder was not prepared for", placed.sweep.origin));
+  return SweepFolder(folder, placed.sweep);
 }
 
-std::string SweepFolder::placed(std::string const& scene, std::size_t k) const {
+std::string SweepFolder::in_place(std::string const& scene, std::size_t k) const {
   return write_scene(parse_scene(scene, names_[k], point(k)));
 }
 
-void SweepFolder::refuse_other(Sweep const& sweep) const {
-  auto const file = path_ / "points.json";
-  auto const refuse = [&](std::string const& what) {
-    throw InputError(fmt::format(
-        "--out {}: holds the sweep of another file (sweep.toml is its copy): {}; put {} back as it "
-        "was, or choose another folder",
-        path_.string(), what, sweep.origin));
-  };
-  Json const old = Json::parse(text_in(file), nullptr, /*allow_exceptions=*/false);
-  if (!old.is_object() || !old.contains("points") || !old["points"].is_array())
-    throw InputError(fmt::format("{}: is damaged; choose another --out", file.string()));
-  auto const& points = old["points"];
-  if (points.size() != sweep.points.size())
-    refuse(fmt::format("{} points there, {} now", points.size(), sweep.points.size()));
+/// Points that were made longer since their folders were written.
+std::vector<std::size_t> SweepFolder::shorter_on_disk(Sweep const& sweep) const {
+  std::vector<std::size_t> points;
   for (std::size_t k = 0; k < names_.size(); ++k) {
-    auto const& point = sweep.points[k];
-    auto const folder = points[k].value("folder", ""), scene = points[k].value("scene", "");
-    if (folder != names_[k]) refuse(fmt::format("point {} there, {} now", folder, names_[k]));
-    // through the reader, which fills in the default of a key that the older program did not know
-    auto const before = placed(scene, k), now = placed(write_scene(point.scene), k);
-    if (before != now) refuse(fmt::format("{}: {}", point.name, difference(before, now)));
+    if (!has_results(k) && !bagnold::begun(point(k))) continue;
+    auto const file = point(k) / "scene.toml";
+    if (!fs::exists(file)) continue;
+    auto const& wanted = sweep.points[k].scene;
+    if (wanted.shear.protocol == "steady" && read_scene(file).shear.strain < wanted.shear.strain)
+      points.push_back(k);
   }
+  return points;
 }
 
-void SweepFolder::write_points(Sweep const& sweep) const {
+void SweepFolder::make_longer(Sweep const& sweep, std::vector<std::size_t> const& points,
+                              void (*how)(RunFolder const&, Scene const&)) const {
+  for (auto const k : points) try {
+      Scene scene = read_scene(point(k) / "scene.toml");
+      scene.shear.strain = sweep.points[k].scene.shear.strain;
+      how(RunFolder::open(point(k)), scene);
+    } catch (InputError const& error) {
+      throw InputError(fmt::format("{}: {}", sweep.points[k].name, error.what()));
+    }
+}
+
+void SweepFolder::write_points(PlacedPoints const& placed) const {
+  auto const& sweep = placed.sweep;
   put_text(path_ / "sweep.toml", sweep.text);
-  put_text(path_ / "points.json", points_json(sweep).dump(1) + "\n");
+  put_text(path_ / "points.json", points_json(placed).dump(1) + "\n");
   for (std::size_t k = 0; k < names_.size(); ++k) {
     // what has steps behind it keeps the scene of its checkpoint
     if (has_results(k) || fs::exists(point(k) / "checkpoint.h5") ||
@@ -119,7 +122,7 @@ void SweepFolder::write_points(Sweep const& sweep) const {
       continue;
     make_folder(point(k));
     if (!in_use(k))
-      put_text(point(k) / "scene.toml", placed(write_scene(sweep.points[k].scene), k));
+      put_text(point(k) / "scene.toml", in_place(write_scene(sweep.points[k].scene), k));
   }
 }
 

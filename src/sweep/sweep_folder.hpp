@@ -6,21 +6,25 @@
 
 #include "src/io/run_lock.hpp"
 #include "src/io/trajectory_parts.hpp"
+#include "src/run/run_folder.hpp"
+#include "src/sweep/placed_points.hpp"
 #include "src/sweep/sweep.hpp"
 
 namespace bagnold::sweep {
 
-/// The folder of a sweep: a copy of its file, points.json with the resolved points, and a folder
-/// for every point, which `bagnold resume` takes as it is.
+/// The folder of a sweep: a copy of its file, points.json with the resolved points (and those that
+/// left the file), and a folder for every point, which `bagnold resume` takes as it is.
 class SweepFolder {
  public:
-  /// Makes or reopens the folder and keeps other sweeps out of it. Writes what is missing. Throws
-  /// InputError where the folder is in use, holds a run, or holds a sweep whose points differ.
+  /// Makes or reopens the folder and keeps other sweeps out of it. Writes what is missing, and
+  /// makes points longer that are to be. Throws InputError where the folder is in use, holds a run,
+  /// or a point cannot be made longer.
+  static SweepFolder make(std::filesystem::path const& folder, PlacedPoints const& placed);
   static SweepFolder make(std::filesystem::path const& folder, Sweep const& sweep);
 
   /// A folder that make() made, not locked, so that several processes can each do a chain of it.
-  /// Throws InputError where there is none, or one whose points differ.
-  static SweepFolder join(std::filesystem::path const& folder, Sweep const& sweep);
+  /// Throws InputError where there is none, or the sweep has points that it does not know.
+  static SweepFolder join(std::filesystem::path const& folder, PlacedPoints const& placed);
 
   std::filesystem::path const& path() const { return path_; }
   std::filesystem::path table() const { return path_ / "sweep.csv"; }
@@ -38,9 +42,11 @@ class SweepFolder {
 
  private:
   SweepFolder(std::filesystem::path const& folder, Sweep const& sweep);
-  void refuse_other(Sweep const& sweep) const;
-  void write_points(Sweep const& sweep) const;
-  std::string placed(std::string const& scene, std::size_t k) const;
+  std::vector<std::size_t> shorter_on_disk(Sweep const& sweep) const;
+  void make_longer(Sweep const& sweep, std::vector<std::size_t> const& points,
+                   void (*how)(RunFolder const&, Scene const&)) const;
+  void write_points(PlacedPoints const& placed) const;
+  std::string in_place(std::string const& scene, std::size_t k) const;
 
   std::filesystem::path path_;
   std::vector<std::string> names_;  ///< of the points' folders

@@ -29,7 +29,7 @@ void write_csv(std::filesystem::path const& file, Sweep const& sweep, Results co
     line.push_back(cell(column.name));
     line.push_back(cell(column.name + "_error"));
   }
-  line.push_back("rough_errors");
+  line.insert(line.end(), {"rough_errors", "warnings", "notes", "folder"});
   auto table = fmt::format("{}\n", fmt::join(line, ","));
   for (std::size_t k = 0; k < sweep.points.size(); ++k) {
     line.clear();
@@ -39,6 +39,9 @@ void write_csv(std::filesystem::path const& file, Sweep const& sweep, Results co
       line.push_back(cell(column.error[k]));
     }
     line.push_back(cell(results.rough_errors[k]));
+    line.push_back(cell(results.warnings[k]));
+    line.push_back(cell(results.notes[k]));
+    line.push_back(cell(sweep.points[k].folder));
     table += fmt::format("{}\n", fmt::join(line, ","));
   }
   io::replace_file(file, std::as_bytes(std::span(table)));

@@ -43,6 +43,7 @@ void write_hdf5(std::filesystem::path const& path, Sweep const& sweep, Results c
   file.texts("/points/scene", scenes);
   file.texts("/status", results.status);
   file.texts("/warnings", results.warnings);
+  file.texts("/notes", results.notes);
   file.texts("/rough_errors", results.rough_errors);
 
   file.group("/observables");

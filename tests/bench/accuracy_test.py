@@ -75,6 +75,12 @@ class Tiny(unittest.TestCase):
         self.assertEqual(steps["cd_rot82-1e-4-1024", "modified-velocity-verlet"], 0.05)
         self.assertEqual(steps["cd_n-q50-1e-4-1024", "two-stage-leapfrog"], 0.2)
 
+    def test_auto_takes_implicit_steps_in_dense_flow(self):
+        row, = self.table("auto.csv")
+        self.assertGreater(float(row["implicit_share"]), 0.3)
+        self.assertLess(float(row["p_kin_share"]), 1e-4)
+        self.assertLess(abs(float(row["Z"])), 5)
+
     def test_precisions_agree_at_a_large_rate(self):
         rows = self.table("precision.csv")
         self.assertEqual({row["precision"] for row in rows}, {"double", "float-pairs", "float"})

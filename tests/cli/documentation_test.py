@@ -1,18 +1,23 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every command of README.md and docs/*.md, in the order of the file, from a clean folder.
+"""Every command of the pages (PAGES), in the order of the page, from a clean folder; every file name, link and claim.
 
 A command is a line of a code block that begins with a program (PROGRAMS). The folder has the repository's
-docs/, inputs/ and scripts/ and, as scene.toml and sweep.toml, the README's own scene, alone and with its [sweep].
-What is done otherwise than it stands there:
+docs/, inputs/ and scripts/. A block of TOML that begins with "# NAME.toml" is written there as that file when its
+turn comes; scene.toml (README.md) and sweep.toml (docs/scenes.md) are there from the first. What is done otherwise
+than it stands there:
 
 - The inputs are small stand-ins: strains, counts of disks and cycles are cut (`cut`), rates stay.
 - `figure NAME` takes the quick version, unless it draws from tables (--data); of tables that the repository
   lacks the names are checked.
 - Of lines with placeholders (in capitals: SCENE, KIND, DIR, PREFIX) the names are checked: subcommand and
-  options against --help, presets of cmake, files of scripts/.
+  options against --help, presets of cmake, files of the repository.
 - So they are of programs that install, build, take hours or need a cluster (NAMES_ONLY).
+
+With BAGNOLD_DOCUMENTATION=full in the environment nothing is cut (minutes; the test cli.readme_in_full).
 """
 
+import contextlib
+import io
 import json
 import os
 import re
@@ -21,46 +26,77 @@ import shutil
 import subprocess
 import unittest
 
-from bagnold import PROGRAM, SOURCE, CliTest, environment
+from bagnold import PROGRAM, SOURCE, CliTest, environment, read_summary
 
-PROGRAMS = ("bagnold", "build/openmp/bagnold", "cmake", "ctest", "python3", "sbatch")
-NAMES_ONLY = ("cmake", "ctest", "sbatch")
+PROGRAMS = ("bagnold", "build/openmp/bagnold", "cmake", "ctest", "python3", "sbatch", "docker", "apptainer", "spack",
+            "rattler-build", "apt-get")
+NAMES_ONLY = PROGRAMS[2:4] + PROGRAMS[5:]
+FULL = os.environ.get("BAGNOLD_DOCUMENTATION") == "full"
 PLACEHOLDER = re.compile(r"\b[A-Z]{3,}\b")
-FILES = ["README.md", *sorted(f"docs/{path.name}" for path in (SOURCE / "docs").glob("*.md"))]
+PAGES = ["README.md", *sorted(f"docs/{path.name}" for path in (SOURCE / "docs").glob("*.md")), "packaging/README.md"]
+TEXTS = PAGES + ["CONTRIBUTING.md", "CHANGELOG.md", "bench/README.md", "bench/peers/README.md",
+                 "examples/own_law/README.md"]
+FOLDERS = "bench|cmake|docs|examples|inputs|kernels|packaging|python|scripts|src|tests"
+
+
+def text_of(name):
+    return (SOURCE / name).read_text()
 
 
 def blocks(text):
-    """Code blocks: (language, lines)."""
-    fenced = re.findall(r"^```(\w*)\n(.*?)^```$", text, re.M | re.S)
-    rest = re.sub(r"^```.*?^```$", "", text, flags=re.M | re.S)
-    indented = re.findall(r"(?:^    .*\n)+", rest, re.M)
-    return [(language, body.splitlines()) for language, body in fenced] + [
-        ("", [line[4:] for line in body.splitlines()]) for body in indented]
+    """Code blocks in their order: (language, lines)."""
+    found = re.finditer(r"^```(\w*)\n(.*?)^```$|((?:^    [^\n]*\n)+)", text, re.M | re.S)
+    return [(one[1], one[2].splitlines()) if one[3] is None else ("", [line[4:] for line in one[3].splitlines()])
+            for one in found]
+
+
+def toml_file(language, lines):
+    """The name of the file that a block shows, or None."""
+    name = re.match(r"# ([\w-]+\.toml)\b", lines[0]) if language == "toml" and lines else None
+    return name and name[1]
+
+
+def shown_file(page, name):
+    return next("\n".join(lines) + "\n" for language, lines in blocks(text_of(page))
+                if toml_file(language, lines) == name)
+
+
+def prose(text):
+    """The text without its code blocks."""
+    return re.sub(r"^```.*?^```$|(?:^    [^\n]*\n)+", "", text, flags=re.M | re.S)
+
+
+def anchors(text):
+    """What a link to a heading may say, as GitHub makes it."""
+    headings = re.findall(r"^#+ (.*)$", prose(text), re.M)
+    return {re.sub(r"[^\w -]", "", heading.lower()).replace(" ", "-") for heading in headings}
 
 
 def is_program(word):
     return word in PROGRAMS or word.startswith("scripts/")
 
 
-def commands(text):
-    """(command as it stands, its words)."""
+def commands(language, lines):
+    """(command as it stands, its words) of a block."""
     found = []
-    for language, lines in blocks(text):
-        if language in ("toml", "cpp", "python"):
-            continue
-        for line in "\n".join(lines).replace("\\\n", " ").splitlines():
-            line = re.sub(r"^job=\$\((.*)\)$", r"\1", re.sub(r"\s+# .*$", "", line))
-            try:
-                words = shlex.split(line)
-            except ValueError:
-                continue  # a formula
-            if words and is_program(words[0]):
-                found.append((line, words))
+    if language in ("toml", "cpp", "python", "text"):
+        return found
+    for line in "\n".join(lines).replace("\\\n", " ").splitlines():
+        line = re.sub(r"^job=\$\((.*)\)$", r"\1", re.sub(r"\s+# .*$", "", line))
+        try:
+            words = shlex.split(line)
+        except ValueError:
+            continue  # a formula
+        if words and is_program(words[0]):
+            found.append((line, words))
     return found
 
 
 def cut(text):
     """A scene or sweep file that takes a second."""
+    if FULL:
+        return text
+
     def number(match):
         largest = {"strain": 0.5, "count": 64, "cycles": 1}[match[1]]
         return match[1] + match[2] + re.sub(
@@ -81,36 +117,37 @@ class Documentation(CliTest):
             (self.folder / name).symlink_to(SOURCE / name)
         (self.folder / "build/openmp").mkdir(parents=True)
         (self.folder / "build/openmp/bagnold").symlink_to(PROGRAM)
-        toml = ["\n".join(lines) + "\n" for language, lines in blocks((SOURCE / "README.md").read_text())
-                if language == "toml"]
-        scene = cut(next(text for text in toml if "[disks]" in text))
-        sweep = cut(next(text for text in toml if "[sweep]" in text))
-        (self.folder / "scene.toml").write_text(scene)
-        (self.folder / "sweep.toml").write_text(scene + sweep)
+        (self.folder / "scene.toml").write_text(cut(shown_file("README.md", "scene.toml")))
+        (self.folder / "sweep.toml").write_text(cut(shown_file("docs/scenes.md", "sweep.toml")))
 
     def test_the_chain_of_the_readme(self):
-        self.check_file("README.md")
+        self.check_page("README.md")
 
     def test_docs(self):
-        for name in FILES[1:]:
+        for name in PAGES[1:]:
             with self.subTest(file=name):
-                self.check_file(name)
+                self.check_page(name)
 
     def test_commands_in_the_text(self):
         """`bagnold ...` in a sentence: the names are there."""
-        for name in FILES:
-            for line in re.findall(r"`((?:build/openmp/)?bagnold [^`]+)`", (SOURCE / name).read_text()):
+        for name in TEXTS:
+            for line in re.findall(r"`((?:build/openmp/)?bagnold [^`]+)`", text_of(name)):
                 self.check_names(line.replace("...", ""), line.replace("...", "").split())
 
-    def check_file(self, name):
-        for line, words in commands((SOURCE / name).read_text()):
-            with self.subTest(file=name, line=line):
-                lacking = [word for word in words if word.startswith("docs/data/") and not (SOURCE / word).exists()]
-                if (words[0] in NAMES_ONLY or words[0].startswith("scripts/") or PLACEHOLDER.search(line)
-                        or lacking):
-                    self.check_names(line, words)
-                else:
-                    self.run_line(words)
+    def check_page(self, name):
+        for language, lines in blocks(text_of(name)):
+            if file := toml_file(language, lines):
+                (self.folder / file).write_text(cut("\n".join(lines) + "\n"))
+            for line, words in commands(language, lines):
+                with self.subTest(file=name, line=line):
+                    self.check_line(line, words)
+
+    def check_line(self, line, words):
+        lacking = [word for word in words if word.startswith("docs/data/") and not (SOURCE / word).exists()]
+        if words[0] in NAMES_ONLY or words[0].startswith("scripts/") or PLACEHOLDER.search(line) or lacking:
+            self.check_names(line, words)
+        else:
+            self.run_line(words)
 
     def run_line(self, words):
         words = [PROGRAM if word in PROGRAMS[:2] else word for word in words]
@@ -124,7 +161,7 @@ class Documentation(CliTest):
 
     def shell(self, words):
         return subprocess.run(words, cwd=self.folder, env=environment(), capture_output=True, text=True,
-                              timeout=250, stdin=subprocess.DEVNULL)
+                              timeout=3000 if FULL else 250, stdin=subprocess.DEVNULL)
 
     def check_names(self, line, words):
         program, options = words[0], re.findall(r"(?<![\w-])--[a-z][a-z-]*", line)
@@ -148,6 +185,79 @@ class Documentation(CliTest):
         elif program == "sbatch":
             for path in re.findall(r"results/\S+", line):
                 self.assertTrue((self.folder / path).exists(), line)
+        for path in words:
+            if re.match(rf"({FOLDERS})/", path) and not PLACEHOLDER.search(path):
+                self.assertTrue((SOURCE / path).exists(), line)
+
+
+class Pages(CliTest):
+    def test_links_lead_somewhere(self):
+        for name in TEXTS:
+            for target in re.findall(r"\]\((?!https?:|mailto:)([^)]+)\)", prose(text_of(name))):
+                path, _, anchor = target.partition("#")
+                file = (SOURCE / name).parent / path if path else SOURCE / name
+                self.assertTrue(file.exists(), f"{name}: {target}")
+                if anchor:
+                    self.assertIn(anchor, anchors(file.read_text()), f"{name}: {target}")
+
+    def test_files_that_are_named_are_there(self):
+        """A path from the root, or a name of a source, in backquotes. Names in capitals stand for others."""
+        sources = {path.name for folder in FOLDERS.split("|") for path in (SOURCE / folder).rglob("*")}
+        for name in TEXTS:
+            for word in re.findall(r"`([^`\s]+)`", prose(text_of(name))):
+                if PLACEHOLDER.search(word.rsplit("/", 1)[-1].split(".")[0]) or re.search(r"[*:{]", word):
+                    continue
+                if re.match(rf"({FOLDERS})/", word):
+                    self.assertTrue((SOURCE / word).exists(), f"{name}: {word}")
+                elif re.fullmatch(r"[\w-]+\.(cpp|hpp|py|cmake|sh)", word):
+                    self.assertIn(word, sources, name)
+
+    def test_the_index_has_every_page(self):
+        index = text_of("docs/index.md")
+        for name in PAGES[1:]:
+            if name != "docs/index.md":
+                self.assertIn(f"]({os.path.relpath(name, 'docs')})", index)
+
+    def test_the_readme_is_a_page(self):
+        self.assertLessEqual(len(text_of("README.md").splitlines()), 80)
+
+    def test_what_the_readme_claims_stands_in_docs(self):
+        """Every number of a reason is in a page that it links to."""
+        reasons = re.findall(r"^- (\*\*(?!P\d).*)$", text_of("README.md"), re.M)
+        self.assertGreaterEqual(len(reasons), 6)
+        for reason in reasons:
+            links = re.findall(r"\]\((docs/[^)#]+)", reason)
+            self.assertTrue(links, reason)
+            pages = "\n".join(text_of(link) for link in links)
+            numbers = re.findall(r"(?<![\w.])\d[\d.]*(?:e-\d+)?", re.sub(r"\]\([^)]*\)|`[^`]*`", "", reason))
+            for number in map(lambda one: one.rstrip("."), numbers):
+                self.assertTrue(re.search(rf"(?<![\w.]){re.escape(number)}(?!\d)", pages), f"{number}: {reason}")
+
+    def test_warnings_are_as_many_as_the_readme_says(self):
+        count = int(re.search(r"(\d+) warnings", text_of("README.md"))[1])
+        table = re.findall(r"^\| `(\w+)` \|", text_of("docs/stability.md"), re.M)
+        self.assertEqual(len(set(table) - {"name"}), count)
+
+    def test_the_first_scene_ends_without_a_warning(self):
+        """As it stands in the README, of its full length."""
+        scene = self.folder / "scene.toml"
+        scene.write_text(shown_file("README.md", "scene.toml"))
+        result = self.run_scene(scene, self.folder / "out", "--set", "output.plot=false", timeout=250)
+        self.assertEqual(read_summary(self.folder / "out")["warnings"], [])
+        self.assertNotIn("warning", result.stderr)
+
+    def test_python_prints_what_stands_below_it(self):
+        found = 0
+        for name in PAGES:
+            shown = blocks(text_of(name))
+            for (language, code), (behind, said) in zip(shown, shown[1:]):
+                if (language, behind) == ("python", "text"):
+                    output = io.StringIO()
+                    with contextlib.redirect_stdout(output):
+                        exec("\n".join(code), {})
+                    self.assertEqual(output.getvalue().splitlines(), said, name)
+                    found += 1
+        self.assertGreater(found, 0)
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@
 Whatever a run over an edge does, it must not end with exit code 0 and nothing said.
 """
 
+import os
 import unittest
 
 from bagnold import PAPERS, CliTest, changed, read_summary, scene_text
@@ -20,13 +21,14 @@ SOUND = {
 
 class Edges(CliTest):
     def over(self, *arguments, **changes):
-        """(exit code, names of warnings, what was said)"""
+        """(exit code, names of warnings and notes, what was said)"""
         path = self.scene(SOUND, **changes)
         out = self.folder / f"out{self.written}"
         result = self.bagnold("run", path, "--out", out, "--threads", "1", *arguments)
         names = []
         if result.returncode == 0:
-            names = [warning["name"] for warning in read_summary(out)["warnings"]]
+            summary = read_summary(out)
+            names = [one["name"] for one in summary["warnings"] + summary["notes"]]
         return result.returncode, names, result.stderr
 
     def test_a_sound_run_says_nothing(self):
@@ -139,11 +141,21 @@ class Edges(CliTest):
         self.assertEqual(code, 0, said)
         self.assertIn("error_bar", names)
 
+    def test_what_lies_beside_a_run_is_no_part_of_it(self):
+        """Neither a scene that is none nor a pipe."""
+        path = self.scene(SOUND, name="mine.toml")
+        (self.folder / "scene.toml").write_text("no scene")
+        self.assertEqual(self.bagnold("run", path, "--out", self.folder / "first").returncode, 0)
+        (self.folder / "scene.toml").unlink()
+        os.mkfifo(self.folder / "scene.toml")
+        result = self.bagnold("run", path, "--out", self.folder / "second", timeout=60)
+        self.assertEqual(result.returncode, 0, result.stderr)
+
     def test_rough_errors_are_marked(self):
         """Of so many quantities in a run of 64 windows some have 4 to 7 blocks, and some do not."""
         path = self.scene(SOUND, shear__strain=4.0, output__sample_strain=2.0**-5)
         out = self.folder / "rough"
-        result = self.bagnold("run", path, "--out", out)
+        result = self.bagnold("run", path, "--out", out, "--all")
         self.assertEqual(result.returncode, 0, result.stderr)
         rough = {name: one["rough"] for name, one in read_summary(out)["observables"].items()
                  if "rough" in one}

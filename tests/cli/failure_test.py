@@ -57,6 +57,11 @@ class Failure(CliTest):
         result, _ = self.state_run(state)
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertNotIn("overlap", result.stderr)
+        state["position"][1] = state["position"][0] + [0.3, 0.1]
+        shutil.rmtree(out)
+        result, _ = self.state_run(state, start__relax=True)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertNotIn("push them apart", result.stderr)
 
     def assert_told(self, result, *words):
         """Before the run began, and by `validate` too."""
@@ -137,7 +142,9 @@ class Information(CliTest):
                     text = self.bagnold("validate", path).stdout
                     steps = round(1.0 / (1e-3 * step))
                     self.assertRegex(re.sub(r"[,_']", "", text), rf"\b{steps}\b")
-                    self.assertIn(f'scheme = "{PAPERS if scheme == PAPERS else TWO_STAGE}"', text)
+                    changes = scheme == word == "auto" and model != "CD_n"  # on the way
+                    expected = PAPERS if scheme == PAPERS else "auto" if changes else TWO_STAGE
+                    self.assertIn(f'scheme = "{expected}"', text)
 
     def test_info(self):
         result = self.bagnold("info")

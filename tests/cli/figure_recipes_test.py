@@ -5,17 +5,16 @@ AXES is written from the papers: for each panel what goes to the right and upwar
 be a state that was made, at its values, or lie where the laws have what an analysis looks for."""
 
 import json
-import sys
 import unittest
 
 import numpy as np
 
 import made_figures as made
+import python_package  # noqa: F401  bagnold_package
 from bagnold import SOURCE, CliTest, environment
 
-sys.path.insert(0, str(SOURCE / "scripts"))
-import plot_figure  # noqa: E402
-from plot_analysis import label  # noqa: E402
+from bagnold_package.plots import figure_page
+from bagnold_package.plots.analysis_page import label
 
 FIGURES = SOURCE / "inputs/figures/figures.toml"
 PHI, Q, RATE = "disks.packing_fraction", "disks.elasticity", "shear.strain_rate"
@@ -148,7 +147,7 @@ class RecipesTest(CliTest):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        plot_figure.plt.rcParams.update({"figure.max_open_warning": 0})
+        figure_page.plt.rcParams.update({"figure.max_open_warning": 0})
 
     def setUp(self):
         super().setUp()
@@ -171,7 +170,7 @@ class RecipesTest(CliTest):
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
         folder = self.folder / "out" / name
         recipe = json.loads((folder / "recipe.json").read_text())
-        figure = plot_figure.draw(recipe, str(folder))
+        figure = figure_page.draw(recipe, str(folder))
         axes = [a for a in figure.axes if a.axison and a.get_label() != "<colorbar>"]
         for one in axes:
             self.assertNotIn("no data", one.get_xlabel(), name)
@@ -184,7 +183,7 @@ class RecipesTest(CliTest):
         if stated.exists():
             lines = [line for line in stated.read_text().splitlines() if "phi_N at 5e-6" not in line]
             self.assertNotIn("not found", "\n".join(lines), name)
-        plot_figure.plt.close(figure)
+        figure_page.plt.close(figure)
         return axes, states
 
     def check(self, axes, wanted, states, name):

@@ -6,13 +6,16 @@ import json
 import re
 import struct
 import subprocess
-import sys
 import tomllib
 import unittest
+from unittest import mock
 
 import numpy as np
 
+import python_package  # noqa: F401  bagnold_package
 from bagnold import SOURCE, CliTest
+
+from bagnold_package.plots import figure_page
 
 FIGURES = SOURCE / "inputs/figures/figures.toml"
 WANTED = ([f"P1-{n}" for n in range(1, 18) if n != 9] +
@@ -141,10 +144,10 @@ class FigureTest(CliTest):
         own = self.own(text, sweep.replace("count = 32", "count = 64"))
         self.figure("P9-1", "--figures", own, "--out", "run")
 
-        def redrawn(out):
+        def redrawn(out, tables="tables"):
             subprocess.run(["/usr/bin/python3", SOURCE / "scripts/figure_tables.py", self.folder / "run/data",
-                            self.folder / "tables", "--figures", own], check=True, capture_output=True)
-            self.figure("P9-1", "--figures", own, "--data", "tables", "--out", out)
+                            self.folder / tables, "--figures", own], check=True, capture_output=True)
+            self.figure("P9-1", "--figures", own, "--data", tables, "--out", out)
             size_of(self.folder / out / "P9-1.png")
             with open(self.folder / out / "P9-1/panel3.drawn.csv", newline="") as file:
                 return list(csv.DictReader(file))
@@ -161,7 +164,13 @@ class FigureTest(CliTest):
         self.assertEqual(recipe["panel"][0]["folder"], ["../../tables/tiny.json"])
         for folder in (self.folder / "run/data/tiny/points").glob("*=10_*"):
             (folder / "summary.json").unlink()
-        self.assertEqual(len(redrawn("half")), 1)
+        self.assertEqual(len(redrawn("half", "half_tables")), 1)
+        # What a table has of points that are gone it keeps.
+        whole = [sorted((self.folder / "tables" / name).read_text().splitlines()) for name in ("tiny.csv", "tiny.json")]
+        self.assertEqual(len(redrawn("kept")), 2)
+        for name, lines in zip(("tiny.csv", "tiny.json"), whole):
+            kept = (self.folder / "tables" / name).read_text().splitlines()
+            self.assertEqual(sorted(line.rstrip(",") for line in kept), [line.rstrip(",") for line in lines])
 
     def test_tables_that_are_not_there_are_said(self):
         own = self.own(ONE.replace("panel = [", 'panel = [{ analyse = "table", data = "other" }, '))
@@ -212,11 +221,10 @@ panel = [
         recipe = {"name": "P9-3", "panel": [{"analyse": "jump", "drawn": "jump.csv", "at": ["p", "gammadot"],
                                              "of": {"p": ""}, "of_drawn": {"p": "p.csv"}}]}
         (self.folder / "recipe.json").write_text(json.dumps(recipe))
-        sys.path.insert(0, str(SOURCE / "scripts"))
-        import plot_figure
         found = []
-        plot_figure.mark_boundary = lambda axes, name, points, k, panel: found.append((name, points))
-        plot_figure.draw(json.loads((self.folder / "recipe.json").read_text()), str(self.folder))
+        with mock.patch.object(figure_page, "mark_boundary",
+                               lambda axes, name, points, k, panel: found.append((name, points))):
+            figure_page.draw(json.loads((self.folder / "recipe.json").read_text()), str(self.folder))
         (name, points), = found
         np.testing.assert_allclose(points[:, 1], rates)
         np.testing.assert_allclose(points[:, 0], np.multiply(rates, np.exp([8.0, 7.8])), rtol=1e-9)

@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 import time
+import tomllib
 import unittest
 import xml.etree.ElementTree
 
@@ -132,6 +133,23 @@ class TrajectoryTest(CliTest):
             np.testing.assert_array_equal(disks["diameter"][()], 1 + 0.4 * disks["species"][()])
             np.testing.assert_array_equal(disks["mass"][()], 1.0)
             self.assertEqual(file["parameters"].attrs["length_unit"], b"d_s")
+            scene = tomllib.loads(file["parameters"].attrs["scene"].decode())
+            self.assertEqual(scene["disks"], read_summary(out)["scene"]["disks"])
+            self.assertEqual(scene["shear"], {"strain_rate": 2.0**-7})
+            for name, values in (("strain", step * 2.0**-11), ("strain_rate", np.full(9, 2.0**-7)),
+                                 ("offset", step * 2.0**-11 * length % length)):
+                element = file["observables/trajectory"][name]
+                self.assertEqual((element["step"], element["time"]),
+                                 (disks["position/step"], disks["position/time"]))
+                np.testing.assert_allclose(element["value"], values, rtol=1e-12, atol=1e-12)
+            image = disks["image/value"]
+            self.assertEqual((image.shape, image.dtype), ((9, 64, 3), np.dtype("<i4")))
+            self.assertTrue((image[0] == 0).all() and (image[..., 2] == 0).all())
+            place = position + np.einsum("tnk,tka->tna", image, edges)
+            strain = step[:, None] * 2.0**-11
+            step_x = np.diff(place[..., 0], axis=0) - np.diff(strain, axis=0) * (place[1:, :, 1] + place[:-1, :, 1]) / 2
+            self.assertLess(np.abs(np.diff(place[..., 1], axis=0)).max(), length / 2)
+            self.assertLess(np.abs(step_x).max(), length / 2)
         with h5py.File(out / "state.h5", "r") as file:  # the last frame is the last state
             np.testing.assert_array_equal(file["state/position"][()], position[-1, :, :2])
             np.testing.assert_array_equal(file["state/velocity"][()], velocity[-1, :, :2])

@@ -300,6 +300,41 @@ class CommandLine(CliTest):
             for word in words:
                 self.assertIn(word, result.stdout)
 
+    def test_the_nearest_option(self):
+        for words, meant in ((("run", "scene.toml", "--otu", "x"), "--out"),
+                             (("resume", "x", "--strian=4"), "--strain"),
+                             (("sweep", "x", "--job", "2"), "--jobs"),
+                             (("status", "x", "--hlep"), "--help")):
+            result = self.bagnold(*words)
+            self.assert_clean_error(result, 2, "unknown option", f"did you mean {meant}?")
+
+    def test_all_mistakes_at_once(self):
+        """Of the form of the file and of the command line; of what a run of it would come to."""
+        path = self.scene(disks__elasticity=-1.0, disks__count=63)
+        result = self.bagnold("validate", path, "--set", "disks.mass=[", "--set", "disks.model=CD_x")
+        self.assertEqual(result.returncode, 2)
+        for word in ("disks.elasticity", "disks.count", "disks.mass", "disks.model"):
+            self.assertIn(word, result.stderr)
+        path = self.scene(integration__time_step=8.0, shear__strain=2.0**-8)
+        result = self.bagnold("validate", path, "--set", "shear.target_error={ Bp = 0.1 }",
+                              "--set", "output.sample_strain=1")
+        self.assertEqual(result.returncode, 2)
+        for word in ("integration.time_step", "output.sample_strain", "did you mean B_p"):
+            self.assertIn(word, result.stderr)
+
+    def test_the_table_is_short_and_whole_with_all(self):
+        """Digits by the error, 1.89(10)e4; what is left out is in summary.json."""
+        path = self.scene(shear__strain=16.0, output__sample_strain=2.0**-6)
+        short = self.run_scene(path, self.folder / "short").stdout
+        whole = self.run_scene(path, self.folder / "whole", "--all").stdout
+        first = lambda said: {line.split(" ")[0] for line in said.splitlines()}
+        self.assertLessEqual({"p", "sigma", "mu", "Z", "T_g", "B_p", "eta_p"}, first(short))
+        self.assertNotIn("p_kin", first(short))
+        self.assertLessEqual(set(read_summary(self.folder / "whole")["observables"]), first(whole))
+        self.assertIn("--all", short)
+        self.assertNotIn("--all", whole)
+        self.assertRegex(short, r"\nZ +\d\.\d+\(\d+\) ")
+
     def test_set_proposes_the_key(self):
         path = self.scene()
         for text, meant in (("count=64", "disks.count"), ("strainrate=1", "shear.strain_rate"),

@@ -145,7 +145,7 @@ def rest_of(data, phi, q, rate):
                    "v_x": rate * y - 50 * rate}
         fields = {"x": [10.0, 60.0], "y": [20.0, 70.0], "diameter": [1.0, 1.4], "phi": [0.79, 0.81],
                   "gammadot": [6e-5, 4e-6]}
-        return {"samples/fields": fields, "samples/fields_frame": [[0.0, 0.0, 100.0, 0.0]]} | {
+        return {"samples/fields": fields, "samples/fields_frame": {"box_length": [100.0]}} | {
             f"profiles/{name}_aligned": {"y": list(y), "value": list(value),
                                    "error": list(0 * value + 1e-7)}
             for name, value in profile.items()}

@@ -232,8 +232,8 @@ class Ramp(ProtocolTest):
         for words in ("# ramp           2 times up to", "in 128 rates of 16 steps", "strain 0.032 at 0.001"):
             self.assertIn(words, said)
         self.refused(self.scene(**{**RAMP, "integration__time_step": 0.07}), "shear.ramp_every")
-        self.refused(self.scene(**RAMP, measure__fields=True),
-                     "measure.fields", "belongs to")
+        self.refused(self.scene(**RAMP, measure__frame_strain=0.1),
+                     "measure.frame_strain", "belongs to")
 
     def test_picture(self):
         self.run_new("ramp", **{**RAMP, "output__plot": True})

@@ -3,25 +3,28 @@
 
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import unittest
 
+import numpy as np
+
 from bagnold import SOURCE, CliTest, environment
 
 HOSTILE = "import os\nopen({mark!r}, 'a').write(__file__ if '__file__' in globals() else 'run')\n"
-MODULES = "h5py matplotlib numpy PIL plotting types io json usercustomize sitecustomize".split()
+MODULES = "h5py matplotlib numpy PIL bagnold types io json usercustomize sitecustomize".split()
 
 
 class PictureTest(CliTest):
     def picture(self, name, *arguments, **options):
         out = self.folder / "results" / name
-        self.run_scene(self.scene(output__plot=True), out, "--quiet", *arguments, **options)
+        self.said = self.run_scene(self.scene(output__plot=True), out, "--quiet", *arguments, **options).stderr
         return out / "plot.png"
 
 
 class HostileFolders(PictureTest):
-    """h5py.py, plotting.py and python3 lie where the user stands; none of them is run."""
+    """h5py.py, bagnold.py and python3 lie where the user stands; none of them is run."""
 
     def setUp(self):
         super().setUp()
@@ -54,11 +57,42 @@ class HostileFolders(PictureTest):
         for number, path in enumerate((".", "", "../here")):
             self.assertFalse(self.draw(f"none{number}", PATH=path, BAGNOLD_PYTHON="python3").exists())
 
+    def test_packages(self):
+        """One that lies here as an installed one would, or is named by no absolute path, is not run."""
+        for folder in ("share/bagnold/python/bagnold", "bagnold"):
+            (self.here / folder).mkdir(parents=True)
+            for name in ("__init__.py", "__main__.py"):
+                (self.here / folder / name).write_text(HOSTILE.format(mark=str(self.mark)))
+        self.assertTrue(self.draw("here").exists())
+        for number, name in enumerate((".", "share/bagnold/python", "../here", "")):
+            picture = self.draw(f"package{number}", BAGNOLD_PYTHON_PACKAGE=name)
+            self.assertFalse(picture.exists(), name)
+            self.assertIn(f"BAGNOLD_PYTHON_PACKAGE = {name}", self.said)
+
     def test_a_relative_interpreter_is_none(self):
         self.assertFalse(self.draw("relative", BAGNOLD_PYTHON="./python3").exists())
 
     def test_an_interpreter_by_its_path(self):
         self.assertTrue(self.draw("chosen", BAGNOLD_PYTHON=sys.executable).exists())
+
+
+class Packages(PictureTest):
+    def test_a_changed_colour_needs_no_rebuild(self):
+        shutil.copytree(SOURCE / "python", self.folder / "own", ignore=shutil.ignore_patterns("__pycache__"))
+        style = self.folder / "own/bagnold/plots/style.py"
+        style.write_text(style.read_text().replace("#0072B2", "#123456"))
+        picture, own = self.picture("usual"), self.picture(
+            "own", env=environment(BAGNOLD_PYTHON_PACKAGE=str(self.folder / "own")))
+
+        def colours(path):
+            import matplotlib.image
+            pixels = (255 * matplotlib.image.imread(path)[..., :3]).round().astype(int)
+            return {tuple(pixel) for pixel in np.unique(pixels.reshape(-1, 3), axis=0)}
+
+        blue, other = (0x00, 0x72, 0xB2), (0x12, 0x34, 0x56)
+        self.assertTrue(blue in colours(picture) and other not in colours(picture))
+        self.assertTrue(blue not in colours(own) and other in colours(own))
+        self.assertEqual(list((self.folder / "own").rglob("__pycache__")), [], "written beside the package")
 
 
 class MissingPictures(PictureTest):
@@ -82,6 +116,7 @@ class MissingPictures(PictureTest):
         (out / "summary.json").unlink()
         stages = sorted(out.glob("*/plot.png"))
         self.assertEqual(len(stages), 2)
+        self.assertTrue((out / "flow_curve.png").exists())
         stages[0].unlink()
         self.assertEqual(self.bagnold("resume", out).returncode, 0)
         self.assertTrue(stages[0].exists())
@@ -92,8 +127,8 @@ class Scripts(PictureTest):
         out = self.run_new("out")
         for name, begin in (("x.pdf", b"%PDF"), ("x.svg", b"<?xml"), ("x.PNG", b"\x89PNG"), ("x", b"\x89PNG")):
             picture = self.folder / name
-            subprocess.run([sys.executable, SOURCE / "scripts/plot.py", out / "result.h5", picture],
-                           check=True, env=environment())
+            subprocess.run([sys.executable, "-m", "bagnold", "plot", out, picture],
+                           check=True, env=environment(PYTHONPATH=str(SOURCE / "python")))
             self.assertTrue(picture.read_bytes().startswith(begin), name)
 
 

@@ -19,6 +19,8 @@ TEST(Protocols, KeysOfAnotherAreRefused) {
                          {minimal_text, "shear.cycles", "2", "ramp"},
                          {minimal_text, "shear.ramp_window", "1000", "ramp"},
                          {minimal_text, "shear.ramp_every", "1", "ramp"},
+                         {minimal_text, "measure.frame_decades", "0.1", "ramp"},
+                         {minimal_text, "output.trajectory_decades", "0.1", "ramp"},
                          {cascade_text, "shear.strain_rate", "1e-3", "steady\" or \"ramp"},
                          {cascade_text, "shear.cycles", "1", "ramp"}}) {
     std::string const message = refusal(c.text, {c.key + "=" + c.value});
@@ -28,8 +30,8 @@ TEST(Protocols, KeysOfAnotherAreRefused) {
     EXPECT_TRUE(has(message, "leave it out")) << message;
   }
   for (auto const* key :
-       {"shear.discard=0.5", "shear.target_error={ B_p = 0.1 }", "measure.profiles=false",
-        "output.sample_strain=0.1", "output.trajectory_strain=0.0"}) {
+       {"shear.discard=0.5", "shear.target_error={ B_p = 0.1 }", "measure.frame_strain=0.1",
+        "measure.correlations=false", "output.sample_strain=0.1", "output.trajectory_strain=0.0"}) {
     std::string const message = refusal(
         minimal_text,
         {"shear.protocol=ramp", "shear.strain_rate_high=1e-2", "shear.ramp_rate=1e-4", key});

@@ -30,7 +30,7 @@ TEST(Refusals, EveryKeyMisspeltIsSuggested) {
   Scene scene;
   for_each_key(scene, [&](Key const& key, auto const&) {
     std::string wrong(key.name);
-    wrong.back() = 'x';  // no key ends so
+    wrong.back() = 'q';  // no key ends so
     std::string const message = refusal(minimal_text, {wrong + "=1"});
     EXPECT_TRUE(has(message, "unknown key " + wrong)) << message;
     EXPECT_TRUE(has(message, "did you mean " + std::string(key.name) + "?")) << message;

@@ -6,7 +6,7 @@
 #include "kernels/physics/type_list.hpp"
 #include "tests/reference/implicit.hpp"
 #include "tests/reference/two_stage.hpp"
-#include "tests/support/simulations.hpp"
+#include "tests/support/contacts.hpp"
 
 namespace bagnold::test {
 
@@ -230,6 +230,48 @@ TEST_P(Ramps, OfADiluteGas) {
     EXPECT_GT(counters.at("binary_islands"), 0);
     EXPECT_GT(counters.at("disks_in_larger_islands"), 0);
   });
+}
+
+/// Begins and ends of contacts, and their sums, are those of the reference engine, in collisions
+/// and in thick flow; the run is interrupted now and then.
+TEST_P(Ramps, HaveTheContactsOfTheReferenceEngine) {
+  if (engine() == "reference") GTEST_SKIP() << "is the oracle";
+  if (backend() != backend_names().front()) GTEST_SKIP() << "see DoNotDependOnTheBackend";
+  for (double const packing_fraction : {0.6, 0.82}) {
+    bool const thick = packing_fraction > 0.8;
+    Scene scene = ramp_scene(packing_fraction, DefaultScheme::name, thick ? 300 : 1200);
+    scene.disks.elasticity = thick ? 1 : 10;
+    scene.measure.contacts = true;
+    State const state = slow_start(scene, 0.3);
+    Ramp const ramp = make_ramp(scene);
+    Sampling const sampling{ramp.window_steps, 7, ramp.steps()};
+    auto simulation = simulate(scene, state, backend());
+    Observed seen(*simulation, state.count());
+    while (simulation->step() < ramp.steps()) {
+      simulation->advance(183, sampling, seen.windows);
+      auto const open = seen.windows.contacts->table.sorted();
+      simulation = make_simulation(scene, simulation->snapshot(), backend());
+      seen.windows.contacts->restore(open);
+    }
+    scene.integration.engine = "reference";
+    auto const oracle = simulate(scene, state, backend_names().front());
+    Observed expected(*oracle, state.count());
+    oracle->advance(ramp.steps(), sampling, expected.windows);
+    auto const &a = seen.listener->all, &b = expected.listener->all;
+    ASSERT_EQ(a.size(), b.size());
+    EXPECT_GE(a.size(), 500u);
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      ASSERT_EQ(a[k].key(), b[k].key()) << k;
+      EXPECT_NEAR(std::remainder(a[k].theta - b[k].theta, 360), 0, 1e-4) << k;
+    }
+    auto const &sums = seen.windows.sums, &sums_of_oracle = expected.windows.sums;
+    ASSERT_EQ(sums.size(), sums_of_oracle.size());
+    for (std::size_t w = 0; w < sums.size(); ++w)
+      for (auto c = static_cast<std::size_t>(simulation->columns()); c < sums[w].sums.size(); ++c)
+        EXPECT_NEAR(sums[w].sums[c], sums_of_oracle[w].sums[c],
+                    1e-7 * (1 + std::abs(sums_of_oracle[w].sums[c])))
+            << "window " << w << " column " << c;
+  }
 }
 
 /// Interrupted and taken up again, where the rate changes and in between.

@@ -10,27 +10,30 @@ struct Point {
   char const* name;
   char const* law;
   double packing_fraction, elasticity;
+  double rate = 1e-2;
 };
 
 /// Engines go one way only for so long: after some collisions their trajectories have nothing in
 /// common but the statistics, which must agree.
 class Statistics : public testing::TestWithParam<Point> {
  public:
-  static constexpr double rate = 1e-2, warm_up = 4, strain = 24;
+  static constexpr double warm_up = 4, strain = 24;
   static constexpr int blocks = 16;  ///< of a run, as independent as their means are taken to be
 
   static Scene scene() {
     Point const& p = GetParam();
     Scene scene;
     scene.disks = {p.law, 1024, p.packing_fraction, p.elasticity, "equal"};
-    scene.shear.strain_rate = rate;
+    scene.shear.strain_rate = p.rate;
     scene.shear.strain = strain;
     scene.integration.scheme = papers_scheme;
     scene.integration.time_step = 0.05;
     return scene;
   }
 
-  static std::int64_t steps(double strain) { return std::llround(strain / (rate * 0.05)); }
+  static std::int64_t steps(double strain) {
+    return std::llround(strain / (GetParam().rate * 0.05));
+  }
 
   /// The averages of each block, [blocks][columns].
   static std::vector<WindowSums> run(std::string const& engine, State const& state) {
@@ -83,7 +86,8 @@ TEST_P(Statistics, OfEveryEngineAreThoseOfTheReference) {
 
 INSTANTIATE_TEST_SUITE_P(All, Statistics,
                          testing::Values(Point{"CD_Bagnoldian", "CD", 0.70, 50},
-                                         Point{"CD_Newtonian", "CD", 0.82, 1},
+                                         // at 1e-2 an overlap comes near 20%, where runs end
+                                         Point{"CD_Newtonian", "CD", 0.82, 1, 5e-3},
                                          Point{"CD_n_Bagnoldian", "CD_n", 0.78, 50},
                                          Point{"CD_n_dense", "CD_n", 0.835, 1},
                                          Point{"CD_rot_Bagnoldian", "CD_rot", 0.70, 1},

@@ -2,6 +2,7 @@
 """A program with a law of its own, PROGRAM: runs, is interrupted and goes on, with the bits of a run that was not,
 and with those of the program BAGNOLD under CD_nt without damping along the normal, which is the same law."""
 import json
+import os
 import pathlib
 import signal
 import subprocess
@@ -69,6 +70,12 @@ powers = json.loads((work / "driven/summary.json").read_text())["observables"]
 assert powers["drag_power"]["mean"] > 0.01 and powers["push_power"]["mean"] < 0, powers
 gap = powers["energy_gap"]
 assert abs(gap["mean"]) < 0.02 + 4 * (gap["error"] or 0), gap
+
+# Pictures: the package is found by the bagnold in PATH.
+drawn = {**os.environ, "PATH": f"{pathlib.Path(bagnold).parent}:{os.environ['PATH']}"}
+(work / "drawn.toml").write_text(text.replace("strain = 2.0", "strain = 0.5"))
+subprocess.run([own_law, work / "drawn.toml", work / "drawn"], check=True, env=drawn)
+assert (work / "drawn/plot.png").exists()
 
 refused = subprocess.run([bagnold, "run", work / "own.toml", "--out", work / "none"], stderr=subprocess.PIPE, text=True)
 assert refused.returncode == 2 and "CD_t" in refused.stderr, refused

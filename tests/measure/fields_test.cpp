@@ -81,7 +81,7 @@ TEST(LocalFields, OfLinearFlowAcrossTheEdges) {
 }
 
 TEST(Fields, HistogramsAndLastFrame) {
-  Fields fields(rate), resumed(rate);
+  Fields fields, resumed;
   State const state = test::square_lattice(20, 1.3, rate);
   fields.add({state, 7, 0.25});
   ObserverState numbers;

@@ -5,15 +5,31 @@
 
 #include <cstdlib>
 
+#include "src/run/python_package.hpp"
+
 namespace bagnold {
 namespace {
 
-/// Whether the script is still being written when such a Python ends is chance, so it is drawn
-/// often.
-TEST(Plot, OutlivesAPythonThatReadsNothing) {
+TEST(Plot, IsWhatThePythonSays) {
   setenv("BAGNOLD_PYTHON", "/bin/true", 1);
-  for (int k = 0; k < 1000; ++k) ASSERT_EQ(draw_plot("no_result.h5", "no_picture.png"), "");
+  EXPECT_EQ(draw_plot("no_result.h5", "no_picture.png"), "");
+  setenv("BAGNOLD_PYTHON", "/bin/false", 1);
+  EXPECT_NE(draw_plot("no_result.h5", "no_picture.png"), "");
   unsetenv("BAGNOLD_PYTHON");
+}
+
+TEST(PythonPackage, HasAnAbsolutePathAndHoldsThePackage) {
+  auto const source = std::string(BAGNOLD_SOURCE_FOLDER) + "/python";
+  setenv("BAGNOLD_PYTHON_PACKAGE", source.c_str(), 1);
+  EXPECT_EQ(python_package(), source);
+  EXPECT_EQ(wrong_python_package(), "");
+  for (auto const* wrong : {"", "python", "./python", "/"}) {
+    setenv("BAGNOLD_PYTHON_PACKAGE", wrong, 1);
+    EXPECT_EQ(python_package(), "") << wrong;
+    EXPECT_NE(wrong_python_package().find("absolute"), std::string::npos) << wrong;
+  }
+  unsetenv("BAGNOLD_PYTHON_PACKAGE");
+  EXPECT_EQ(wrong_python_package(), "");
 }
 
 }  // namespace

@@ -24,8 +24,9 @@ class CountedSteps : public Simulation {
     EXPECT_GT(steps, 0);
     if (pause.count() > 0) std::this_thread::sleep_for(pause);
     stretches.push_back(steps);
-    std::int64_t end = step_ + steps;
-    end = std::min((end + stops_at - 1) / stops_at * stops_at, sampling.last_step);
+    std::int64_t end = (step_ + steps + stops_at - 1) / stops_at * stops_at;
+    if (sampling.whole && end > sampling.last_step) end = sampling.last_step / stops_at * stops_at;
+    end = std::min(end, sampling.last_step);
     for (; step_ < end; ++step_) {
       if (!sampling.sampled(step_)) continue;
       double const at = static_cast<double>(step_);
@@ -189,6 +190,36 @@ TEST(Steady, NumericalFailurePassesThrough) {
   EXPECT_THROW(run_measured(simulation, plan_of(100, 10, 1), measurement, forever),
                std::runtime_error);
   EXPECT_EQ(measurement.windows.size(), 0u);
+}
+
+/// A longer run would not stop at the end of this one: what it goes on from lies before, and the
+/// windows are those of one leg.
+TEST(RunMeasured, AWholeLegStopsWhereALongerRunDoes) {
+  Plan const plan = plan_of(1003, 20, 3);
+  CountedSteps simulation;
+  simulation.stops_at = 64;
+  Measurement measurement = nothing();
+  EXPECT_TRUE(run_measured(simulation, plan, measurement, forever, LegEnd::whole));
+  EXPECT_EQ(simulation.step(), 960);
+  EXPECT_EQ(measurement.windows.size(), 48u);
+  EXPECT_TRUE(run_measured(simulation, plan, measurement, forever, LegEnd::whole));
+  EXPECT_EQ(simulation.step(), 960);
+  EXPECT_TRUE(run_measured(simulation, plan, measurement, forever));
+  EXPECT_EQ(simulation.step(), 1003);
+  expect_same(measurement.windows, expected_windows(plan));
+}
+
+/// Several systems, each at a stop of its own.
+TEST(RunMeasured, AWholeLegOfSeveral) {
+  Plan const plan = plan_of(1000, 20, 3);
+  CountedSteps one, other;
+  one.stops_at = 64;
+  other.stops_at = 100;
+  Measurement first = nothing(), second = nothing();
+  MeasuredSystem const systems[] = {{one, first}, {other, second}};
+  EXPECT_TRUE(run_measured(systems, plan, forever, LegEnd::whole));
+  EXPECT_EQ(one.step(), 960);
+  EXPECT_EQ(other.step(), 1000);
 }
 
 }  // namespace

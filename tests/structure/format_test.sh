@@ -10,8 +10,9 @@ format="$2"
   echo "clang-format 14 is missing: apt-get install clang-format-14"
   exit 77
 }
-changed=0
-while IFS= read -r -d '' file; do
-  "$format" --dry-run -Werror "$file" 2>/dev/null || { echo "clang-format -i $file"; changed=1; }
-done < <(find kernels src tests bench -type f \( -name '*.hpp' -o -name '*.cpp' \) -print0 | sort -z)
-exit "$changed"
+changed="$(find kernels src tests bench -type f \( -name '*.hpp' -o -name '*.cpp' \) -print0 |
+  xargs -0 -n 100 "$format" --dry-run 2>&1 | sed -n 's/^\([^:]*\):[0-9]*:[0-9]*: .*code should be clang-formatted.*/\1/p' |
+  sort -u)"
+[ -z "$changed" ] && exit 0
+printf 'clang-format -i %s\n' $changed
+exit 1

@@ -28,6 +28,7 @@ class SweepResults : public testing::Test {
         << R"({"wall_seconds": 3, "observables": {"p": {"mean": 0.1, "error": 1e-3, "rough": true},)"
         << R"("Z": {"mean": 2, "error": null}, "mu": {"mean": 3, "error": 1, "rough": true}}})";
     std::ofstream(folder.summary(1)) << R"({"warnings": [{"name": "one"}, {"name": "two"}],)"
+                                     << R"("notes": [{"name": "soft"}],)"
                                      << R"( "observables": {"p": {"mean": 1e-300, "error": 0},)"
                                      << R"("spin_mean": {"mean": -0.5, "error": 0.25}}})";
     std::ofstream(folder.log(2)) << "bagnold: disk 3 is too fast\n";
@@ -42,13 +43,16 @@ TEST_F(SweepResults, TableIsWrittenOutByHand) {
   auto const results = read_results(sweep, folder);
   EXPECT_EQ(results.status, (std::vector<std::string>{"done", "done", "failed"}));
   EXPECT_EQ(results.warnings, (std::vector<std::string>{"", "one two", ""}));
+  EXPECT_EQ(results.notes, (std::vector<std::string>{"", "soft", ""}));
   write_csv(test_folder / "t.csv", sweep, results);
   EXPECT_EQ(
       text_in(test_folder / "t.csv"),
-      "disks.model,title,p,p_error,Z,Z_error,mu,mu_error,spin_mean,spin_mean_error,rough_errors\n"
-      "CD,\"a, b\",0.1,0.001,2,,3,1,,,p mu\n"
-      "CD_rot,\"say \"\"x\"\"\",1e-300,0,,,,,-0.5,0.25,\n"
-      "CD_n,,,,,,,,,,\n");
+      "disks.model,title,p,p_error,Z,Z_error,mu,mu_error,spin_mean,spin_mean_error,rough_errors,"
+      "warnings,notes,folder\n"
+      "CD,\"a, b\",0.1,0.001,2,,3,1,,,p mu,,," +
+          sweep.points[0].folder + "\n" +
+          "CD_rot,\"say \"\"x\"\"\",1e-300,0,,,,,-0.5,0.25,,one two,soft," +
+          sweep.points[1].folder + "\n" + "CD_n,,,,,,,,,,,,," + sweep.points[2].folder + "\n");
 }
 
 TEST_F(SweepResults, Hdf5HoldsTheSame) {
@@ -69,6 +73,7 @@ TEST_F(SweepResults, Hdf5HoldsTheSame) {
                            "assert text(\"points/title\") == [\"a, b\", \"say \\\"x\\\"\", \"\"]\n"
                            "assert text(\"status\") == [\"done\", \"done\", \"failed\"]\n"
                            "assert text(\"warnings\") == [\"\", \"one two\", \"\"]\n"
+                           "assert text(\"notes\") == [\"\", \"soft\", \"\"]\n"
                            "assert text(\"rough_errors\") == [\"p mu\", \"\", \"\"]\n"
                            "assert \"CD_rot\" in text(\"points/scene\")[1]\n"
                            "assert text(\"points/folder\")[2].startswith(\"0003_model=CD_n\")"),
@@ -95,6 +100,18 @@ TEST_F(SweepResults, NumbersOfAKeyAreDoubles) {
   io::Hdf5Reader const file("o.h5", io::read_file(test_folder / "o.h5"));
   EXPECT_EQ(file.doubles("/points/disks.seed", {2}), (std::vector<double>{3, 1}));
   EXPECT_EQ(file.doubles("/points/shear.strain", {2}), (std::vector<double>{2.5, 2.5}));
+}
+
+/// A point that was made longer by itself: its scene and its varied key tell what it came to.
+TEST_F(SweepResults, StrainIsWhatAPointCameTo) {
+  auto const other = expand("[sweep]\ngrid = { \"shear.strain\" = [2.5, 3.5] }");
+  auto const there = SweepFolder::make(test_folder / "longer", other);
+  std::ofstream(there.summary(0)) << R"({"scene": {"shear": {"strain": 40.0}}, "observables": {}})";
+  std::ofstream(there.summary(1)) << R"({"scene": {"shear": {"strain": 3.5}}, "observables": {}})";
+  auto const run = as_run(other, read_results(other, there));
+  EXPECT_EQ(run.points[0].scene.shear.strain, 40.0);
+  EXPECT_EQ(run.points[1].scene.shear.strain, 3.5);
+  EXPECT_EQ(std::get<double>(run.points[0].values[0]), 40.0);
 }
 
 TEST_F(SweepResults, ABrokenSummaryIsNamed) {

@@ -18,7 +18,7 @@ struct Listener final : SweepMonitor {
   void was_finished(std::size_t) override { ++found_finished; }
   void collected(Sweep const& sweep, SweepFolder const&, Results const& results) override {
     status = results.status;
-    suspect = suspect_points(sweep, results);
+    suspect = suspect_points(sweep, results, {});
   }
   int most = 1000;
   int started_points = 0, finished_points = 0, failed_points = 0, found_finished = 0;
@@ -57,8 +57,10 @@ TEST_F(RunSweep, RunsAllPointsAndWritesTheTables) {
   EXPECT_EQ(run(sweep, folder, options), SweepEnd::done);
   EXPECT_EQ(listener.finished_points, 3);
   EXPECT_EQ(listener.status, std::vector<std::string>(3, "done"));
-  EXPECT_EQ(listener.suspect,
-            "3 of 3 points are suspect: deep (3); see warnings in their summary.json");
+  EXPECT_EQ(
+      listener.suspect,
+      "3 of 3 points are suspect: deep (3); which, and why: column warnings of sweep.csv, and "
+      "the points' summary.json");
   EXPECT_TRUE(std::filesystem::exists(folder / "sweep.csv"));
   EXPECT_TRUE(std::filesystem::exists(folder / "sweep.h5"));
 }

@@ -130,16 +130,20 @@ def stretch(program, state, file, method, tiny):
     return {**means, "p_kin_share": means["p_kin"] / means["p"]}
 
 
+def write_scene(file, settings):
+    tables = {}
+    for key, value in settings.items():
+        table, name = key.split(".")
+        text = value if value in ("true", "false") else f'"{value}"' if isinstance(value, str) else value
+        tables.setdefault(table, []).append(f"{name} = {text}")
+    for table, lines in tables.items():
+        file.write("\n".join([f"[{table}]", *lines, ""]))
+    file.flush()
+
+
 def run(program, settings, out, must=True):
     with tempfile.NamedTemporaryFile("w", suffix=".toml") as file:
-        tables = {}
-        for key, value in settings.items():
-            table, name = key.split(".")
-            text = value if value in ("true", "false") else f'"{value}"' if isinstance(value, str) else value
-            tables.setdefault(table, []).append(f"{name} = {text}")
-        for table, lines in tables.items():
-            file.write("\n".join([f"[{table}]", *lines, ""]))
-        file.flush()
+        write_scene(file, settings)
         done = subprocess.run([program, "run", file.name, "--out", out, "--force", "--quiet",
                                "--threads", "1", "--allow-unstable"], capture_output=True, text=True)
     if must and done.returncode != 0:

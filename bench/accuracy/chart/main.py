@@ -20,7 +20,8 @@ from tables import Tables  # noqa: E402
 
 states.STATES.update((state.name, state) for state in states.chain(
     "cd82", {**states.NEWTONIAN, "model": "CD", "count": 1024}, "1024", ("1e-3", 5), ("1e-4", 5)))
-TABLES = ("collision", "stability", "stretches", "precision", "steady", "engines", "implicit")
+TABLES = ("collision", "stability", "stretches", "precision", "steady", "engines", "implicit", "auto",
+          "quasi_static")
 
 
 def read_arguments():
@@ -46,7 +47,7 @@ def main():
     form = FORMS[arguments.form]
     if arguments.rounds:
         form = replace(form, rounds=arguments.rounds)
-    if set(arguments.only) - {"collision", "pictures", "implicit"}:
+    if set(arguments.only) - {"collision", "pictures", "implicit", "auto", "quasi_static"}:
         wanted = [case.state for case in CASES]
         if "engines" in arguments.only:
             wanted += [row.state for row in engines.ROWS]

@@ -6,8 +6,10 @@ import os
 import subprocess
 from concurrent.futures import ThreadPoolExecutor
 
+import auto
 import engines
 import implicit
+import quasi_static
 from cases import CASES, FORMS, LEGEND, PAPERS, PRECISION, TWO_STAGE
 
 REFERENCE = 0.2 / 64  # time step that stretches are held against, [tau_e]
@@ -93,6 +95,16 @@ class Tables:
         """Long steps in dense flow."""
         self.write_rows("implicit.csv", implicit.COLUMNS, implicit.measure(
             self.of_runs, self.states, self.form is FORMS["tiny"], self.jobs, self.say))
+
+    def auto(self):
+        """What the choice of schemes does."""
+        self.write_rows("auto.csv", auto.COLUMNS, auto.measure(
+            self.of_runs, self.states, self.form is FORMS["tiny"], self.jobs, self.say))
+
+    def quasi_static(self):
+        """Steps of a strain in flows that creep, one run after the other."""
+        self.write_rows("quasi_static.csv", quasi_static.COLUMNS, quasi_static.measure(
+            self.of_runs, self.states, self.form is FORMS["tiny"], self.say))
 
     def write_rows(self, name, columns, parts):
         """A table of what runs of the program itself tell, part by part."""

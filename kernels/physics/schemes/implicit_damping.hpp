@@ -28,6 +28,9 @@ struct ImplicitDamping {
   static constexpr Real theta = 1;  ///< weight of the new velocities in the damping
   static constexpr int iterations = 5;
 
+  /// Of the normal damping: with less along contacts inertia always has a part.
+  static constexpr Real least_tangential_share = 0.3;
+
   /// Damping alone never grows: 1/(1 + y).
   static constexpr Real largest_rate = std::numeric_limits<Real>::infinity();
   /// Largest frequency without damping, times dt: of a leapfrog.
@@ -51,7 +54,7 @@ struct ImplicitDamping {
   static Real time_step(DampingInput const& input) {
     Law const at_one = Law::make({1, input.normal, input.tangential});
     Real const normal = at_one.normal_damping(), tangential = at_one.tangential_damping();
-    if (tangential < Real(0.3) * normal) return 0.2;
+    if (tangential < least_tangential_share * normal) return 0.2;
     Real const longest = Law::rotates ? 1.2 : 1.6;
     return longest * std::min(1.0, std::pow(input.elasticity / std::max(normal, tangential), -0.3));
   }

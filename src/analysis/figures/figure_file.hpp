@@ -15,9 +15,9 @@ struct Figure {
   std::string claims;             ///< what the paper says of it
   double hours = 0;               ///< of one core, for all its data
   std::vector<std::string> data;  ///< its sweeps: files DATA.toml beside the file of figures
-  nlohmann::json panels;          ///< as scripts/plot_figure.py takes them
+  nlohmann::json panels;          ///< as python/bagnold/plots/figure_page.py takes them
   nlohmann::json stated;          ///< numbers that the paper states, see stated.hpp
-  nlohmann::json layout;          ///< all other keys, for scripts/plot_figure.py
+  nlohmann::json layout;          ///< all other keys, for python/bagnold/plots/figure_page.py
 };
 
 /// All figures of a file, by name.

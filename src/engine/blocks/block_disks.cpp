@@ -53,11 +53,7 @@ State BlockDisks::state() const {
   State state;
   gather(state.position, state.velocity, state.spin);
   state.diameter = diameter;
-  state.box_length = clock.box_length;
-  state.box_aspect = clock.box_aspect;
-  state.offset = clock.offset(system.step, system.step);
-  state.time = clock.time(system.step);
-  state.strain_rate = clock.strain_rate;
+  clock.tell(state, system.step);
   return state;
 }
 

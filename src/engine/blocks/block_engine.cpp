@@ -54,11 +54,10 @@ BlockEngine::BlockEngine(std::unique_ptr<BlockLoop> loop, std::unique_ptr<BlockS
 }
 
 void BlockEngine::advance(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) {
-  if (windows.contacts && disks_.clock.rate_end != StrainRates::never)
-    throw std::logic_error("contacts are not followed where the strain rate changes");
   if (disks_.system.trial.record.extent(0) == 0) lists_.take_scratch();
   for (auto const end = std::min(disks_.system.step + steps, sampling.last_step);
        disks_.system.step < end;) {
+    if (looking_ahead_ && sampling.whole && lookahead_end() > sampling.last_step) return;
     if (looking_ahead_)
       advance_lookahead(sampling, windows);
     else
@@ -136,10 +135,15 @@ void BlockEngine::advance_step(Sampling const& sampling, OpenWindows& windows) {
 
 /// Lookaheads end at multiples of their length, so that it does not matter where a run is
 /// interrupted.
+std::int64_t BlockEngine::lookahead_end() const {
+  auto const length = tuning_.steps();
+  return (disks_.system.step / length + 1) * length;
+}
+
 void BlockEngine::advance_lookahead(Sampling const& sampling, OpenWindows& windows) {
   auto const length = tuning_.steps();
   auto const begin = disks_.system.step;
-  auto const end = std::min((begin / length + 1) * length, sampling.last_step);
+  auto const end = std::min(lookahead_end(), sampling.last_step);
   lookahead_.cautious = tuning_.cautious();
   set_allowance(length);
   Real const duration = lookahead_.time_flights(end);

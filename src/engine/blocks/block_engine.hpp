@@ -35,6 +35,7 @@ class BlockEngine final : public Simulation {
 
   void advance_one(Sampling const& sampling, OpenWindows& windows);
   void advance_step(Sampling const& sampling, OpenWindows& windows);
+  std::int64_t lookahead_end() const;  ///< of the next one, were the run to go on
   void advance_lookahead(Sampling const& sampling, OpenWindows& windows);
   void step_through(Lookahead const& lookahead, Sampling const& sampling, OpenWindows& windows);
   void set_allowance(std::int64_t length);

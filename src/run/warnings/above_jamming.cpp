@@ -16,7 +16,9 @@ std::optional<Warning> above_jamming(FinishedRun const& finished) {
           "disks.packing_fraction = {} is {:.2g} above jamming at {}, where a yield stress is "
           "left as the rate vanishes: B and eta have no limit",
           phi, phi - jamming_fraction, jamming_fraction),
-      "read p and sigma instead, at several rates"};
+      "read p and sigma instead, at several rates",
+      "",
+      /*is_note=*/true};
 }
 
 }  // namespace bagnold

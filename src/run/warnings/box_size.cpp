@@ -12,6 +12,10 @@ namespace {
 constexpr double most_anisotropy = 2;  ///< R_v of a homogeneous flow is about 1, P2 Fig. 24
 constexpr double least_length = 12;    ///< [d_s]: about 100 disks
 
+std::string more_disks(FinishedRun const& finished) {
+  return changed_run("disks.count", fmt::format("{}", 4 * finished.run.scene.disks.count));
+}
+
 }  // namespace
 
 std::optional<Warning> box_size(FinishedRun const& finished) {
@@ -25,7 +29,9 @@ std::optional<Warning> box_size(FinishedRun const& finished) {
         fmt::format("R_v = {:.2g}, about 1 in a homogeneous flow (P2 Fig. 24): bands as wide as "
                     "the box of {:.3g} d_s across the flow lets them be",
                     anisotropy, height),
-        "compare with more disks, and see measure.profiles"};
+        "compare with more disks, and see measure.profiles",
+        more_disks(finished),
+        /*is_note=*/true};
   if (least < least_length && !finished.run.plan.ramp)
     return Warning{
         "box_size",
@@ -33,7 +39,9 @@ std::optional<Warning> box_size(FinishedRun const& finished) {
         fmt::format("the box is {:.3g} d_s {}, less than {}: B and eta may be off by several "
                     "standard errors",
                     least, height < length ? "high" : "wide", least_length),
-        "compare with more disks"};
+        "compare with more disks",
+        more_disks(finished),
+        /*is_note=*/true};
   return {};
 }
 

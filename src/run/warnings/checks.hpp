@@ -37,6 +37,9 @@ Check collision_loss;
 /// Implicit damping where the motion is not overdamped: inertia decides what flows, not damping.
 Check implicit_inertia;
 
+/// Quasi-static steps where energy is neither dissipated nor kept: inertia decides what flows.
+Check quasi_static_inertia;
+
 /// A time step that a single contact bears, but not the damping of a dense flow.
 Check contact_network;
 
@@ -57,9 +60,13 @@ Check contact_durations;
 
 /// All of them, in the order of the summary.
 inline constexpr Check* all_checks[] = {
-    above_jamming,    hard_core_limit, large_overlap,    energy_balance,   dissipative_pressure,
-    rotation_balance, collision_loss,  implicit_inertia, contact_network,  steady_state,
-    error_bar,        few_collisions,  box_size,         contact_durations};
+    above_jamming,        hard_core_limit,  large_overlap,    energy_balance,
+    dissipative_pressure, rotation_balance, collision_loss,   implicit_inertia,
+    quasi_static_inertia, contact_network,  steady_state,     error_bar,
+    few_collisions,       box_size,         contact_durations};
+
+/// The command that runs the scene with half its time step.
+std::string half_the_step(FinishedRun const& finished);
 
 /// Mean relative overlap of contacts, 1 - r_ij/d_ij, from elastic pressure and contacts:
 ///
@@ -67,5 +74,23 @@ inline constexpr Check* all_checks[] = {
 ///
 /// NaN where nothing touched.
 double mean_overlap(FinishedRun const& finished);
+
+/// By how much the kinetic and elastic energy may have changed while it was measured, over the work
+/// of the shear: p_kin and, as V_ij ~ overlap f_ij r_ij / alpha, p_el times the overlap at most.
+double stored_share(FinishedRun const& finished);
+
+/// A share of the power of the shear that is neither dissipated nor kept.
+struct EnergyGap {
+  double gap, error;  ///< above 0: not dissipated
+  double stored;      ///< see stored_share
+  std::vector<std::pair<std::string, double>> numbers() const {
+    return {{"energy_gap", gap}, {"error", error}, {"stored", stored}};
+  }
+  std::string in_words() const;  ///< "3.2% of the power of the shear is not dissipated"
+};
+
+/// That of a run, where it is known to a good error and beyond `most`, its errors and what may have
+/// been stored.
+std::optional<EnergyGap> energy_gap_beyond(double most, FinishedRun const& finished);
 
 }  // namespace bagnold

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "src/config/names.hpp"
+#include "src/config/quasi_static.hpp"
 #include "src/config/time_step.hpp"
 #include "src/run/warnings/checks.hpp"
 
@@ -19,7 +20,8 @@ constexpr double most_off = 0.02;  ///< as of energy_balance
 
 std::optional<Warning> collision_loss(FinishedRun const& finished) {
   auto const& scene = finished.run.scene;
-  if (is_implicit(scheme_of(scene))) return {};  // collisions are not its matter: implicit_inertia
+  if (is_implicit(scheme_of(scene)) || is_quasi_static(scene))
+    return {};  // collisions are not their matter: implicit_inertia, quasi_static_inertia
   double const dt = finished.run.plan.time_step;
   double const off = collision_loss_error(scene, scheme_of(scene), dt);
   if (std::abs(off) < most_off) return {};
@@ -29,7 +31,8 @@ std::optional<Warning> collision_loss(FinishedRun const& finished) {
                              "integration.time_step = {} is too coarse for {} at Q = {}",
                              100 * std::abs(off), off > 0 ? "more" : "less", dt, scheme_of(scene),
                              scene.disks.elasticity),
-                 "halve it and compare"};
+                 "halve it and compare",
+                 half_the_step(finished)};
 }
 
 }  // namespace bagnold

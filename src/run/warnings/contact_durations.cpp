@@ -38,7 +38,8 @@ std::optional<Warning> contact_durations(FinishedRun const& finished) {
   return Warning{"contact_durations",
                  {{"tau_dur", duration}, {"time", time}, {"gap", gap}},
                  reason,
-                 "raise shear.strain"};
+                 "make the run longer",
+                 longer_run(finished.run, std::isnan(share) ? 10 : 2 * share / longest_share)};
 }
 
 }  // namespace bagnold

@@ -22,7 +22,8 @@ std::optional<Warning> contact_network(FinishedRun const& finished) {
                   "unseen in averages",
                   taken, borne, scheme),
       fmt::format("take at most {:.3g}, which six contacts a disk bear, or halve it and compare",
-                  sure)};
+                  sure),
+      changed_run("integration.time_step", fmt::format("{:.3g}", sure))};
 }
 
 }  // namespace bagnold

@@ -24,7 +24,8 @@ std::optional<Warning> dissipative_pressure(FinishedRun const& finished) {
       fmt::format("p_dis is {:.2g}% of p, of whole contacts none: integration.time_step = {} is "
                   "too coarse for these contacts",
                   100 * share, finished.run.plan.time_step),
-      "halve it and compare"};
+      "halve it and compare",
+      half_the_step(finished)};
 }
 
 }  // namespace bagnold

@@ -40,8 +40,10 @@ Warning none_or_rough(FinishedRun const& finished, NamedEstimate const& found) {
       fmt::format("{} has {} error: the measured strain of {:.3g} holds about {:.2g} independent "
                   "windows, an error takes {}",
                   found.observable.name, all.rough ? "a rough" : "no", strain, all.independent,
-                  4 * statistics::fewest_blocks),
-      "raise shear.strain, or take disks.replicas of 3 or more"};
+                  enough_windows),
+      "make the run longer, or take disks.replicas of 3 or more",
+      until_errors(finished),
+      /*is_note=*/all.rough};
 }
 
 }  // namespace
@@ -59,7 +61,8 @@ std::optional<Warning> error_bar(FinishedRun const& finished) {
           fmt::format("replicas differ in {} by {:.2g} times what the fluctuations of each "
                       "explain: they sit in different states",
                       name, scatter),
-          "raise shear.strain, and look at the replicas one by one"};
+          "make the run longer, and look at the replicas one by one",
+          longer_run(finished.run, 3)};
   }
   return {};
 }

@@ -39,7 +39,8 @@ std::optional<Warning> few_collisions(FinishedRun const& finished) {
           "a disk collides {:.2g} times at most in the measured strain of {:.3g}; it takes {:.0f} "
           "to forget the start",
           collisions, finished.measured_strain(), fewest_collisions),
-      "raise shear.strain"};
+      "make the run longer",
+      longer_run(finished.run, 1.5 * fewest_collisions / collisions)};
 }
 
 }  // namespace bagnold

@@ -34,7 +34,9 @@ std::optional<Warning> hard_core_limit(FinishedRun const& finished) {
                              "from jamming: B and "
                              "eta may be {:.0f}% below those of hard disks",
                              100 * overlap, 100 * looser, 100 * off),
-                 "lower shear.strain_rate; `bagnold check-limit SCENE` compares with half of it"};
+                 "lower shear.strain_rate, or compare with half of it",
+                 "bagnold check-limit DIR/scene.toml --out DIR-limit",
+                 /*is_note=*/true};
 }
 
 }  // namespace bagnold

@@ -24,7 +24,9 @@ std::optional<Warning> implicit_inertia(FinishedRun const& finished) {
       fmt::format("p_kin/p = {:.2g} (above {:g}): inertia has a part in this flow, and {} with a "
                   "step of {} tau_e is for motions that damping alone decides",
                   kinetic, most_kinetic, scheme, finished.run.plan.time_step),
-      "set integration.scheme = \"auto\", which steps through collisions"};
+      "set integration.scheme = \"auto\", which steps through collisions",
+      "bagnold run DIR/scene.toml --set integration.scheme=auto --set integration.time_step=auto "
+      "--out DIR-auto"};
 }
 
 }  // namespace bagnold

@@ -28,7 +28,10 @@ std::optional<Warning> large_overlap(FinishedRun const& finished) {
       {{"mean_overlap", overlap}},
       fmt::format("disks in contact overlap by {:.2g}% on average: soft bodies, not grains",
                   100 * overlap),
-      "lower shear.strain_rate or disks.packing_fraction"};
+      "lower shear.strain_rate or disks.packing_fraction",
+      changed_run("shear.strain_rate",
+                  fmt::format("{:.3g}", finished.run.scene.shear.strain_rate / 10)),
+      /*is_note=*/true};
 }
 
 }  // namespace bagnold

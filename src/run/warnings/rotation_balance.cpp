@@ -42,7 +42,8 @@ std::optional<Warning> rotation_balance(FinishedRun const& finished) {
                   "{}: integration.time_step = {} is too coarse for these contacts",
                   power > 0 ? "give" : "take from", 100 * std::abs(power),
                   power > 0 ? "keep" : "have", finished.run.plan.time_step),
-      "halve it and compare"};
+      "halve it and compare",
+      half_the_step(finished)};
 }
 
 }  // namespace bagnold

@@ -56,7 +56,8 @@ std::optional<Warning> steady_state(FinishedRun const& finished) {
                     name, 100 * drift,
                     settles ? fmt::format(", {:.2g} standard errors", apart)
                             : ", much of which is transient by MSER-5"),
-        "raise shear.strain, or shear.discard"};
+        "make the run longer, or discard more of it",
+        longer_run(finished.run, 2)};
   }
   return {};
 }

@@ -2,6 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "src/run/warnings/checks.hpp"
@@ -42,8 +45,63 @@ std::vector<Warning> warnings(FinishedRun const& finished) {
   return list;
 }
 
-std::string text_of(Warning const& warning) {
-  return fmt::format("{}: {}; {}", warning.name, warning.reason, warning.remedy);
+std::string half_the_step(FinishedRun const& finished) {
+  return changed_run("integration.time_step",
+                     fmt::format("{:.6g}", finished.run.plan.time_step / 2));
+}
+
+namespace {
+
+/// As a shell takes it.
+std::string quoted(std::string const& folder) {
+  auto const plain = [](unsigned char c) { return std::isalnum(c) || std::strchr("_./=+-,:", c); };
+  if (std::ranges::all_of(folder, plain)) return folder;
+  std::string word = "'";
+  for (char const c : folder) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
+}
+
+}  // namespace
+
+std::string with_folder(std::string text, std::string const& name) {
+  auto const folder = quoted(name);
+  for (auto at = text.find("DIR"); at != std::string::npos; at = text.find("DIR", at)) {
+    text.replace(at, 3, folder);
+    at += folder.size();
+  }
+  return text;
+}
+
+std::string text_of(Warning const& warning, std::string const& folder) {
+  auto const text = fmt::format("{}: {}; {}", warning.name, warning.reason, warning.remedy);
+  if (warning.command.empty()) return text;
+  return fmt::format("{}: `{}`", text, with_folder(warning.command, folder));
+}
+
+std::string longer_run(Run const& run, double times) {
+  double const strain = run.scene.shear.strain * std::clamp(times, 1.5, 1e3);
+  double const unit = std::pow(10, std::floor(std::log10(strain)) - 1);  // of two digits
+  return fmt::format("bagnold resume DIR --strain {:.6g}", unit * std::ceil(strain / unit - 1e-9));
+}
+
+double fewest_independent_windows(FinishedRun const& finished) {
+  double least = std::numeric_limits<double>::infinity();
+  for (auto const& named : finished.found)
+    if (auto const& one = named.estimate.all; !one.remark.empty() && one.independent > 0)
+      least = std::min(least, one.independent);
+  return least;
+}
+
+std::string until_errors(FinishedRun const& finished) {
+  double const least = fewest_independent_windows(finished);
+  constexpr double share_seen = 1 / 1.5;  // a short series shows too many
+  if (!std::isfinite(least)) return {};
+  return longer_run(finished.run, enough_windows / (share_seen * least));
+}
+
+std::string changed_run(std::string const& key, std::string const& value) {
+  return fmt::format("bagnold run DIR/scene.toml --set {}={} --out DIR-{}", key, value,
+                     key.substr(key.find('.') + 1));
 }
 
 }  // namespace bagnold

@@ -9,6 +9,7 @@
 
 #include "kernels/physics/sums/sums.hpp"
 #include "src/config/jamming.hpp"
+#include "src/config/quasi_static.hpp"
 #include "tests/config/scenes.hpp"
 #include "tests/support/schemes.hpp"
 
@@ -100,6 +101,19 @@ class Checks : public testing::Test {
 
 TEST_F(Checks, ASoundRunHasNone) {
   for (int k = 0; k < 20; ++k) EXPECT_EQ(names(warnings_of(Flow{})), "") << k;
+}
+
+/// What a command says: two digits, upwards, and not less than half as much again.
+TEST_F(Checks, LongerRunsAreOfRoundStrains) {
+  run.scene = scene;  // a strain of 20
+  EXPECT_EQ(longer_run(run, 2), "bagnold resume DIR --strain 40");
+  EXPECT_EQ(longer_run(run, 2.01), "bagnold resume DIR --strain 41");
+  EXPECT_EQ(longer_run(run, 1), "bagnold resume DIR --strain 30");
+  EXPECT_EQ(longer_run(run, 67.3), "bagnold resume DIR --strain 1400");
+  run.scene.shear.strain = 2.5;
+  EXPECT_EQ(longer_run(run, 3), "bagnold resume DIR --strain 7.5");
+  EXPECT_EQ(with_folder("bagnold run DIR/scene.toml --out DIR-x", "a b"),
+            "bagnold run 'a b'/scene.toml --out 'a b'-x");
 }
 
 /// Of hard disks packed by 2 phi x less: (1 + 2 phi x/(phi_J - phi))^-2.5, in a gas to the power
@@ -211,6 +225,19 @@ TEST_F(Checks, ImplicitDampingWhereInertiaHasAPart) {
   auto const list = warnings_of(Flow{.kinetic = 1e-2});
   ASSERT_EQ(names(list), "implicit_inertia");
   EXPECT_NEAR(number(list[0], "p_kin_share"), 1e-2, 1e-4);
+}
+
+/// From 1% on, where energy_balance keeps still to 2%.
+TEST_F(Checks, QuasiStaticStepsWhereInertiaHasAPart) {
+  EXPECT_EQ(names(warnings_of(Flow{.gap = 0.015})), "");
+  scene.shear.strain_rate = 1e-6;
+  scene.integration.engine = quasi_static_engine;
+  EXPECT_EQ(names(warnings_of(Flow{.gap = 0.005})), "");
+  for (double const gap : {0.015, 0.2, -0.03}) {
+    auto const list = warnings_of(Flow{.gap = gap});
+    ASSERT_EQ(names(list), "quasi_static_inertia") << gap;
+    EXPECT_NEAR(number(list[0], "energy_gap"), gap, 0.002);
+  }
 }
 
 /// From 1 to 1.6 in the measured half: means of 1.15 and 1.45 in its halves, of 1.3 in all.

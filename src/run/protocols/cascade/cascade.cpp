@@ -11,8 +11,10 @@
 #include "src/config/toml_text.hpp"
 #include "src/io/atomic_file.hpp"
 #include "src/io/trajectory_parts.hpp"
+#include "src/run/make_longer.hpp"
 #include "src/run/messages.hpp"
 #include "src/run/pictures.hpp"
+#include "src/run/plot.hpp"
 #include "src/run/provenance.hpp"
 #include "src/run/start_or_resume.hpp"
 
@@ -23,9 +25,20 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
+/// The scene of a stage that was begun and has less strain than the cascade says, with that strain.
+std::optional<Scene> longer_stage(fs::path const& path, double strain) {
+  if (!begun(path) || !fs::exists(path / "scene.toml")) return std::nullopt;
+  Scene stage = read_scene(path / "scene.toml");
+  if (stage.shear.strain >= strain) return std::nullopt;
+  stage.shear.strain = strain;
+  return stage;
+}
+
 /// Runs a stage, or goes on with it; of a finished one draws pictures that a kill left out.
 RunEnd run_stage(fs::path const& path, Scene const& scene, Machine const& machine,
                  RunMonitor& monitor) {
+  if (auto const longer = longer_stage(path, scene.shear.strain))
+    make_longer(RunFolder::open(path), *longer);
   if (io::run_finished(path)) {
     auto const folder = RunFolder::open(path);
     folder.remove_trajectory_parts();
@@ -48,6 +61,7 @@ Json point_of(fs::path const& summary, std::string const& name, double strain_ra
           {"strain_rate", strain_rate},
           {"strain", stage.at("strain")},
           {"warnings", stage.value("warnings", Json::array())},
+          {"notes", stage.value("notes", Json::array())},
           {"observables", stage.at("observables")}};
 } catch (Json::exception const& error) {
   throw FileError(
@@ -76,6 +90,34 @@ std::optional<Scene> cascade_in(RunFolder const& folder) {
   return scene.shear.protocol == "cascade" ? std::optional(scene) : std::nullopt;
 }
 
+std::optional<StageFolder> stage_folder_in_cascade(fs::path const& folder) {
+  auto const absolute = (fs::absolute(folder) / "").lexically_normal().parent_path();
+  auto const file = absolute.parent_path() / "scene.toml";
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored)) return std::nullopt;
+  Scene scene;
+  try {
+    scene = read_scene(file);
+  } catch (InputError const&) {  // anyone's: what lies beside a run is no part of it
+    return std::nullopt;
+  }
+  if (scene.shear.protocol != "cascade") return std::nullopt;
+  for (std::size_t k = 0; k < scene.shear.strain_rates.size(); ++k)
+    if (stage_folder(scene, k) == absolute.filename())
+      return StageFolder{folder.parent_path(), std::move(scene), k};
+  return std::nullopt;
+}
+
+void make_cascade_longer(RunFolder const& folder, Scene const& after) {
+  auto const last = after.shear.strain_rates.size() - 1;
+  auto const path = folder.path() / stage_folder(after, last);
+  if (auto const longer = longer_stage(path, after.shear.strain.at(last)))
+    refuse_longer(RunFolder::open(path), *longer);
+  io::remove_file(folder.summary());
+  io::remove_file(folder.path() / "flow_curve.png");
+  io::replace_text(folder.scene(), write_scene(after));
+}
+
 RunEnd run_cascade(RunFolder const& folder, Scene const& cascade, Machine const& machine,
                    RunMonitor& monitor) {
   KokkosScope const kokkos(machine, cascade);
@@ -95,6 +137,7 @@ RunEnd run_cascade(RunFolder const& folder, Scene const& cascade, Machine const&
     before = (path / "state.h5").string();
   }
   write_summary(folder, cascade);
+  if (cascade.output.plot) warn(draw_plot(folder.path(), folder.path() / "flow_curve.png"));
   return RunEnd::done;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
+#include <filesystem>
 #include <optional>
 
 #include "src/config/scene.hpp"
@@ -17,5 +19,19 @@ std::optional<Scene> cascade_in(RunFolder const& folder);
 /// finished; goes on with one that was begun. In the end summary.json names them all.
 RunEnd run_cascade(RunFolder const& folder, Scene const& cascade, Machine const& machine,
                    RunMonitor& monitor);
+
+/// A folder of one rate of a cascade.
+struct StageFolder {
+  std::filesystem::path cascade;  ///< its folder
+  Scene scene;                    ///< of the cascade
+  std::size_t stage = 0;
+
+  bool is_last() const { return stage + 1 == scene.shear.strain_rates.size(); }
+};
+std::optional<StageFolder> stage_folder_in_cascade(std::filesystem::path const& folder);
+
+/// Prepares the folder of a cascade for run_cascade() with more strain at its last rate. Throws
+/// InputError, nothing changed, where that stage cannot be made longer (make_longer.hpp).
+void make_cascade_longer(RunFolder const& folder, Scene const& after);
 
 }  // namespace bagnold

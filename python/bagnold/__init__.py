@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Reads, plots and exports what the simulator Bagnold wrote, and runs it.
+
+    r = bagnold.load("results/first")
+    r["B_p"].mean, r["B_p"].error      # averages
+    r.series["B_p"]                    # one value a window, [n]
+    for frame in r.frames: ...         # the trajectory
+    bagnold.sweep("results/many").to_pandas()
+    bagnold.run({"disks": {...}, "shear": {...}}, out="results/new")
+
+Lengths are in d_s (diameter of the small disks), times in tau_e, masses in m. `bagnold.plots` draws;
+`bagnold.structure` has g(r), S(q), force networks; `python -m bagnold export` writes other formats, `import`
+reads them.
+"""
+
+from typing import TYPE_CHECKING, Any
+
+from . import structure
+from .contacts import Contacts, contacts_of
+from .errors import (Error, FileError, InputError, InternalError, Interrupted, MissingLibrary,
+                     NumericalError, SweepError)
+from .exports import export
+from .frames import Box, Frame, Frames
+from .imports import ImportedState, import_state
+from .observables import Observable, Warning
+from .program import find_program, resume, run, sweep_file
+from .results import Run, load
+from .scene import Scene
+from .sweeps import Sweep, sweep
+
+if TYPE_CHECKING:
+    from . import plots
+
+__version__ = "1.0.0"
+
+__all__ = [
+    "Box", "Contacts", "Error", "FileError", "Frame", "Frames", "ImportedState", "InputError",
+    "InternalError", "Interrupted", "MissingLibrary", "NumericalError", "Observable", "Run", "Scene", "Sweep",
+    "SweepError", "Warning", "contacts_of", "export", "find_program", "import_state", "load", "plots", "resume",
+    "run", "structure", "sweep", "sweep_file",
+]
+
+
+def __getattr__(name: str) -> Any:
+    """`bagnold.plots` is imported when it is asked for: it needs matplotlib."""
+    if name == "plots":
+        import importlib
+
+        return importlib.import_module(".plots", __name__)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

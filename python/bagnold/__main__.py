@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""python -m bagnold plot SOURCE TARGET, export DIR --to FORMAT, import FILE --out STATE.
+
+The program calls them so. Exit codes: 0 done, 1 no picture, else those of the program.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Sequence
+
+from .errors import Error, FileError, InputError
+from .exports import FORMATS, export, parse_frames
+from .imports import FORMATS as SOURCES, import_state, parse_diameters, parse_number
+
+PLOT_FAILED, BAD_INPUT, FILE_FAILURE, INTERRUPTED = 1, 2, 4, 130
+
+
+def plot(options: argparse.Namespace) -> int:
+    """Draws without a display."""
+    try:
+        import matplotlib
+
+        matplotlib.use("Agg")
+        from . import plots
+
+        plots.draw_to(options.source, options.target, options.frames)
+    except (OSError, KeyError, ValueError, TypeError, ImportError) as error:
+        print(f"bagnold plot: {options.source}, {options.target}: {error}", file=sys.stderr)
+        return PLOT_FAILED
+    return 0
+
+
+def run_export(options: argparse.Namespace) -> int:
+    """Writes a trajectory in another format."""
+    for path in export(options.folder, options.to, options.out, frames=parse_frames(options.frames),
+                       contacts=options.contacts):
+        if not options.quiet:
+            print(path)
+    return 0
+
+
+def run_import(options: argparse.Namespace) -> int:
+    """Writes a state of a configuration of another program, and tells what a scene needs."""
+    def number(option: str, text: str | None) -> float | None:
+        return None if text is None else parse_number(option, text)
+
+    frame = parse_number("--frame", options.frame)
+    if frame != int(frame):
+        raise InputError(f"--frame {options.frame} (must be a whole number)")
+    made = import_state(options.file, options.out, format=options.format, frame=int(frame),
+                        unit=number("--unit", options.unit), time_unit=parse_number("--time-unit", options.time_unit),
+                        strain_rate=number("--strain-rate", options.strain_rate),
+                        diameters=None if options.diameters is None else parse_diameters(options.diameters),
+                        atom_style=options.atom_style, tolerance=parse_number("--tolerance", options.tolerance))
+    if not options.quiet:
+        print(made, end="")
+    return 0
+
+
+def main(words: Sequence[str] | None = None) -> int:
+    """Reads the command line, returns the exit code."""
+    line = argparse.ArgumentParser(prog="python -m bagnold", description="Pictures, exports and imports of Bagnold.")
+    commands = line.add_subparsers(required=True, metavar="COMMAND")
+    command = commands.add_parser("plot", help="draw a run, a sweep, an analysis, a figure")
+    command.add_argument("source", help="a folder of a run, a cascade or a sweep, result.h5, PREFIX.drawn.csv, or recipe.json")
+    command.add_argument("target", help="picture (.png, .pdf, .svg)")
+    command.add_argument("--frames", action="store_true",
+                         help="of a run: profiles.png, fields.png and histograms.png, into the folder TARGET, or as FOLDER/ANY.pdf")
+    command.set_defaults(run=plot)
+    command = commands.add_parser("export", help="write a trajectory in another format")
+    command.add_argument("folder", help="folder of a run with a trajectory")
+    command.add_argument("--to", required=True, metavar="FORMAT", help=", ".join(FORMATS))
+    command.add_argument("--out", help="file [trajectory.ENDING in the folder]")
+    command.add_argument("--frames", default=":", metavar="A:B", help="from frame A to before B, from 0 [all]")
+    command.add_argument("--contacts", action="store_true", help="contacts and their forces too")
+    command.add_argument("--quiet", action="store_true", help="do not tell the files")
+    command.set_defaults(run=run_export)
+    command = commands.add_parser("import", help="write a state of a configuration of another program")
+    command.add_argument("file", help="LAMMPS data file, LAMMPS dump, or extended XYZ")
+    command.add_argument("--out", required=True, metavar="STATE", help="state file to write, for start.file")
+    command.add_argument("--from", dest="format", metavar="FORMAT", help=f"{', '.join(SOURCES)} [as the file looks]")
+    command.add_argument("--frame", default="-1", metavar="K", help="from 0, or from the end [-1, the last]")
+    command.add_argument("--unit", metavar="LENGTH", help="d_s in the file's unit [its smallest diameter]")
+    command.add_argument("--time-unit", default="1", metavar="TIME", help="tau_e in the file's unit [1]")
+    command.add_argument("--strain-rate", metavar="RATE", help="of the velocities, in the file's unit [as it says]")
+    command.add_argument("--diameters", metavar="TYPE=D,TYPE=D", help="by type, of a file without [none]")
+    command.add_argument("--atom-style", metavar="STYLE", help="of a LAMMPS data file [its hint]")
+    command.add_argument("--tolerance", default="1e-6", help="of diameters, relative [1e-6]")
+    command.add_argument("--quiet", action="store_true", help="do not tell what a scene needs")
+    command.set_defaults(run=run_import)
+    options = line.parse_args(words)
+    try:
+        code: int = options.run(options)
+    except Error as error:
+        print(f"bagnold: {error}", file=sys.stderr)
+        return FILE_FAILURE if isinstance(error, FileError) else BAD_INPUT
+    except KeyboardInterrupt:
+        return INTERRUPTED
+    return code
+
+
+if __name__ == "__main__":
+    sys.exit(main())

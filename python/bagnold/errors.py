@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What goes wrong, by who can mend it. The message says what is wrong, why, and what to do."""
+
+from __future__ import annotations
+
+
+class Error(Exception):
+    """Base of all errors that this package raises on its own."""
+
+
+class InputError(Error, ValueError):
+    """A scene, a sweep file or an argument is wrong (exit code 2 of the program)."""
+
+
+class NumericalError(Error, ArithmeticError):
+    """The motion went wrong, as by a time step too large (exit code 3)."""
+
+
+class FileError(Error, OSError):
+    """A file or a folder is missing, cannot be written, or is not what it should be (exit code 4)."""
+
+    def __str__(self) -> str:  # of OSError it would be that of errno
+        return " ".join(str(part) for part in self.args)
+
+
+class SweepError(Error):
+    """Points of a sweep failed; the others are done (exit code 1)."""
+
+
+class Interrupted(Error):
+    """The program was stopped by a signal, with a checkpoint written (exit codes 129, 130, 143)."""
+
+
+class InternalError(Error):
+    """A mistake of the program, to be reported (exit code 5, or a crash)."""
+
+
+class MissingLibrary(Error, ImportError):
+    """A library that is needed for this alone is not installed."""

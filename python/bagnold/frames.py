@@ -1,0 +1,306 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Configurations: frames of a trajectory, and the last state of a run."""
+
+from __future__ import annotations
+
+import math
+import os
+import pathlib
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any, overload
+
+import h5py
+import numpy as np
+from numpy.typing import NDArray
+
+from .errors import FileError, InputError
+
+Array = NDArray[np.float64]
+Integers = NDArray[np.int64]
+GROUP = "particles/trajectory"
+
+
+@dataclass(frozen=True)
+class Box:
+    """A Lees-Edwards cell with the vectors (length, 0) and (tilt, height), all in d_s."""
+
+    length: float  #: L_x
+    height: float  #: L_y
+    tilt: float  #: shift in x of the image above, gamma L_y modulo L_x, in [-L_x/2, L_x/2)
+
+    @property
+    def matrix(self) -> Array:
+        """Cell vectors as rows, [3, 3]; the third is (0, 0, 1)."""
+        return np.array([[self.length, 0, 0], [self.tilt, self.height, 0], [0, 0, 1.0]])
+
+    @property
+    def area(self) -> float:
+        """L_x L_y, d_s^2."""
+        return self.length * self.height
+
+    def nearest(self, away: Array) -> tuple[Array, NDArray[np.float64]]:
+        """Differences [..., 2] brought to the image nearest in y, then in x, and by how many
+        heights, [...]: the image of the other disk moves by gammadot L_y times as much."""
+        rows = np.rint(away[..., 1] / self.height)
+        x = away[..., 0] - rows * self.tilt
+        x = x - self.length * np.rint(x / self.length)
+        return np.stack([x, away[..., 1] - rows * self.height], axis=-1), rows
+
+    def wrapped(self, position: Array) -> Array:
+        """Positions [N, 2] taken into the rectangle 0 <= x < L_x, 0 <= y < L_y."""
+        rows = np.floor(position[:, 1] / self.height)
+        x = position[:, 0] - rows * self.tilt
+        return np.stack([x - self.length * np.floor(x / self.length),
+                         position[:, 1] - rows * self.height], axis=1)
+
+
+@dataclass(frozen=True)
+class Frame:
+    """One configuration of N disks, in the order of the start in all frames."""
+
+    step: int  #: steps done
+    time: float  #: tau_e
+    strain: float  #: since step 0; NaN where the file does not tell
+    strain_rate: float  #: 1/tau_e
+    box: Box
+    position: Array  #: [N, 2], d_s, in the box
+    velocity: Array  #: [N, 2], d_s/tau_e, in the laboratory
+    spin: Array | None  #: [N], 1/tau_e, counter-clockwise; None where the law does not rotate
+    image: Integers | None  #: [N, 2], cell vectors to add to unwrap; None where the file has none
+    diameter: Array  #: [N], d_s
+    mass: Array  #: [N], m
+
+    def __len__(self) -> int:
+        return len(self.diameter)
+
+    @property
+    def species(self) -> Integers:
+        """0 for small disks, 1 for big ones, [N]."""
+        return (self.diameter > 1.2).astype(np.int64)
+
+    @property
+    def unwrapped(self) -> Array:
+        """Positions without periodic images, [N, 2], d_s: displacements between frames are their
+        differences. The cell's tilt is taken modulo L_x, which `image` makes up for."""
+        if self.image is None:
+            raise InputError("this frame has no image, which unwraps positions: it is of a state file "
+                             "or of an older version; use bagnold.structure.unwrapped(frames)")
+        return self.position + self.image @ self.box.matrix[:2, :2]
+
+    @property
+    def nonaffine_velocity(self) -> Array:
+        """v - gammadot y x_hat, [N, 2], d_s/tau_e."""
+        velocity = self.velocity.copy()
+        velocity[:, 0] -= self.strain_rate * self.position[:, 1]
+        return velocity
+
+    @property
+    def packing_fraction(self) -> float:
+        """Area of the disks over that of the box."""
+        return float(np.sum(np.pi / 4 * self.diameter**2) / self.box.area)
+
+
+class _Part:
+    """A file with frames, and which."""
+
+    def __init__(self, path: pathlib.Path) -> None:
+        self.path = path
+        with open_hdf5(path) as file:
+            if GROUP not in file:
+                raise FileError(f"{path} has no /{GROUP}: it is no trajectory of Bagnold")
+            self.frames = len(file[GROUP]["position/step"])
+            counts = file["contacts/count"][()] if "contacts" in file else np.zeros(0, dtype=np.int64)
+            self.contact_ends = np.concatenate([[0], np.cumsum(counts)])
+
+
+def open_hdf5(path: pathlib.Path) -> Any:
+    """An HDF5 file for reading, also where the file system has no locks. Raises FileError."""
+    try:
+        try:
+            return h5py.File(path, "r")
+        except OSError as error:
+            if "lock" not in str(error):
+                raise
+            return h5py.File(path, "r", locking=False)
+    except OSError as error:
+        raise FileError(f"{path} cannot be read: {error}") from error
+
+
+class Frames(Sequence[Frame]):
+    """A trajectory: ``len(frames)``, ``frames[3]``, ``frames[::10]``, ``for frame in frames``.
+
+    Only the frames that are asked for are read. While a run goes on these are the frames written so
+    far (its parts). ``positions`` and the like read all frames into one array."""
+
+    def __init__(self, path: str | os.PathLike[str], strain_rate: float = math.nan,
+                 chosen: range | None = None) -> None:
+        """path: trajectory.h5md, or the folder trajectory.parts. strain_rate: of files whose frames
+        do not tell, 1/tau_e."""
+        self.path = pathlib.Path(path)
+        self._rate = strain_rate
+        self._parts = [_Part(one) for one in _part_files(self.path)]
+        self._starts = np.concatenate([[0], np.cumsum([part.frames for part in self._parts])]).astype(int)
+        self._chosen = range(int(self._starts[-1])) if chosen is None else chosen
+        if not self._parts:
+            raise FileError(f"{self.path} holds no frames")
+
+    def __len__(self) -> int:
+        return len(self._chosen)
+
+    @overload
+    def __getitem__(self, which: int) -> Frame: ...
+
+    @overload
+    def __getitem__(self, which: slice) -> Frames: ...
+
+    def __getitem__(self, which: int | slice) -> Frame | Frames:
+        if isinstance(which, slice):
+            chosen = self._chosen[which]
+            return Frames(self.path, self._rate, chosen)
+        frame = self._chosen[which]
+        part = int(np.searchsorted(self._starts, frame, side="right")) - 1
+        with open_hdf5(self._parts[part].path) as file:
+            return self._read(file, frame - int(self._starts[part]))
+
+    def __iter__(self) -> Iterator[Frame]:
+        for part, file, k in self._opened():
+            yield self._read(file, k)
+
+    def _opened(self) -> Iterator[tuple[_Part, Any, int]]:
+        """The part of each frame, its open file, and the number of the frame in it."""
+        opened, file = -1, None
+        try:
+            for frame in self._chosen:
+                part = int(np.searchsorted(self._starts, frame, side="right")) - 1
+                if part != opened:
+                    if file is not None:
+                        file.close()
+                    opened, file = part, open_hdf5(self._parts[part].path)
+                yield self._parts[part], file, frame - int(self._starts[part])
+        finally:
+            if file is not None:
+                file.close()
+
+    def __repr__(self) -> str:
+        return f"<{len(self)} frames of {self.path}>"
+
+    def _read(self, file: Any, k: int) -> Frame:
+        group = file[GROUP]
+        edges = group["box/edges/value"][k]
+        scalars = file.get("observables/trajectory", {})
+
+        def scalar(name: str, otherwise: float) -> float:
+            return float(scalars[name]["value"][k]) if name in scalars else otherwise
+
+        time = float(group["position/time"][k])
+        rate = scalar("strain_rate", self._rate)
+        strain = scalar("strain", math.nan)
+        if math.isnan(strain) and not math.isnan(self._rate):  # an older file, of one rate
+            strain = self._rate * (time - self._first_time())
+        return Frame(
+            step=int(group["position/step"][k]), time=time, strain=strain, strain_rate=rate,
+            box=Box(float(edges[0, 0]), float(edges[1, 1]), float(edges[1, 0])),
+            position=group["position/value"][k, :, :2], velocity=group["velocity/value"][k, :, :2],
+            spin=group["spin/value"][k] if "spin" in group else None,
+            image=group["image/value"][k, :, :2].astype(np.int64) if "image" in group else None,
+            diameter=group["diameter"][:], mass=group["mass"][:])
+
+    @property
+    def with_contacts(self) -> bool:
+        """Whether the program wrote the contacts of each frame (measure.contact_frames)."""
+        return len(self._parts[0].contact_ends) > 1
+
+    def contact_rows(self) -> Iterator[tuple[Frame, dict[str, Any]]]:
+        """The frames, and what the file has of the contacts of each, by the names of docs/files.md."""
+        for part, file, k in self._opened():
+            rows = slice(int(part.contact_ends[k]), int(part.contact_ends[k + 1]))
+            group = file["contacts"]
+            yield self._read(file, k), {name: group[name][rows] for name in group if name != "count"}
+
+    def _first_time(self) -> float:
+        with open_hdf5(self._parts[0].path) as file:
+            return float(file[GROUP]["position/time"][0])
+
+    def _all(self, path: str, columns: int | None = None) -> Array:
+        rows: list[Array] = []
+        for k, part in enumerate(self._parts):
+            first, last = self._starts[k], self._starts[k + 1]
+            inside = [frame - int(first) for frame in self._chosen if first <= frame < last]
+            if inside:
+                with open_hdf5(part.path) as file:
+                    if path not in file:
+                        raise InputError(f"{self.path} has no /{path}: the law does not rotate, or the "
+                                         "file is of an older version")
+                    values = file[path]
+                    found = np.stack([values[k] for k in inside])
+                    rows.append(found if columns is None else found[..., :columns])
+        if self._chosen.step < 0:
+            rows.reverse()
+        return np.concatenate(rows) if rows else np.zeros((0,))
+
+    @property
+    def steps(self) -> NDArray[np.int64]:
+        """Steps done at each frame, [T]."""
+        return self._all(f"{GROUP}/position/step").astype(np.int64)
+
+    @property
+    def times(self) -> Array:
+        """Times of the frames, [T], tau_e."""
+        return self._all(f"{GROUP}/position/time")
+
+    @property
+    def strains(self) -> Array:
+        """Strain of each frame since step 0, [T]."""
+        return np.array([frame.strain for frame in self])
+
+    @property
+    def positions(self) -> Array:
+        """All positions, [T, N, 2], d_s, in the box."""
+        return self._all(f"{GROUP}/position/value", 2)
+
+    @property
+    def velocities(self) -> Array:
+        """All velocities, [T, N, 2], d_s/tau_e, in the laboratory."""
+        return self._all(f"{GROUP}/velocity/value", 2)
+
+    @property
+    def spins(self) -> Array:
+        """All spins, [T, N], 1/tau_e, counter-clockwise. InputError where the law does not rotate."""
+        return self._all(f"{GROUP}/spin/value")
+
+
+def _part_files(path: pathlib.Path) -> list[pathlib.Path]:
+    """The file itself, or the parts in a folder, one a number: the youngest where a run that was
+    resumed left several."""
+    if not path.is_dir():
+        if not path.exists():
+            raise FileError(f"{path} is not there")
+        return [path]
+    youngest: dict[str, pathlib.Path] = {}
+    for part in sorted(path.glob("*.h5md"), key=lambda one: one.stat().st_mtime):
+        youngest[part.name.split("_")[0]] = part
+    return [youngest[name] for name in sorted(youngest)]
+
+
+def read_states(path: pathlib.Path, masses_by_area: bool = False, strain: float = math.nan) -> list[Frame]:
+    """The states of a state.h5, one a replica. Strain is told by whoever knows it."""
+    with open_hdf5(path) as file:
+        if "state" not in file:
+            raise FileError(f"{path} has no /state: it is no state of Bagnold")
+        group, about = file["state"], dict(file["state"].attrs)
+        data = {name: np.asarray(group[name][()], dtype=np.float64) for name in group}
+    if data["diameter"].ndim == 1:
+        data = {name: values[None] for name, values in data.items()}
+    length = float(about["box_length"])
+    height = float(about.get("box_aspect", 1)) * length
+    offset = float(about["offset"])
+    box = Box(length, height, offset - length * math.floor(offset / length + 0.5))
+    return [Frame(step=-1, time=float(about["time"]), strain=strain,
+                  strain_rate=float(about.get("strain_rate", math.nan)), box=box,
+                  position=data["position"][r], velocity=data["velocity"][r],
+                  spin=data["spin"][r] if "spin" in data else None, image=None,
+                  diameter=data["diameter"][r],
+                  mass=np.pi / 2 * data["diameter"][r]**2 if masses_by_area
+                  else np.ones_like(data["diameter"][r]))
+            for r in range(len(data["diameter"]))]

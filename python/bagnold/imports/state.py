@@ -1,0 +1,213 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""From a configuration in the units of a file to a state in those of Bagnold."""
+
+from __future__ import annotations
+
+import os
+import pathlib
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import h5py
+import numpy as np
+
+from ..contacts import pairs_within
+from ..errors import FileError, InputError
+from ..frames import Array, Box
+from ..scene import toml_text
+from .configuration import Configuration
+
+SMALL, BIG = 1.0, 1.4  # d_s
+LARGEST_OVERLAP = 0.2  # relative, above which a run stops
+STILL = 1e-9  # of the fastest disk: a mean velocity that is rounding
+
+
+@dataclass(frozen=True)
+class Units:
+    """What the units of a file are in those of Bagnold, and how much its numbers may be off."""
+
+    length: float | None = None  #: d_s in the file's unit of length; None: its smallest diameter
+    time: float = 1.0  #: tau_e in the file's unit of time
+    strain_rate: float | None = None  #: in the file's unit; None: as the file says
+    diameters: Mapping[str, float] = field(default_factory=dict)  #: by type, in the file's unit
+    tolerance: float = 1e-6  #: relative, of diameters
+
+
+@dataclass(frozen=True)
+class ImportedState:
+    """A state file that was written, and what a scene needs to start from it."""
+
+    path: pathlib.Path
+    scene: dict[str, dict[str, Any]]  #: tables of a scene, to be joined with one's own
+    notes: list[str]  #: what was found and what was assumed
+
+    def __str__(self) -> str:
+        return "".join(f"# {note}\n" for note in self.notes) + toml_text(self.scene).lstrip("\n")
+
+
+def write_state(read: Configuration, units: Units, out: pathlib.Path) -> ImportedState:
+    """Checks, converts, writes. Raises InputError, FileError."""
+    for name, value in (("--unit", units.length), ("--time-unit", units.time), ("--tolerance", units.tolerance)):
+        if value is not None and not (np.isfinite(value) and value > 0):
+            raise InputError(f"{name} {value} (must be finite and above 0)")
+    if len(read.position) < 2:
+        raise InputError(f"the file has {len(read.position)} disks (must be at least 2)")
+    found = _diameters(read, units)
+    unit = float(found.min()) if units.length is None else units.length
+    diameter, mass = _species(read, found / unit, units.tolerance), read.mass
+    notes = [f"{len(diameter)} disks; d_s = {unit!r} of the file, tau_e = {units.time!r}"]
+    rate = units.strain_rate if units.strain_rate is not None else read.strain_rate
+    box, position, rows = _place(read, unit)
+    velocity = _velocity(read, units, unit, rate, box, position, rows, notes)
+    rate = None if rate is None else rate * units.time
+    if read.velocity is not None and rate is not None:
+        velocity = _at_rest(velocity, rate, box, position, mass, notes)
+    spin = None if read.spin is None else read.spin * units.time
+    if spin is None:
+        notes.append("no spins: where the law rotates the run begins with -strain_rate/2")
+    _write(out, {"position": position, "velocity": velocity, "spin": spin, "diameter": diameter}, box,
+           read.time / units.time, rate)
+    return ImportedState(out, _scene(out, box, position, diameter, mass, notes), notes)
+
+
+def _diameters(read: Configuration, units: Units) -> Array:
+    """In the file's unit, [N]."""
+    if not units.diameters:
+        if read.diameter is None:
+            raise InputError("the file has no diameters; say them by type, --diameters "
+                             + ",".join(f"{kind}=D" for kind in sorted(set(read.kind))[:4]))
+        least = int(np.argmin(read.diameter))
+        if not read.diameter[least] > 0:
+            raise InputError(f"diameter of {read.names[least]} = {float(read.diameter[least])!r} (must be above 0); say "
+                             "those of the types, --diameters TYPE=D,TYPE=D")
+        return read.diameter
+    missing = sorted(set(read.kind) - set(units.diameters))
+    if missing:
+        raise InputError(f"--diameters has none of type {missing[0]}; say {missing[0]}=D too")
+    return np.array([units.diameters[kind] for kind in read.kind])
+
+
+def _species(read: Configuration, diameter: Array, tolerance: float) -> Array:
+    """Diameters in d_s, exactly 1 or 1.4. Raises InputError where they are others."""
+    near = np.where(np.abs(diameter - SMALL) < np.abs(diameter - BIG), SMALL, BIG)
+    off = np.abs(diameter / near - 1)
+    worst = int(np.argmax(off))
+    if off[worst] > tolerance:
+        raise InputError(f"diameter of {read.names[worst]} = {float(diameter[worst])!r} d_s (must be {SMALL} or {BIG}, within a "
+                         f"relative {tolerance:g}; d_s is the smallest one, or --unit); only such mixtures are "
+                         "simulated, --tolerance takes rounded diameters")
+    small = int(np.sum(near == SMALL))
+    if 2 * small != len(near):
+        raise InputError(f"{small} of {len(near)} disks are small (must be half: {SMALL} d_s, the others {BIG}); take out "
+                         "or add disks")
+    return near
+
+
+def _place(read: Configuration, unit: float) -> tuple[Box, Array, Array]:
+    """The box in d_s, its tilt in [-L_x/2, L_x/2); positions [N, 2] in it; and by how many heights each disk
+    was above it."""
+    z = read.position[:, 2]
+    if np.ptp(z) > 1e-3 * unit:
+        raise InputError(f"z goes from {z.min():g} to {z.max():g} (must be the same of all: disks move in a plane)")
+    length, height = read.box.length / unit, read.box.height / unit
+    tilt = read.box.tilt / unit
+    if not -length / 2 <= tilt < length / 2:
+        tilt -= length * float(np.floor(tilt / length + 0.5))
+    box = Box(length, height, tilt)
+    position = read.position[:, :2] / unit
+    return box, box.wrapped(position), np.floor(position[:, 1] / height)
+
+
+def _velocity(read: Configuration, units: Units, unit: float, rate: float | None, box: Box, position: Array,
+              rows: Array, notes: list[str]) -> Array:
+    """[N, 2], d_s/tau_e, of the images in the box."""
+    scaled = None if rate is None else rate * units.time
+    if read.velocity is None:
+        notes.append("no velocities: 0, as the file has no strain rate; --strain-rate gives those of the shear flow"
+                     if scaled is None else f"no velocities: those of the shear flow, v_x = {scaled!r} y")
+        flow = np.zeros_like(position)
+        flow[:, 0] = (scaled or 0.0) * position[:, 1]
+        return flow
+    velocity = read.velocity * (units.time / unit)
+    outside = np.nonzero(rows)[0]
+    if len(outside) and not read.velocity_in_box:
+        if scaled is None:
+            raise InputError(f"{len(outside)} disks, as {read.names[outside[0]]}, are above or below the box (the velocities "
+                             "of their images in it differ by strain_rate L_y); say --strain-rate, 0 of a box at rest")
+        velocity[:, 0] -= scaled * box.height * rows
+    if scaled is None:
+        notes.append("no strain rate: velocities are taken as those of the run's own; --strain-rate says another, from which "
+                     "start.rescale scales them")
+    return velocity
+
+
+def _at_rest(velocity: Array, rate: float, box: Box, position: Array, mass: Array | None, notes: list[str]) -> Array:
+    """Without the mean of v - gammadot y x_hat, which a run would keep: of boxes about the origin, say."""
+    excess = velocity - np.outer(position[:, 1], [rate, 0.0])
+    mean = np.average(excess, axis=0, weights=mass)
+    least = STILL * np.abs(velocity).max() if mass is not None else 0.01 * abs(rate) * box.height
+    if np.hypot(*mean) <= least:
+        return velocity
+    notes.append(f"mean of v - strain_rate y = ({mean[0]:.4g}, {mean[1]:.4g}) d_s/tau_e taken off: a run would keep it")
+    return np.asarray(velocity - mean)
+
+
+def _write(out: pathlib.Path, data: Mapping[str, Array | None], box: Box, time: float, rate: float | None) -> None:
+    """A state file (docs/files.md), whole or not at all."""
+    units = {"position": "d_s", "velocity": "d_s/tau_e", "spin": "1/tau_e", "diameter": "d_s"}
+    if not out.parent.is_dir():
+        raise FileError(f"{out.parent} is no folder; make it first")
+    part = out.with_name(out.name + ".part")
+    try:
+        with h5py.File(part, "w") as file:
+            group = file.create_group("state")
+            for name, values in data.items():
+                if values is not None:
+                    group.create_dataset(name, data=values, dtype="<f8").attrs["unit"] = units[name]
+            group["velocity"].attrs["frame"] = "laboratory"
+            group.attrs["box_length"] = box.length
+            if box.height != box.length:
+                group.attrs["box_aspect"] = box.height / box.length
+            group.attrs["offset"] = box.tilt + box.length if box.tilt < 0 else box.tilt
+            group.attrs["time"] = time
+            if rate is not None:
+                group.attrs["strain_rate"] = rate
+        os.replace(part, out)
+    except OSError as error:
+        raise FileError(f"{out} cannot be written: {error.strerror or error}") from error
+    finally:
+        part.unlink(missing_ok=True)
+
+
+def _scene(out: pathlib.Path, box: Box, position: Array, diameter: Array, mass: Array | None, notes: list[str]
+           ) -> dict[str, dict[str, Any]]:
+    """The keys that the state asks for."""
+    disks: dict[str, Any] = {"count": len(diameter),
+                             "packing_fraction": float(np.sum(np.pi / 4 * diameter**2) / box.area)}
+    if box.height != box.length:
+        disks["box_aspect"] = box.height / box.length
+    if mass is not None and (kind := _masses(diameter, mass, notes)):
+        disks["mass"] = kind
+    start: dict[str, Any] = {"kind": "state", "file": str(out)}
+    i, j, away, _ = pairs_within(position, box, diameter, 0.0)
+    overlap = 1 - 2 * np.hypot(away[:, 0], away[:, 1]) / (diameter[i] + diameter[j])
+    deepest = float(overlap.max(initial=0.0))
+    notes.append(f"largest relative overlap: {deepest:.3g}" + (
+        f", above {LARGEST_OVERLAP:g}, where a run stops: start.relax pushes disks apart" if deepest > LARGEST_OVERLAP
+        else ""))
+    if deepest > LARGEST_OVERLAP:
+        start["relax"] = True
+    return {"disks": disks, "start": start}
+
+
+def _masses(diameter: Array, mass: Array, notes: list[str]) -> str:
+    """The value of disks.mass, "" where it has none."""
+    means = [float(mass[diameter == one].mean()) for one in (SMALL, BIG)]
+    ratio = means[1] / means[0] if means[0] > 0 else np.nan
+    for name, expected in (("equal", 1.0), ("area", (BIG / SMALL)**2)):
+        if abs(ratio / expected - 1) < 1e-3:
+            return name
+    notes.append(f"a big disk has {ratio:.4g} times the mass of a small one: disks.mass is \"equal\" (1) or \"area\" (1.96), "
+                 "choose one")
+    return ""

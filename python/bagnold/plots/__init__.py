@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The program's pictures, as functions that return a figure of matplotlib.
+
+    figure = bagnold.plots.run("results/first")
+    bagnold.plots.save(figure, "first.pdf")
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import pathlib
+from typing import TYPE_CHECKING, Any, Union
+
+import h5py
+
+from . import analysis_page, figure_page, frame_pages, run_page, style, sweep_page
+from ..errors import FileError, InputError
+from ..sweeps import Sweep, sweep as read_sweep
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from ..results import Run
+
+    Source = Union["Run", str, "os.PathLike[str]"]
+
+__all__ = ["analysis", "draw_to", "fields", "figure", "histograms", "profiles", "run", "save", "sweep"]
+
+
+def run(source: Source) -> Figure:
+    """One run on one page, plot.png: stresses, Z, mu, T_g, R_v, the last state; of a ramp its loop.
+
+    source: a run, its folder, or its result.h5."""
+    data = run_page.Run(str(_result(source)))
+    with style.plt.rc_context(style.STYLE):
+        return run_page.draw(data)
+
+
+def profiles(source: Source) -> Figure:
+    """Profiles over y (P2 Fig. 28), profiles.png: of a run with measure.profiles."""
+    return _frame_page(source, "profiles", frame_pages.profiles_page)
+
+
+def fields(source: Source) -> Figure:
+    """Local phi and gammadot of the last frame (P2 Fig. 27), fields.png: of a run with measure.fields."""
+    return _frame_page(source, "samples/fields", frame_pages.fields_page)
+
+
+def histograms(source: Source) -> Figure:
+    """Angles, durations and clusters of contacts, spins, local phi and gammadot, histograms.png: of a run with
+    measure.contacts, measure.rotation or measure.fields."""
+    return _frame_page(source, "histograms", frame_pages.histograms_page)
+
+
+def sweep(source: Sweep | str | os.PathLike[str]) -> Figure:
+    """A sweep at first sight, sweep.png: stresses, B_p, mu, Z against the key with most values. Of a cascade, or
+    another sweep of rates, flow curves."""
+    found = source if isinstance(source, Sweep) else read_sweep(source)
+    with style.plt.rc_context(style.STYLE):
+        return sweep_page.draw(found)
+
+
+def analysis(drawn: str | os.PathLike[str]) -> Figure:
+    """The picture of an analysis from PREFIX.drawn.csv, which `bagnold analyse` wrote."""
+    panels = analysis_page.read(os.fspath(drawn))
+    with style.plt.rc_context(style.STYLE):
+        return analysis_page.draw(panels)
+
+
+def figure(recipe: str | os.PathLike[str]) -> Figure:
+    """A figure of the papers from the recipe.json that `bagnold figure` wrote."""
+    with open(recipe, encoding="utf-8") as file:
+        content = json.load(file)
+    with style.plt.rc_context(style.STYLE):
+        return figure_page.draw(content, os.path.dirname(os.path.abspath(recipe)))
+
+
+def save(figure: Figure, target: str | os.PathLike[str], dpi: int = 110) -> None:
+    """Writes a picture whole or not at all, in the form of its name: .pdf, .svg, else PNG."""
+    style.save(figure, target, dpi)
+
+
+def draw_to(source: str | os.PathLike[str], target: str | os.PathLike[str], frames: bool = False) -> None:
+    """The picture that belongs to a file, into a file: of result.h5 (or its folder) the page of the run,
+    of the folder of a sweep or a cascade its points, of PREFIX.drawn.csv the analysis, of recipe.json the
+    figure. frames: of result.h5 profiles, fields and histograms instead, what it has of them; `target` is then a folder, for PNG, or FOLDER/ANY.pdf or .svg."""
+    place = pathlib.Path(source)
+    if place.suffix == ".csv":
+        save(analysis(place), target)
+    elif place.suffix == ".json":
+        with style.plt.rc_context(style.STYLE):
+            figure_page.draw_to(os.fspath(place), os.fspath(target))
+    elif (place / "sweep.h5").exists() or (place.is_dir() and not (place / "result.h5").exists()
+                                           and (place / "summary.json").exists()):
+        save(sweep(place), target)
+    elif frames:
+        with style.plt.rc_context(style.STYLE):
+            frame_pages.draw(os.fspath(_result(place)), os.fspath(target))
+    else:
+        save(run(place), target)
+
+
+def _result(source: Source) -> pathlib.Path:
+    folder = source if isinstance(source, (str, os.PathLike)) else source.folder
+    path = pathlib.Path(folder)
+    path = path / "result.h5" if path.is_dir() else path
+    if not path.exists():
+        raise FileError(f"{path} is not there: a picture is drawn of a run that has measured something")
+    return path
+
+
+def _frame_page(source: Source, wanted: str, page: Any) -> Figure:
+    path = _result(source)
+    with h5py.File(path, "r") as file, style.plt.rc_context(style.STYLE):
+        if wanted not in file or not len(file[wanted]):
+            key = {"profiles": "measure.profiles", "histograms": "measure.contacts"}.get(wanted, "measure.fields")
+            raise InputError(f"{path} has no /{wanted}: set {key} = true in the scene and run it again")
+        drawn: Figure = page(file)
+        return drawn

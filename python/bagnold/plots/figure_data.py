@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What figures take from the folder of a sweep, or from a table made of it (scripts/figure_tables.py): points
+picked by scene keys, seeds taken together."""
+
+import json
+import math
+import os
+import tomllib
+
+import h5py
+import numpy as np
+
+from ..scene import Scene
+
+
+def same(one, other):
+    """Is a value of a scene what is wanted, or one of a list of what is?"""
+    if isinstance(other, list) and not isinstance(one, list):
+        return any(same(one, value) for value in other)
+    if isinstance(one, (int, float)) and isinstance(other, (int, float)):
+        return math.isclose(one, other, rel_tol=1e-9)
+    return one == other
+
+
+class Point:
+    """A run of a sweep: `scene` by "table.key", and its result.h5."""
+
+    def __init__(self, folder, scene):
+        self.folder, self.scene = folder, scene
+
+    def read(self, path):
+        """A dataset of result.h5, or all of a group by name."""
+        with h5py.File(os.path.join(self.folder, "result.h5"), "r") as file:
+            found = file[path]
+            if isinstance(found, h5py.Dataset):
+                return found[()]
+            return {name: data[()] for name, data in found.items()}
+
+    def columns(self, path):
+        """The columns of a /samples dataset by their names, without units."""
+        with h5py.File(os.path.join(self.folder, "result.h5"), "r") as file:
+            data = file[path]
+            names = data.attrs["columns"]
+            names = (names.decode() if isinstance(names, bytes) else names).split(", ")
+            data = data[()]
+            return {name.split(" [")[0]: data[:, k] for k, name in enumerate(names)}
+
+
+class Stored:
+    """A run of a table NAME.json: as Point, what is kept of it."""
+
+    def __init__(self, entry):
+        self.scene, self.kept = entry["scene"], entry
+
+    def read(self, path):
+        found = self.kept[path]
+        if "density" in found:
+            edges = np.linspace(*found["range"], len(found["density"]) + 1)
+            return {"edges": edges, "density": np.array(found["density"], float)}
+        if isinstance(found, dict):
+            return {name: np.array(values, float) for name, values in found.items()}
+        return np.array(found, float)
+
+    columns = read
+
+
+def points_in(source):
+    """All points with results, in the order of the sweep."""
+    if source.endswith(".json"):
+        with open(source, encoding="utf-8") as file:
+            return [Stored(entry) for entry in json.load(file)["points"]]
+    with h5py.File(os.path.join(source, "sweep.h5"), "r") as file:
+        names, scenes, status = (file[path].asstr()[:]
+                                 for path in ("points/folder", "points/scene", "status"))
+    return [Point(os.path.join(source, "points", name), Scene(tomllib.loads(scene)).flat())
+            for name, scene, done in zip(names, scenes, status) if done == "done"]
+
+
+def points_of(sources, where):
+    """Points of all sources that are there whose scene agrees with `where`."""
+    points = [point for source in sources if os.path.exists(source) for point in points_in(source)]
+    return [p for p in points if all(same(p.scene.get(k), v) for k, v in where.items())]
+
+
+def together(points, keys):
+    """{values of keys: their points}: what is left differs in the seed."""
+    groups = {}
+    for point in points:
+        groups.setdefault(tuple(point.scene[key] for key in keys), []).append(point)
+    return groups
+
+
+def mean_and_error(values):
+    """Over seeds (axis 0); the error, of the mean, is NaN for one."""
+    values = np.asarray(values, dtype=float)
+    n = len(values)
+    error = values.std(axis=0, ddof=1) / np.sqrt(n) if n > 1 else np.full(values.shape[1:], np.nan)
+    return values.mean(axis=0), error
+
+
+def profile(points, name):
+    """y, mean, error of /profiles/NAME over seeds; one seed has its own error."""
+    parts = [point.read(f"profiles/{name}") for point in points]
+    mean, error = mean_and_error([part["value"] for part in parts])
+    return parts[0]["y"], mean, parts[0]["error"] if len(parts) == 1 else error
+
+
+def histogram(points, name):
+    """Edges, mean density and its error over seeds."""
+    parts = [point.read(f"histograms/{name}") for point in points]
+    return (parts[0]["edges"], *mean_and_error([part["density"] for part in parts]))
+
+
+def principal_axes(x, y):
+    """Mean, and [(variance, unit vector)] of the covariance matrix, the larger one first."""
+    values, vectors = np.linalg.eigh(np.cov(x, y))
+    return (x.mean(), y.mean()), [(values[k], vectors[:, k]) for k in (1, 0)]

@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What pictures share: their libraries, style, colours, and how they are written."""
+
+import io
+import os
+
+from ..errors import MissingLibrary
+
+try:
+    import matplotlib
+    from matplotlib import pyplot as plt
+    from PIL import Image  # matplotlib's own
+except ImportError as error:
+    raise MissingLibrary(f"{error}; no picture (Debian: apt install python3-matplotlib, else pip install "
+                         "matplotlib)") from error
+
+# Okabe and Ito's palette: told apart by colour-blind eyes too.
+BLUE, ORANGE, GREEN, VERMILION, SKY, PINK, OLIVE, GREY = (
+    "#0072B2", "#E69F00", "#009E73", "#D55E00", "#56B4E9", "#CC79A7", "#B8A600", "#777777")
+COLOURS = (BLUE, VERMILION, GREEN, ORANGE, SKY, PINK, "#555555", OLIVE)
+MARKERS = "osD^v<>ph*"
+DASHED, DOTTED = (0, (4, 2)), (0, (1, 2))
+
+STYLE = {
+    "font.size": 10, "axes.titlesize": 10.5, "axes.titlelocation": "left",
+    "axes.spines.top": False, "axes.spines.right": False, "axes.linewidth": 0.8,
+    "axes.edgecolor": "#444444", "xtick.color": "#444444", "ytick.color": "#444444",
+    "legend.frameon": False, "legend.fontsize": 9, "legend.handlelength": 1.4,
+    "lines.linewidth": 1.1, "mathtext.fontset": "dejavusans", "axes.formatter.useoffset": False,
+}
+
+
+def save(figure, target, dpi=110, colours=None):
+    """Whole or not at all: a picture that is there is complete. Its form is that of the name: .pdf,
+    .svg, else PNG, of which few colours make a small file."""
+    target = os.fspath(target)
+    form = os.path.splitext(target)[1][1:].lower() or "png"
+    picture = io.BytesIO()
+    with plt.rc_context(STYLE):
+        figure.savefig(picture, format=form, dpi=dpi)
+    if colours and form == "png":
+        image = Image.open(picture).convert("RGB").quantize(colours)
+        picture = io.BytesIO()
+        image.save(picture, format="png", optimize=True)
+    with open(target + ".part", "wb") as file:
+        file.write(picture.getvalue())
+    os.replace(target + ".part", target)
+

@@ -1,0 +1,329 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a run wrote into its folder."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import pathlib
+import tomllib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .contacts import ContactFrames
+from .errors import FileError, InputError
+from .frames import Array, Frame, Frames, open_hdf5, read_states
+from .observables import Observable, Warning, number, observable
+from .scene import Scene
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+class Series(Mapping[str, Array]):
+    """/series of result.h5: ``series["B_p"]`` is [n], one value a window, of R replicas [R, n]; NaN
+    where undefined. `discarded` windows at the front are in no average."""
+
+    def __init__(self, path: pathlib.Path) -> None:
+        self._path = path
+        with open_hdf5(path) as file:
+            if "series" not in file:
+                raise FileError(f"{path} has no /series: it is no result of Bagnold")
+            group = file["series"]
+            self._names = list(group)
+            self._units = {name: _plain(group[name].attrs.get("unit", "")) for name in group}
+            self._words = {name: _plain(group[name].attrs.get("description", "")) for name in group}
+            self.discarded = int(group.attrs.get("discarded_windows", 0))
+
+    def __getitem__(self, name: str) -> Array:
+        if name not in self._names:
+            raise KeyError(f"{name} is not among the series: {', '.join(self._names)}")
+        with open_hdf5(self._path) as file:
+            return np.asarray(file["series"][name][()], dtype=np.float64)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._names)
+
+    def __len__(self) -> int:
+        return len(self._names)
+
+    def unit(self, name: str) -> str:
+        """Unit of a series, "1" or in d_s, tau_e and m."""
+        return str(self._units[name])
+
+    def description(self, name: str) -> str:
+        """What a series is, in words."""
+        return str(self._words[name])
+
+    def measured(self, name: str) -> Array:
+        """The windows that averages are of, [n - discarded] or [R, n - discarded]."""
+        return self[name][..., self.discarded:]
+
+
+@dataclass(frozen=True)
+class Histogram:
+    """A density that integrates to the share between its edges."""
+
+    edges: Array  #: [n + 1]
+    density: Array  #: [n]
+
+
+@dataclass(frozen=True)
+class Profile:
+    """Means over slices of y."""
+
+    y: Array  #: [n], middle of the slice, d_s
+    value: Array  #: [n]
+    error: Array  #: [n], standard error; NaN where unknown
+
+
+@dataclass(frozen=True)
+class Branch:
+    """One way of the hysteresis loop of a ramp, in bins of a twentieth of a decade."""
+
+    strain_rate: Array  #: [n], 1/tau_e
+    mean: Array  #: [n]
+    error: Array  #: [n], jackknife over passes; NaN below three
+
+
+class Run:
+    """A run's folder. Files are read when they are asked for, so a run that goes on can be looked at."""
+
+    def __init__(self, folder: str | os.PathLike[str]) -> None:
+        self.folder = pathlib.Path(folder)  #: where it lies
+
+    def __repr__(self) -> str:
+        return f"<run {self.folder}{'' if self.complete else ', not complete'}>"
+
+    @property
+    def complete(self) -> bool:
+        """Whether the run has come to its end."""
+        return (self.folder / "summary.json").exists()
+
+    @cached_property
+    def summary(self) -> dict[str, Any]:
+        """summary.json as it is. FileError while the run is not complete."""
+        return read_summary(self.folder)
+
+    @cached_property
+    def scene(self) -> Scene:
+        """The resolved scene, all defaults filled in: ``r.scene["disks.count"]``."""
+        if self.complete and "scene" in self.summary:
+            return Scene(self.summary["scene"])
+        with _opened(self.folder / "scene.toml") as file:
+            return Scene(tomllib.load(file))
+
+    @cached_property
+    def series(self) -> Series:
+        """One value a window of every quantity."""
+        return Series(self._file("result.h5"))
+
+    @cached_property
+    def observables(self) -> dict[str, Observable]:
+        """Averages by their names. FileError while the run is not complete, and of a cascade, whose
+        rates have averages of their own (`points`)."""
+        if "observables" not in self.summary:
+            raise FileError(f"{self.folder} is a cascade, a run a rate: see r.points, or "
+                            f"bagnold.sweep({str(self.folder)!r})")
+        units = self.series if (self.folder / "result.h5").exists() else None
+        return {name: observable(name, found, units.unit(name) if units and name in units else "")
+                for name, found in self.summary["observables"].items()}
+
+    def __getitem__(self, name: str) -> Observable:
+        """``r["B_p"].mean, r["B_p"].error``."""
+        found = self.observables
+        if name not in found:
+            raise KeyError(f"{name} is not among the averages of {self.folder}: "
+                           f"{', '.join(found) or 'a ramp has none, see r.loop'}")
+        return found[name]
+
+    @property
+    def points(self) -> list[Run]:
+        """The runs of a cascade, one a rate, largest first; of a single run, itself."""
+        if self.complete:
+            return [Run(self.folder / one["folder"]) for one in self.summary["points"]] \
+                if "points" in self.summary else [self]
+        stages = sorted(path.parent for path in self.folder.glob("[0-9]*_strain_rate=*/scene.toml"))
+        return [Run(stage) for stage in stages] or [self]
+
+    @cached_property
+    def replicas(self) -> list[dict[str, Observable]]:
+        """Averages of each replica alone, in the order of `seeds`; of one system, of that one."""
+        parts = self.summary.get("replicas")
+        if parts is None:
+            return [self.observables]
+        return [{name: observable(name, found) for name, found in part["observables"].items()}
+                for part in parts]
+
+    @property
+    def warnings(self) -> list[Warning]:
+        """What makes the result suspect; empty where nothing does."""
+        return self._said("warnings")
+
+    @property
+    def notes(self) -> list[Warning]:
+        """What the numbers are of, as of a finite rate; nothing is wrong with them."""
+        return self._said("notes")
+
+    def _said(self, what: str) -> list[Warning]:
+        return [Warning(one["name"], one["reason"], one["remedy"], dict(one["numbers"]), one.get("command", ""))
+                for part in self.summary.get("points", [self.summary]) for one in part.get(what, [])]
+
+    @property
+    def seeds(self) -> list[int]:
+        """Seeds of the replicas."""
+        first = int(self.scene["disks.seed"])
+        return list(range(first, first + int(self.scene.get("disks.replicas", 1))))
+
+    @cached_property
+    def about(self) -> dict[str, Any]:
+        """Where the result came from: version, git, compiler, seed, engine_NAME, ..."""
+        with open_hdf5(self._file("result.h5")) as file:
+            return {name: _plain(value) for name, value in file.attrs.items()}
+
+    # ------------------------------------------------------------------------------ configurations
+
+    @cached_property
+    def frames(self) -> Frames:
+        """The trajectory, of replicas that of the first. FileError where none was written."""
+        return self.frames_of(self.seeds[0])
+
+    def frames_of(self, seed: int) -> Frames:
+        """The trajectory of one replica."""
+        seeds = self.seeds
+        if seed not in seeds:
+            raise InputError(f"seed = {seed} is not among those of {self.folder}: {seeds[0]} .. {seeds[-1]}")
+        name = "trajectory" if len(seeds) == 1 else f"trajectory_{seed}"
+        rate = float(self.scene.get("shear.strain_rate", math.nan))
+        if self.scene.get("shear.protocol", "steady") != "steady":
+            rate = math.nan
+        for path in (self.folder / f"{name}.h5md", self.folder / f"{name}.parts"):
+            if path.exists():
+                return Frames(path, rate)
+        raise FileError(f"{self.folder} has no {name}.h5md: set output.trajectory_strain, the strain between "
+                        "frames, in the scene and run it again")
+
+    @property
+    def contacts(self) -> ContactFrames:
+        """Contacts of each frame, with forces by the contact law of the scene."""
+        return ContactFrames(self.frames, self.scene)
+
+    @property
+    def state(self) -> Frame:
+        """The last state, of replicas that of the first."""
+        return self.states[0]
+
+    @property
+    def states(self) -> list[Frame]:
+        """The last states of all replicas."""
+        strain = float(self.summary["strain"]["total"]) if self.complete else math.nan
+        return read_states(self._file("state.h5"), self.scene.get("disks.mass") == "area", strain)
+
+    # ------------------------------------------------------------------------- what else it has
+
+    @cached_property
+    def histograms(self) -> dict[str, Histogram]:
+        """/histograms: those that `[measure]` switched on; of a ramp one for each frame."""
+        return {name: Histogram(group["edges"], group["density"])
+                for name, group in self._groups("histograms").items()}
+
+    @cached_property
+    def profiles(self) -> dict[str, Profile]:
+        """/profiles over y, with `measure.profiles`; of a ramp one for each frame."""
+        return {name: Profile(group["y"], group["value"],
+                              group.get("error", np.full_like(group["value"], np.nan)))
+                for name, group in self._groups("profiles").items()}
+
+    @cached_property
+    def samples(self) -> dict[str, dict[str, Array]]:
+        """/samples: tables of rows that belong together, ``{column: [rows]}``."""
+        with open_hdf5(self._file("result.h5")) as file:
+            group = file.get("samples", {})
+            return {name: {column.split(" [")[0]: data[()][:, k] for k, column in
+                           enumerate(str(_plain(data.attrs["columns"])).split(", "))}
+                    for name, data in group.items()}
+
+    def loop(self, name: str) -> dict[str, Branch]:
+        """Hysteresis loop of an observable of a ramp: "up" and "down"."""
+        if "loop" not in self.summary:
+            raise InputError(f"{self.folder} is no ramp: it has no loop, its averages are r[{name!r}]")
+        branches = {}
+        for way, bins in self.summary["loop"].items():
+            have = [one for one in bins if name in one["observables"]]
+            if not have:
+                raise KeyError(f"{name} is not among {', '.join(bins[0]['observables']) if bins else 'nothing'}")
+            branches[way] = Branch(np.array([one["strain_rate"] for one in have]),
+                                   np.array([number(one["observables"][name]["mean"]) for one in have]),
+                                   np.array([number(one["observables"][name]["error"]) for one in have]))
+        return branches
+
+    def plot(self) -> Figure:
+        """The picture of the run, plot.png. Needs matplotlib."""
+        from . import plots
+
+        return plots.run(self)
+
+    def _groups(self, name: str) -> dict[str, dict[str, Array]]:
+        with open_hdf5(self._file("result.h5")) as file:
+            return {key: {part: np.asarray(values[()]) for part, values in group.items()}
+                    for key, group in file.get(name, {}).items()}
+
+    def _file(self, name: str) -> pathlib.Path:
+        path = self.folder / name
+        if not path.exists():
+            raise FileError(f"{path} is not there: {_what_is(self.folder)}")
+        return path
+
+
+def load(folder: str | os.PathLike[str]) -> Run:
+    """A run by its folder, or by a file in it.
+
+    Raises FileError where it is none; sweeps are read by `bagnold.sweep`, and cascades as a table too."""
+    place = pathlib.Path(folder)
+    if place.is_file():
+        place = place.parent
+    if not (place / "scene.toml").exists() and not (place / "result.h5").exists():
+        raise FileError(f"{place} is no folder of a run: {_what_is(place)}")
+    return Run(place)
+
+
+def read_summary(folder: pathlib.Path) -> dict[str, Any]:
+    """summary.json of a run or a cascade."""
+    path = folder / "summary.json"
+    if not path.exists():
+        raise FileError(f"{path} is not there: " + (
+            f"the run is not complete, `bagnold resume {folder}` goes on with it"
+            if (folder / "scene.toml").exists() else _what_is(folder)))
+    with _opened(path) as file:
+        try:
+            found: dict[str, Any] = json.load(file)
+        except ValueError as error:
+            raise FileError(f"{path} is damaged: {error}") from error
+    return found
+
+
+def _what_is(folder: pathlib.Path) -> str:
+    if not folder.exists():
+        return "the folder is not there"
+    if (folder / "sweep.toml").exists() or (folder / "sweep.h5").exists():
+        return f"the folder is of a sweep, which bagnold.sweep({str(folder)!r}) reads"
+    return "the folder holds no run" if not (folder / "scene.toml").exists() else "the run has not come that far"
+
+
+def _opened(path: pathlib.Path) -> Any:
+    try:
+        return open(path, "rb")
+    except OSError as error:
+        raise FileError(f"{path} cannot be read: {error}") from error
+
+
+def _plain(value: Any) -> Any:
+    """An attribute as a text, a number or an array."""
+    if isinstance(value, bytes):
+        return value.decode(errors="replace")
+    return value.item() if isinstance(value, np.generic) else value

@@ -1,0 +1,268 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What configurations and contacts show: g(r), S(q), non-affine motion, velocity correlations, and the
+contact network. Functions take a frame or many (`r.frames[100:]`), contacts or many (`r.contacts`)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Union
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .contacts import Contacts, pairs_within
+from .errors import InputError
+from .frames import Array, Frame, Integers
+
+Configurations = Union[Frame, Iterable[Frame]]
+Networks = Union[Contacts, Iterable[Contacts]]
+
+
+def _frames(given: Configurations) -> Iterable[Frame]:
+    return [given] if isinstance(given, Frame) else given
+
+
+def _networks(given: Networks) -> Iterable[Contacts]:
+    return [given] if isinstance(given, Contacts) else given
+
+
+# ---------------------------------------------------------------------------------- configurations
+
+
+def radial_distribution(frames: Configurations, r_max: float = 5.0, bins: int = 200,
+                        species: tuple[int, int] | None = None) -> tuple[Array, Array]:
+    """g(r): pairs at a distance r over what an ideal gas of the density has, averaged over frames.
+
+    r_max: d_s, at most half the shorter side of the box. species: of pairs of these two alone, 0 small
+    and 1 big. Returns the middles of the bins, [bins], d_s, and g, [bins]."""
+    edges = np.linspace(0, r_max, bins + 1)
+    total, expected = np.zeros(bins), np.zeros(bins)
+    rings = np.pi * np.diff(edges**2)
+    for frame in _frames(frames):
+        _refuse_far(frame, r_max)
+        i, j, away, _ = pairs_within(frame.position, frame.box, np.zeros(len(frame)), r_max)
+        kind = frame.species
+        a, b = (len(frame), len(frame)) if species is None else (np.sum(kind == species[0]), np.sum(kind == species[1]))
+        if species is None:
+            pairs, chosen = a * (a - 1) / 2, np.ones(len(i), dtype=bool)
+        else:
+            one, other = species
+            chosen = ((kind[i] == one) & (kind[j] == other)) | ((kind[i] == other) & (kind[j] == one))
+            pairs = a * (a - 1) / 2 if one == other else a * b
+        total += np.histogram(np.hypot(*away[chosen].T), edges)[0]
+        expected += pairs * rings / frame.box.area
+    return (edges[1:] + edges[:-1]) / 2, total / expected
+
+
+def _refuse_far(frame: Frame, r_max: float) -> None:
+    half = min(frame.box.length, frame.box.height) / 2
+    if r_max > half:
+        raise InputError(f"r_max = {r_max:g} d_s (must be at most half the shorter side of the box, {half:g}); "
+                         "take less, or a larger system")
+
+
+def structure_factor(frames: Configurations, q_max: float = 10.0, bins: int = 100) -> tuple[Array, Array]:
+    """S(q) = |sum_j exp(-i q . r_j)|^2 / N at the wave vectors that fit the sheared box, averaged over
+    their directions and over frames.
+
+    q_max: 1/d_s. Returns the mean |q| of each bin and S, NaN in bins without a wave vector, [bins]."""
+    edges = np.linspace(0, q_max, bins + 1)
+    power, length, count = np.zeros(bins), np.zeros(bins), np.zeros(bins)
+    for frame in _frames(frames):
+        reciprocal = 2 * np.pi * np.linalg.inv(frame.box.matrix[:2, :2])  # columns: b_1, b_2
+        most = [int(q_max * side / (2 * np.pi)) + 1 for side in
+                (frame.box.length, np.hypot(frame.box.tilt, frame.box.height))]
+        n = np.stack(np.meshgrid(np.arange(0, most[0] + 1), np.arange(-most[1], most[1] + 1),
+                                 indexing="ij"), axis=-1).reshape(-1, 2)
+        n = n[(n[:, 0] > 0) | (n[:, 1] > 0)]  # S(q) = S(-q)
+        q = n @ reciprocal.T
+        size = np.hypot(q[:, 0], q[:, 1])
+        q, size = q[size < q_max], size[size < q_max]
+        s = np.empty(len(q))
+        for first in range(0, len(q), 256):
+            phase = q[first:first + 256] @ frame.position.T
+            s[first:first + 256] = (np.cos(phase).sum(axis=1)**2 + np.sin(phase).sum(axis=1)**2) / len(frame)
+        where = np.clip(np.searchsorted(edges, size, side="right") - 1, 0, bins - 1)
+        power += np.bincount(where, s, minlength=bins)
+        length += np.bincount(where, size, minlength=bins)
+        count += np.bincount(where, minlength=bins)
+    with np.errstate(invalid="ignore"):
+        return length / count, power / count
+
+
+def unwrapped(frames: Iterable[Frame]) -> Array:
+    """Positions without periodic images, [T, N, 2], d_s, also of files without `image`: between two
+    frames each disk is taken to go the way nearest to the mean flow, which holds while its non-affine
+    displacement stays below half the box."""
+    rows: list[Array] = []
+    last: Frame | None = None
+    for frame in frames:
+        if last is None:
+            rows.append(frame.position.copy())
+        else:
+            strain = frame.strain - last.strain
+            flow = np.stack([strain * (frame.position[:, 1] + last.position[:, 1]) / 2,
+                             np.zeros(len(frame))], axis=1)
+            # to the image nearest to where the mean flow leads; a row higher it leads further by strain L_y/2
+            away = frame.position - last.position
+            up = np.rint(away[:, 1] / frame.box.height)
+            away[:, 1] -= up * frame.box.height
+            away[:, 0] -= up * frame.box.tilt
+            flow[:, 0] -= strain * up * frame.box.height / 2
+            off = away[:, 0] - flow[:, 0]
+            away[:, 0] -= frame.box.length * np.rint(off / frame.box.length)
+            height = rows[-1][:, 1] - last.position[:, 1]  # whole boxes above the first image
+            away[:, 0] += strain * height
+            rows.append(rows[-1] + away)
+        last = frame
+    return np.stack(rows) if rows else np.zeros((0, 0, 2))
+
+
+def nonaffine_displacement(frames: Iterable[Frame]) -> tuple[Array, Array]:
+    """Displacements since the first frame without the mean flow, sum of dr - dgamma y x_hat with y the
+    mean of both ends of each interval. Returns strains since the first frame, [T], and displacements,
+    [T, N, 2], d_s."""
+    frames = list(frames)
+    if any(np.isnan(frame.strain) for frame in frames):
+        raise InputError("the strain of a frame is not known; use a trajectory, whose frames tell it")
+    place = unwrapped(frames)
+    strain = np.array([frame.strain for frame in frames])
+    step = np.diff(place, axis=0)
+    step[..., 0] -= np.diff(strain)[:, None] * (place[1:, :, 1] + place[:-1, :, 1]) / 2
+    return strain - strain[0], np.concatenate([np.zeros((1, *place.shape[1:])), np.cumsum(step, axis=0)])
+
+
+def nonaffine_msd(frames: Iterable[Frame]) -> tuple[Array, Array]:
+    """Mean square non-affine displacement over all origins, for frames evenly spaced in strain.
+
+    Returns the strain of each lag, [T], and its mean over origins and disks along x and y, [T, 2], d_s^2."""
+    strain, place = nonaffine_displacement(frames)
+    out = np.zeros((len(strain), 2))
+    for lag in range(1, len(strain)):
+        out[lag] = np.mean((place[lag:] - place[:-lag])**2, axis=(0, 1))
+    return strain, out
+
+
+def velocity_correlation(frames: Configurations, r_max: float = 10.0, bins: int = 100) -> tuple[Array, Array]:
+    """<dv_i . dv_j>(r) / <dv^2> of the non-affine velocities dv = v - gammadot y x_hat, averaged over
+    pairs and frames. Returns the middles of the bins, [bins], d_s, and the correlation, [bins]."""
+    edges = np.linspace(0, r_max, bins + 1)
+    total, count, square, disks = np.zeros(bins), np.zeros(bins), 0.0, 0
+    for frame in _frames(frames):
+        _refuse_far(frame, r_max)
+        excess = frame.nonaffine_velocity
+        i, j, away, _ = pairs_within(frame.position, frame.box, np.zeros(len(frame)), r_max)
+        where = np.minimum((np.hypot(*away.T) / r_max * bins).astype(np.int64), bins - 1)
+        total += np.bincount(where, np.sum(excess[i] * excess[j], axis=1), minlength=bins)
+        count += np.bincount(where, minlength=bins)
+        square += float(np.sum(excess**2))
+        disks += len(frame)
+    with np.errstate(invalid="ignore"):
+        return (edges[1:] + edges[:-1]) / 2, total / count / (square / disks)
+
+
+# ----------------------------------------------------------------------------------- contact network
+
+
+def force_distribution(contacts: Networks, bins: int = 50, f_max: float = 5.0) -> tuple[Array, Array]:
+    """Density of the elastic contact force over its mean. Returns the middles, [bins], and the density,
+    [bins], which integrates to the share below f_max."""
+    forces = np.concatenate([one.elastic_force for one in _networks(contacts)])
+    if not len(forces):
+        raise InputError("no frame has a contact; take other frames, or a denser scene")
+    edges = np.linspace(0, f_max, bins + 1)
+    number = np.histogram(forces / forces.mean(), edges)[0]
+    return (edges[1:] + edges[:-1]) / 2, number / len(forces) / np.diff(edges)
+
+
+def fabric_tensor(contacts: Networks) -> Array:
+    """<n n> over contacts, [2, 2]: its trace is 1, its anisotropy the difference of its eigenvalues."""
+    total, number = np.zeros((2, 2)), 0
+    for one in _networks(contacts):
+        total += one.normal.T @ one.normal
+        number += len(one)
+    return total / number if number else np.full((2, 2), np.nan)
+
+
+def rattlers(contacts: Contacts, needed: int = 3) -> NDArray[np.bool_]:
+    """Disks with fewer than `needed` contacts with disks that are no rattlers themselves, [N]. Three
+    hold a disk without friction in two dimensions."""
+    held = np.ones(contacts.count, dtype=bool)
+    while True:
+        both = held[contacts.i] & held[contacts.j]
+        degree = np.bincount(np.concatenate([contacts.i[both], contacts.j[both]]), minlength=contacts.count)
+        loose = held & (degree < needed)
+        if not loose.any():
+            return ~held
+        held &= ~loose
+
+
+def clusters(contacts: Contacts) -> Integers:
+    """For each disk the smallest number of a disk that contacts connect it to, [N]."""
+    label = np.arange(contacts.count)
+    while True:
+        least = label.copy()
+        np.minimum.at(least, contacts.i, label[contacts.j])
+        np.minimum.at(least, contacts.j, label[contacts.i])
+        least = least[least]
+        if np.array_equal(least, label):
+            return label
+        label = least
+
+
+def cluster_sizes(contacts: Contacts) -> Integers:
+    """Disks of each cluster, the largest first; free disks are clusters of one."""
+    return np.sort(np.unique(clusters(contacts), return_counts=True)[1])[::-1]
+
+
+def percolates(contacts: Contacts) -> tuple[bool, bool]:
+    """Whether a connected cluster reaches its own image straight along x, and along y (whatever it does
+    along x on the way)."""
+    steps = _Steps(contacts)
+    place = np.full((contacts.count, 2), np.nan)
+    along_x = along_y = False
+    for start in range(contacts.count):
+        if np.isnan(place[start, 0]):
+            windings = steps.walk(start, place)
+            along_y |= any(rows != 0 for _, rows in windings)
+            along_x |= any(rows == 0 for _, rows in windings) or any(
+                a[0] * b[1] != a[1] * b[0] for a in windings for b in windings)
+    return along_x, along_y
+
+
+class _Steps:
+    """Ways from each disk to those that it touches."""
+
+    def __init__(self, contacts: Contacts) -> None:
+        away = contacts.separation[:, None] * contacts.normal
+        ends = np.concatenate([contacts.i, contacts.j])
+        order = np.argsort(ends, kind="stable")
+        self.box = contacts.box
+        self.first = np.searchsorted(ends[order], np.arange(contacts.count + 1))
+        self.other = np.concatenate([contacts.j, contacts.i])[order]
+        self.step = np.concatenate([-away, away])[order]
+
+    def walk(self, start: int, place: Array) -> set[tuple[int, int]]:
+        """Places the cluster of a disk, that one at the origin; returns by how many (lengths, heights)
+        disks lie from where they were placed already, (0, 0) left out."""
+        place[start] = 0
+        waiting, windings = [start], set()
+        while waiting:
+            disk = waiting.pop()
+            for k in range(self.first[disk], self.first[disk + 1]):
+                there, neighbour = place[disk] + self.step[k], int(self.other[k])
+                if np.isnan(place[neighbour, 0]):
+                    place[neighbour] = there
+                    waiting.append(neighbour)
+                    continue
+                off = there - place[neighbour]
+                rows = round(float(off[1]) / self.box.height)
+                columns = round(float(off[0] - rows * self.box.tilt) / self.box.length)
+                if rows or columns:
+                    windings.add((columns, rows))
+        return windings
+
+
+__all__ = ["cluster_sizes", "clusters", "fabric_tensor", "force_distribution", "nonaffine_displacement",
+           "nonaffine_msd", "percolates", "radial_distribution", "rattlers", "structure_factor", "unwrapped",
+           "velocity_correlation"]

@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Sweeps and cascades: a table of many runs."""
+
+from __future__ import annotations
+
+import math
+import os
+import pathlib
+import tomllib
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, overload
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .errors import FileError, MissingLibrary
+from .frames import Array, open_hdf5
+from .results import Run, load, read_summary
+from .scene import Scene
+
+if TYPE_CHECKING:
+    from pandas import DataFrame
+
+
+@dataclass(frozen=True)
+class Point:
+    """A run of a sweep, or a rate of a cascade."""
+
+    folder: pathlib.Path
+    scene: Scene  #: resolved
+    status: str  #: "done"; "failed": begun, no result; "open": not begun, or at work
+    warnings: tuple[str, ...] = ()  #: their names
+
+    def load(self) -> Run:
+        """Its results."""
+        return load(self.folder)
+
+
+class Sweep(Sequence[Point]):
+    """The points of a sweep in the order of its file; ``s["B_p"]`` is a column, [P]."""
+
+    def __init__(self, folder: pathlib.Path, points: list[Point], varied: dict[str, NDArray[Any]],
+                 observables: dict[str, Array]) -> None:
+        self.folder, self._points = folder, points
+        self.varied = varied  #: values of the varied keys, [P] each
+        self._observables = observables
+
+    @property
+    def names(self) -> list[str]:
+        """Observables that any point has."""
+        return [name for name in self._observables if not name.endswith("_error")]
+
+    def __len__(self) -> int:
+        return len(self._points)
+
+    @overload
+    def __getitem__(self, which: int) -> Point: ...
+
+    @overload
+    def __getitem__(self, which: slice) -> list[Point]: ...
+
+    @overload
+    def __getitem__(self, which: str) -> NDArray[Any]: ...
+
+    def __getitem__(self, which: int | slice | str) -> Point | list[Point] | NDArray[Any]:
+        """A point by its number; a varied key or the means of an observable, [P], by their name, NaN
+        where there is none."""
+        if isinstance(which, str):
+            for table in (self.varied, self._observables):
+                if which in table:
+                    return table[which]
+            raise KeyError(f"{which} is neither a varied key ({', '.join(self.varied)}) nor an observable "
+                           f"({', '.join(self.names)})")
+        return self._points[which]
+
+    def __iter__(self) -> Iterator[Point]:
+        return iter(self._points)
+
+    def __repr__(self) -> str:
+        done = sum(point.status == "done" for point in self)
+        return f"<sweep {self.folder}: {done} of {len(self)} points done>"
+
+    def error(self, name: str) -> Array:
+        """Standard errors of an observable, [P]."""
+        return np.asarray(self[f"{name}_error"], dtype=np.float64)
+
+    def to_pandas(self) -> DataFrame:
+        """One row a point: folder, status, varied keys, NAME and NAME_error, names of warnings.
+        Needs pandas."""
+        try:
+            import pandas
+        except ImportError as error:
+            raise MissingLibrary("to_pandas() needs pandas (Debian: apt install python3-pandas, else "
+                                 "pip install pandas)") from error
+        return pandas.DataFrame({
+            "folder": [str(point.folder) for point in self], "status": [point.status for point in self],
+            **self.varied, **self._observables,
+            "warnings": [" ".join(point.warnings) for point in self]})
+
+
+def sweep(folder: str | os.PathLike[str]) -> Sweep:
+    """A sweep by its folder (or its sweep.h5), or a cascade by its folder, one point a rate.
+
+    Raises FileError where there is no table: a sweep that was killed has none until
+    `bagnold sweep FILE --out DIR` went on, or with `--collect`."""
+    place = pathlib.Path(folder)
+    if place.is_file():
+        place = place.parent
+    if (place / "sweep.h5").exists():
+        return _of_table(place)
+    if (place / "summary.json").exists() and "points" in (found := read_summary(place)):
+        return _of_cascade(place, found["points"])
+    raise FileError(f"{place} has no sweep.h5 and is no cascade: " + (
+        "the sweep has written no table yet, `bagnold sweep FILE --out DIR --collect` writes one of what is there"
+        if (place / "points.json").exists() else "bagnold.load() reads a single run"))
+
+
+def _of_table(place: pathlib.Path) -> Sweep:
+    with open_hdf5(place / "sweep.h5") as file:
+        points, observables = file["points"], file["observables"]
+        texts = {name: [str(one) for one in points[name].asstr()[:]] for name in ("folder", "scene")}
+        status, warnings = ([str(one) for one in file[name].asstr()[:]] for name in ("status", "warnings"))
+        varied: dict[str, NDArray[Any]] = {}
+        for key, values in points.items():
+            if key not in texts:
+                varied[key] = values[:] if values.dtype.kind == "f" else np.array(
+                    [str(one) for one in values.asstr()[:]], dtype=object)
+        means = {name: np.asarray(values[:], dtype=np.float64) for name, values in observables.items()}
+    return Sweep(place, [Point(place / "points" / name, Scene(tomllib.loads(scene)), done, tuple(words.split()))
+                         for name, scene, done, words in zip(texts["folder"], texts["scene"], status, warnings)],
+                 varied, means)
+
+
+def _of_cascade(place: pathlib.Path, found: list[dict[str, Any]]) -> Sweep:
+    points = [Point(place / one["folder"], load(place / one["folder"]).scene, "done",
+                    tuple(warning["name"] for warning in one["warnings"])) for one in found]
+    names = dict.fromkeys(name for one in found for name in one["observables"])
+    means: dict[str, Array] = {}
+    for name in names:
+        entries = [one["observables"].get(name, {}) for one in found]
+        for ending, what in (("", "mean"), ("_error", "error")):
+            means[name + ending] = np.array([math.nan if entry.get(what) is None else float(entry[what])
+                                             for entry in entries])
+    rates = np.array([float(one["strain_rate"]) for one in found])
+    return Sweep(place, points, {"shear.strain_rate": rates}, means)

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "src/analysis/analyse.hpp"
+#include "src/cli/exit_code.hpp"
+#include "src/cli/options.hpp"
+#include "src/config/cascade.hpp"
+#include "src/config/errors.hpp"
+#include "src/config/run_time.hpp"
+#include "src/config/scene_file.hpp"
+#include "src/run/pictures.hpp"
+#include "src/run/plot.hpp"
+#include "src/run/status.hpp"
+
+namespace bagnold {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The name of the picture, and what it is of where that is not all of a run.
+void say_drawn(fs::path const& picture, std::string const& of) {
+  if (fs::exists(picture)) fmt::print("{}{}\n", picture.string(), of);
+}
+
+void refuse(std::string const& wrong) {
+  if (!wrong.empty()) throw FileError(wrong);
+}
+
+/// The pictures of a run; of one that is not done, of its last checkpoint.
+void plot_run(fs::path const& folder, std::string const& format) {
+  auto const status = status_of(folder);
+  auto const result = folder / "result.h5";
+  if (!fs::exists(result))
+    throw InputError(fmt::format(
+        "{}: has nothing to draw before its first checkpoint; `kill -USR1 PID` writes one now",
+        folder.string()));
+  auto of = fmt::format(", of strain {:.4g} of {:.4g}", status.strain, status.whole);
+  if (status.state == RunStatus::State::done) of.clear();
+  if (status.age > 0)
+    of += fmt::format(" ({} ago{})", time_text(status.age),
+                      status.state == RunStatus::State::running
+                          ? "; `kill -USR1 PID` writes a checkpoint now"
+                          : "");
+  auto const picture = [&](char const* name) {
+    return folder / fmt::format("{}.{}", name, format);
+  };
+  refuse(draw_plot(result, picture("plot")));
+  say_drawn(picture("plot"), of);
+  Scene const scene = read_scene(folder / "scene.toml");
+  if (!scene.measure.profiles && !makes_histograms(scene)) return;
+  refuse(draw_frames(result, format == "png" ? folder : picture("frames")));
+  say_drawn(picture("profiles"), of);
+  say_drawn(picture("fields"), of);
+  say_drawn(picture("histograms"), of);
+}
+
+/// Of each rate that has been begun; once all are done the flow curve too.
+void plot_cascade(fs::path const& folder, Scene const& cascade, std::string const& format) {
+  for (auto const& stage : stage_folders(cascade))
+    if (fs::exists(folder / stage / "result.h5")) plot_run(folder / stage, format);
+  if (!fs::exists(folder / "summary.json")) return;
+  auto const picture = folder / ("flow_curve." + format);
+  refuse(draw_plot(folder, picture));
+  say_drawn(picture, "");
+}
+
+/// What `analyse table` draws of the tables that are there, and the points at first sight, where
+/// they have averages.
+void plot_sweep(fs::path const& folder, std::string const& format) {
+  if (!fs::exists(folder / "sweep.h5"))
+    throw InputError(
+        fmt::format("{0}: has no tables yet; `bagnold sweep {0}/sweep.toml --out {0} --collect` "
+                    "writes those of "
+                    "the points that are done",
+                    folder.string()));
+  auto made = analysis::analyse(folder, {.kind = "table"});
+  made.picture.replace_extension(format);
+  refuse(draw_analysis(made.drawn, made.picture));
+  say_drawn(made.picture, "; `bagnold analyse table --help` for other axes");
+  auto const picture = folder / ("sweep." + format);
+  if (draw_plot(folder, picture).empty()) say_drawn(picture, "");
+}
+
+int plot_command(PlotOptions const& options) {
+  auto const& folder = options.folder;
+  if (fs::exists(folder / "points.json")) {
+    plot_sweep(folder, options.format);
+    return done;
+  }
+  status_of(folder);  // or it holds nothing
+  Scene const scene = read_scene(folder / "scene.toml");
+  if (scene.shear.protocol == "cascade")
+    plot_cascade(folder, scene, options.format);
+  else
+    plot_run(folder, options.format);
+  return done;
+}
+
+}  // namespace
+
+Command add_plot(Words program) {
+  auto const options = std::make_shared<PlotOptions>();
+  Words command = add_command(program, "plot",
+                              "draw the pictures of a run, a cascade or a sweep now, also while it "
+                              "runs: of its last checkpoint");
+  command.option("DIR", options->folder, "folder of a run or a sweep").required();
+  command.option("--format", options->format, "png, pdf or svg [png]")
+      .one_of({"png", "pdf", "svg"});
+  return {command, [options] { return plot_command(*options); }};
+}
+
+}  // namespace bagnold

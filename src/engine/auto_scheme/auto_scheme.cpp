@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/engine/auto_scheme/auto_scheme.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "kernels/physics/schemes/schemes.hpp"
+#include "src/config/errors.hpp"
+#include "src/config/time_step.hpp"
+#include "src/engine/engine_memory.hpp"
+
+namespace bagnold {
+
+namespace {
+
+/// A snapshot that another engine goes on from: without lists and memory, with steps of its own.
+Snapshot handed_over(Snapshot&& snapshot, std::int64_t step) {
+  Snapshot to = std::move(snapshot);
+  to.step = step;
+  to.list_position.clear();
+  to.list_step = 0;
+  to.memory.clear();
+  return to;
+}
+
+/// Leaves what the engine itself wrote down.
+void forget_choice(Snapshot& snapshot) {
+  std::erase_if(snapshot.memory, [](auto const& one) { return one.first.starts_with("auto_"); });
+}
+
+/// What a stretch has sampled, all windows together.
+WindowSums sum_of(OpenWindows const& windows) {
+  OpenWindows all;
+  for (auto const& window : windows.sums)
+    if (window.weight > 0) all.add(0, window.sums, window.weight);
+  return all.of(0);
+}
+
+}  // namespace
+
+AutoScheme::AutoScheme(Scene const& scene, std::int64_t length, Snapshot&& snapshot,
+                       MakeEngine make)
+    : two_stage_(scene), implicit_(scene), length_(length), make_(std::move(make)) {
+  two_stage_.integration.scheme = DefaultScheme::name;
+  two_stage_.integration.time_step = time_step(scene);
+  implicit_.integration.scheme = ImplicitDamping::name;
+  implicit_.integration.time_step = static_cast<double>(length) * time_step(scene);
+  stretch_ = length * std::max(least_steps, least_samples * scene.measure.every);
+  if (!snapshot.memory.empty()) {
+    for_each_memory(RestoreMemory{snapshot.memory});
+    for_each_counter(RestoreCounter{snapshot.counters});
+    forget_choice(snapshot);
+  }
+  if (is_implicit_) snapshot.step /= length_, snapshot.list_step /= length_;
+  engine_ = make_(is_implicit_ ? implicit_ : two_stage_, std::move(snapshot));
+}
+
+std::int64_t AutoScheme::step() const { return engine_->step() * (is_implicit_ ? length_ : 1); }
+
+void AutoScheme::advance(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) {
+  auto const end = std::min(step() + steps, sampling.last_step);
+  while (step() < end) {
+    auto const begin = step() / stretch_ * stretch_;
+    bool const whole = step() == begin && begin + stretch_ <= sampling.last_step;
+    if (whole && choice_.implicit()) {
+      try_stretch(sampling, windows);
+      continue;
+    }
+    if (sampling.whole && choice_.implicit()) return;  // a longer run would try the stretch
+    auto const from = step();
+    step_by_two_stages(begin, end, sampling, windows);
+    if (step() == from) return;
+  }
+}
+
+/// Up to the next trial, or in a piece at the end of the run that is no whole stretch to its end.
+void AutoScheme::step_by_two_stages(std::int64_t begin, std::int64_t end, Sampling const& sampling,
+                                    OpenWindows& windows) {
+  if (is_implicit_) change_to_two_stages();
+  auto const next_trial = begin + std::max<std::int64_t>(1, choice_.pause_left()) * stretch_;
+  Sampling part = sampling;
+  part.last_step = std::min(next_trial, sampling.last_step);
+  part.whole = sampling.whole && next_trial > sampling.last_step;
+  engine_->advance(std::min(end, part.last_step) - step(), part, windows);
+  for (auto done = begin + stretch_; done <= step(); done += stretch_)
+    choice_.explicit_stretch_done();
+}
+
+void AutoScheme::try_stretch(Sampling const& sampling, OpenWindows& windows) {
+  auto const begin = step();
+  Snapshot kept = snapshot();
+  if (!is_implicit_) change_to_implicit();
+  OpenWindows held;
+  held.first = begin / sampling.window_steps;
+  if (!step_stretch(sampling, held)) {
+    go_back(std::move(kept));
+    return;
+  }
+  implicit_steps_ += stretch_;
+  for (auto const& window : held.sums) {
+    if (window.weight > 0) windows.add(held.first, window.sums, window.weight);
+    ++held.first;
+  }
+}
+
+/// A stretch of implicit damping; whether it may be kept. It is given up where a quarter shows that
+/// motions are not overdamped.
+bool AutoScheme::step_stretch(Sampling const& sampling, OpenWindows& held) {
+  auto const begin = engine_->step(), length = stretch_ / length_;
+  constexpr std::int64_t parts = 4;
+  try {
+    for (std::int64_t part = 1; part <= parts; ++part) {
+      Sampling const scaled{.window_steps = sampling.window_steps / length_,
+                            .every = sampling.every,
+                            .last_step = begin + length * part / parts};
+      while (engine_->step() < scaled.last_step)
+        engine_->advance(scaled.last_step - engine_->step(), scaled, held);
+      if (!SchemeChoice::is_overdamped(sum_of(held))) return choice_.refuse();
+    }
+  } catch (NumericalError const&) {
+    return choice_.refuse();
+  }
+  double const rate = two_stage_.shear.strain_rate;
+  double const strain = rate * time_step(two_stage_) * static_cast<double>(stretch_);
+  bool const keeps = choice_.keeps(sum_of(held), strain, rate);
+  auto const weight = static_cast<double>(length_);
+  for (auto& window : held.sums) {
+    for (double& sum : window.sums) sum *= weight;
+    window.weight *= weight;
+  }
+  return keeps;
+}
+
+void AutoScheme::change_to_implicit() {
+  auto const step = engine_->step() / length_;
+  engine_ = make_(implicit_, handed_over(engine_->snapshot(), step));
+  is_implicit_ = true;
+}
+
+void AutoScheme::change_to_two_stages() {
+  auto const step = engine_->step() * length_;
+  engine_ = make_(two_stage_, handed_over(engine_->snapshot(), step));
+  is_implicit_ = false;
+}
+
+/// To the start of a stretch that is not kept, from where two stages go on.
+void AutoScheme::go_back(Snapshot&& kept) {
+  ++refused_;
+  bool const was_implicit = kept.memory.at("auto_is_implicit") != 0;
+  if (was_implicit) kept = handed_over(std::move(kept), kept.step);
+  forget_choice(kept);
+  engine_ = make_(two_stage_, std::move(kept));
+  is_implicit_ = false;
+}
+
+Snapshot AutoScheme::snapshot() const {
+  auto& self = const_cast<AutoScheme&>(*this);  // visits do not change what they write down
+  Snapshot snapshot = engine_->snapshot();
+  if (is_implicit_) snapshot.step *= length_, snapshot.list_step *= length_;
+  self.for_each_memory(WriteDown{snapshot.memory});
+  self.for_each_counter(WriteDown{snapshot.counters});
+  return snapshot;
+}
+
+/// What must be known to go on bit for bit, beside what the engine must.
+template <class Visit>
+void AutoScheme::for_each_memory(Visit const& visit) {
+  visit("auto_is_implicit", is_implicit_);
+  choice_.for_each_memory(visit);
+}
+
+template <class Visit>
+void AutoScheme::for_each_counter(Visit const& visit) {
+  visit("steps_by_implicit_damping", implicit_steps_);
+  visit("implicit_stretches_refused", refused_);
+}
+
+}  // namespace bagnold

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "src/config/scene.hpp"
+#include "src/engine/auto_scheme/scheme_choice.hpp"
+#include "src/engine/simulation.hpp"
+
+namespace bagnold {
+
+/// What makes an engine of a scene's scheme go on from a snapshot.
+using MakeEngine = std::function<std::unique_ptr<Simulation>(Scene const&, Snapshot&&)>;
+
+/// scheme = "auto": two stages, and implicit damping where SchemeChoice finds that it does as well.
+///
+/// Steps are those of two stages; a step of implicit damping is `length` of them long
+/// (implicit_step_length()). Schemes change at multiples of a stretch alone. A stretch of implicit
+/// damping is held back until its end: what it has measured is given on where it is kept, and
+/// where it is not two stages step it again from its start. A configuration that implicit damping
+/// evaluates stands for `length` of two stages' evaluations.
+class AutoScheme : public Simulation {
+ public:
+  AutoScheme(Scene const& scene, std::int64_t length, Snapshot&& snapshot, MakeEngine make);
+
+  int columns() const override { return engine_->columns(); }
+  std::int64_t step() const override;
+  void advance(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) override;
+  Snapshot snapshot() const override;
+  void give_back_scratch() override { engine_->give_back_scratch(); }
+  State state() const override { return engine_->state(); }
+
+ private:
+  /// Least implicit steps of a stretch, and configurations evaluated in it.
+  static constexpr std::int64_t least_steps = 160, least_samples = 16;
+
+  void change_to_implicit();
+  void change_to_two_stages();
+  void go_back(Snapshot&& kept);
+  void step_by_two_stages(std::int64_t begin, std::int64_t end, Sampling const& sampling,
+                          OpenWindows& windows);
+  void try_stretch(Sampling const& sampling, OpenWindows& windows);
+  bool step_stretch(Sampling const& sampling, OpenWindows& held);
+
+  template <class Visit>
+  void for_each_memory(Visit const& visit);
+  template <class Visit>
+  void for_each_counter(Visit const& visit);
+
+  Scene two_stage_, implicit_;
+  std::int64_t length_;   ///< of an implicit step, [steps]
+  std::int64_t stretch_;  ///< [steps]
+  MakeEngine make_;
+  std::unique_ptr<Simulation> engine_;
+  bool is_implicit_ = false;  ///< which engine that is
+  SchemeChoice choice_;
+  std::int64_t implicit_steps_ = 0;  ///< steps that implicit damping took, in steps of two stages
+  std::int64_t refused_ = 0;         ///< stretches
+};
+
+}  // namespace bagnold

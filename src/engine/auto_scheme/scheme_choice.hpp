@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "kernels/physics/sums/sums.hpp"
+#include "src/engine/sampling.hpp"
+
+namespace bagnold {
+
+/// Energy that the shear puts in and that damping takes out, summed over evaluated configurations
+/// (SumColumns).
+struct EnergyBalance {
+  double driven = 0;      ///< sigma gammadot L_x L_y
+  double dissipated = 0;  ///< D
+
+  /// 1 - D/(sigma gammadot L_x L_y): what goes into motion or elastic energy, or what a scheme
+  /// takes away unseen.
+  double gap() const { return 1 - dissipated / driven; }
+
+  void add(std::vector<double> const& sums, double strain_rate) {
+    using C = SumColumns;
+    driven -= (sums[C::elastic_xy] + sums[C::dissipative_xy] + sums[C::kinetic_xy]) * strain_rate;
+    dissipated += sums[C::dissipation];
+  }
+};
+
+/// p_kin/p of sums over configurations; infinite where the pressure is not positive.
+inline double kinetic_share(std::vector<double> const& sums) {
+  using C = SumColumns;
+  double const kinetic = sums[C::kinetic_xx] + sums[C::kinetic_yy];
+  double const all = kinetic + sums[C::elastic_xx] + sums[C::elastic_yy] + sums[C::dissipative_xx] +
+                     sums[C::dissipative_yy];
+  return all > 0 ? kinetic / all : HUGE_VAL;
+}
+
+/// Whether the next stretch of a run is stepped with implicit damping. It is where motions are
+/// overdamped: p_kin/p of the stretch below most_kinetic, and the energy gap below most_gap over
+/// strains of gap_strain, where stored elastic energy no longer blurs it (docs/accuracy.md, "Which
+/// scheme auto takes"). Where a stretch fails, two stages take the next ones, twice as many as
+/// after the failure before.
+class SchemeChoice {
+ public:
+  static constexpr double most_kinetic = 1e-4;
+  static constexpr double most_gap = 0.01;
+  static constexpr double gap_strain = 2;
+  static constexpr std::int64_t longest_pause = 1024;  ///< [stretches]
+
+  /// Whether p_kin/p is small enough; not where nothing was sampled.
+  static bool is_overdamped(WindowSums const& sampled) {
+    return sampled.weight > 0 && kinetic_share(sampled.sums) < most_kinetic;
+  }
+
+  bool implicit() const { return pause_left_ == 0; }
+
+  /// Stretches that two stages still take.
+  std::int64_t pause_left() const { return pause_left_; }
+
+  /// Two stages have stepped a stretch.
+  void explicit_stretch_done() { --pause_left_; }
+
+  /// Implicit damping has stepped a stretch; whether it may be kept.
+  bool keeps(WindowSums const& sampled, double strain, double strain_rate) {
+    if (!is_overdamped(sampled)) return refuse();
+    balance_.add(sampled.sums, strain_rate);
+    balance_strain_ += strain;
+    if (balance_strain_ < gap_strain) return keep();
+    double const gap = balance_.gap();
+    balance_ = {};
+    balance_strain_ = 0;
+    return std::abs(gap) < most_gap ? keep() : refuse();
+  }
+
+  /// The stretch cannot be kept; false.
+  bool refuse() {
+    pause_left_ = pause_;
+    pause_ = std::min(2 * pause_, longest_pause);
+    balance_ = {};
+    balance_strain_ = 0;
+    return false;
+  }
+
+  /// What the choice depends on.
+  template <class Visit>
+  void for_each_memory(Visit const& visit) {
+    visit("auto_pause", pause_);
+    visit("auto_pause_left", pause_left_);
+    visit("auto_driven", balance_.driven);
+    visit("auto_dissipated", balance_.dissipated);
+    visit("auto_balance_strain", balance_strain_);
+  }
+
+ private:
+  bool keep() {
+    pause_ = 1;
+    return true;
+  }
+
+  std::int64_t pause_ = 1;       ///< after the next failure, [stretches]
+  std::int64_t pause_left_ = 1;  ///< a start is no steady state
+  EnergyBalance balance_;        ///< since it was last looked at
+  double balance_strain_ = 0;
+};
+
+}  // namespace bagnold

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace bagnold::quasi_static {
+
+/// A block of a symmetric matrix below its diagonal, row > column.
+struct Entry {
+  std::int32_t row, column;
+
+  friend bool operator==(Entry const&, Entry const&) = default;
+};
+
+/// Which blocks of the Cholesky factor L of a symmetric matrix are not zero: those of the matrix
+/// and those that elimination fills in, by the elimination tree (Davis, Direct Methods for Sparse
+/// Linear Systems, Secs. 4.1-4.4).
+struct FactorPattern {
+  std::vector<std::int32_t> first;  ///< [N + 1] of each column in `row`
+  std::vector<std::int32_t> row;    ///< of column k: k, then those below, rising
+
+  FactorPattern() = default;
+  FactorPattern(std::int32_t columns, std::vector<Entry> const& entries);
+
+  /// Where a block is in `row`; it has to be there.
+  std::size_t find(Entry const& entry) const;
+};
+
+}  // namespace bagnold::quasi_static

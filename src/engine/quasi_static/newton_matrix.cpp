@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/engine/quasi_static/newton_matrix.hpp"
+
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseCore>
+#include <algorithm>
+#include <utility>
+
+namespace bagnold::quasi_static {
+
+namespace {
+
+/// What the motion of each disk of a pair adds to the velocity at their contact, and its matrix:
+/// of disk i G_i = (1, q d_i/(d_i + d_j)), of j (-1, q d_j/(d_i + d_j)), q = -z^ x r_ij of the
+/// spins, along the tangent.
+template <int unknowns>
+struct PairBlocks {
+  Eigen::Matrix<double, 2, unknowns> of_i, of_j;
+  Eigen::Matrix2d contact;
+
+  explicit PairBlocks(ActivePair const& pair) {
+    auto const& r = pair.force.separation;
+    Eigen::Vector2d const separation(r.x, r.y), n = separation.normalized();
+    of_i.template leftCols<2>().setIdentity();
+    of_j.template leftCols<2>() = -Eigen::Matrix2d::Identity();
+    if constexpr (unknowns == 3) {
+      Eigen::Vector2d const q(r.y, -r.x);
+      of_i.col(2) = pair.share_i * q;
+      of_j.col(2) = pair.share_j * q;
+    }
+    contact = pair.tangential * Eigen::Matrix2d::Identity() +
+              (pair.normal - pair.tangential) * n * n.transpose();
+  }
+};
+
+}  // namespace
+
+template <bool Rotates>
+void NewtonMatrix<Rotates>::order(std::uint32_t disks, std::vector<NearPair> const& contacts) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::uint32_t i = 0; i < disks; ++i) entries.emplace_back(i, i, 1);
+  for (auto const& pair : contacts) {
+    entries.emplace_back(pair.i, pair.j, 1);
+    entries.emplace_back(pair.j, pair.i, 1);
+  }
+  Eigen::SparseMatrix<double> graph(disks, disks);
+  graph.setFromTriplets(entries.begin(), entries.end());
+  Eigen::AMDOrdering<int>::PermutationType eliminated;
+  Eigen::AMDOrdering<int>{}(graph, eliminated);
+  place_.resize(disks);
+  for (std::int32_t k = 0; k < static_cast<std::int32_t>(disks); ++k)
+    place_[static_cast<std::size_t>(eliminated.indices()[k])] = k;
+  entries_.clear();
+  pattern_ = {};
+}
+
+/// Where the pairs have their blocks; the pattern of before, if these are those of before.
+template <bool Rotates>
+void NewtonMatrix<Rotates>::lay_out(std::vector<ActivePair> const& active) {
+  std::vector<Entry> entries;
+  entries.reserve(active.size());
+  for (auto const& pair : active) {
+    auto const [column, row] = std::minmax(place_[pair.i], place_[pair.j]);
+    entries.push_back({row, column});
+  }
+  if (entries == entries_ && !pattern_.row.empty()) return;
+  entries_ = std::move(entries);
+  pattern_ = FactorPattern(static_cast<std::int32_t>(place_.size()), entries_);
+}
+
+template <bool Rotates>
+void NewtonMatrix<Rotates>::factorize(Eigen::VectorXd const& inertia,
+                                      std::vector<ActivePair> const& active) {
+  lay_out(active);
+  factor_.clear(pattern_);
+  auto const diagonal = [&](std::size_t disk) {
+    return static_cast<std::size_t>(pattern_.first[static_cast<std::size_t>(place_[disk])]);
+  };
+  for (std::size_t i = 0; i < place_.size(); ++i)
+    factor_.add(diagonal(i),
+                inertia.segment<unknowns>(unknowns * static_cast<Eigen::Index>(i)).asDiagonal());
+  for (std::size_t k = 0; k < active.size(); ++k) {
+    PairBlocks<unknowns> const of(active[k]);
+    factor_.add(diagonal(active[k].i), of.of_i.transpose() * of.contact * of.of_i);
+    factor_.add(diagonal(active[k].j), of.of_j.transpose() * of.contact * of.of_j);
+    auto const place = pattern_.find(entries_[k]);
+    if (place_[active[k].i] > place_[active[k].j])
+      factor_.add(place, of.of_i.transpose() * of.contact * of.of_j);
+    else
+      factor_.add(place, of.of_j.transpose() * of.contact * of.of_i);
+  }
+  factor_.factorize(pattern_);
+}
+
+template <bool Rotates>
+Eigen::VectorXd NewtonMatrix<Rotates>::solve(Eigen::VectorXd const& right) const {
+  Eigen::VectorXd ordered(right.size()), u(right.size());
+  for (std::size_t i = 0; i < place_.size(); ++i)
+    ordered.segment<unknowns>(unknowns * place_[i]) =
+        right.segment<unknowns>(unknowns * static_cast<Eigen::Index>(i));
+  factor_.solve(pattern_, ordered);
+  for (std::size_t i = 0; i < place_.size(); ++i)
+    u.segment<unknowns>(unknowns * static_cast<Eigen::Index>(i)) =
+        ordered.segment<unknowns>(unknowns * place_[i]);
+  return u;
+}
+
+template class NewtonMatrix<false>;
+template class NewtonMatrix<true>;
+
+}  // namespace bagnold::quasi_static

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "kernels/physics/laws/pair_force.hpp"
+#include "src/engine/quasi_static/near_pairs.hpp"
+
+namespace bagnold::quasi_static {
+
+/// What a system is made of.
+struct Material {
+  std::vector<Species> species;  ///< [N]
+  SpeciesTable table;
+  Real normal_damping, tangential_damping;  ///< k_n, k_t, [m / tau_e]
+
+  Real diameter(std::uint32_t i) const { return table.diameter[species[i]]; }
+};
+
+/// Where a step begins, and how long it is.
+struct StepStart {
+  std::vector<Vec2<Real>> position;  ///< [N], [d_s]
+  Eigen::VectorXd motion;            ///< {v_x, v_y} or {v_x, v_y, thetadot} of each disk
+  Real duration = 0;                 ///< h, [tau_e]
+  ShearedBox before{}, after{};      ///< the box where it begins and where it ends
+};
+
+/// A pair that acts on its disks in a step.
+struct ActivePair {
+  std::uint32_t i, j;
+  PairForce<Real> force;  ///< where the step ends
+  bool touches;           ///< there
+  Real share_i, share_j;  ///< d_i/(d_i + d_j) and d_j/(d_i + d_j)
+  Real normal;            ///< h^2 k + h s' k_n: change of the impulse with the velocity, [m]
+  Real tangential;        ///< h s_t k_t, [m]
+};
+
+/// The equations of one step of backward Euler, forces at the new positions:
+///
+///     R(u) = M (u - v) - h F(r + h u, u) = 0
+///
+/// u: velocities, and spins where disks rotate, at its end; damping: StepDamping. R is the gradient
+/// of a convex function of u, but for the turning of contacts in the step.
+template <bool Rotates>
+class StepEquations {
+ public:
+  static constexpr int unknowns = Rotates ? 3 : 2;  ///< of a disk
+
+  explicit StepEquations(Material material);
+
+  /// pairs: all that may touch in the step; they have to stay.
+  void begin(StepStart start, std::vector<NearPair> const& pairs);
+
+  /// R(u), [m d_s / tau_e]. glued: pairs that touched when the step began are held by their springs
+  /// also where these are stretched: a first guess that keeps the network together.
+  void evaluate(Eigen::VectorXd const& u, bool glued);
+
+  StepStart const& start() const { return start_; }
+  Eigen::VectorXd const& residual() const { return residual_; }
+  std::vector<Vec2<Real>> const& position() const { return position_; }  ///< r + h u
+  std::vector<ActivePair> const& active() const { return active_; }
+
+  /// What a solution is judged by: max |R|/h of forces and torques over the mean elastic force in
+  /// contacts, or where that is less, over (k_n + k_t) gammadot d_s.
+  Real relative_residual() const;
+
+  Eigen::VectorXd const& inertia() const { return inertia_; }  ///< M: m, m, I of each disk
+
+  /// Takes off the motion of all that the equations do not allow: sum m (u - v) = 0.
+  void keep_momentum(Eigen::VectorXd& u) const;
+
+ private:
+  void add(NearPair const& pair, Real overlap_before, Eigen::VectorXd const& u, bool glued);
+
+  Material material_;
+  Eigen::VectorXd inertia_;
+  Real mass_ = 0;  ///< of all
+  StepStart start_;
+  std::vector<NearPair> const* pairs_ = nullptr;
+  std::vector<Real> overlap_before_;  ///< d_ij - r_ij of each pair, [d_s]
+  std::vector<Vec2<Real>> position_;
+  std::vector<ActivePair> active_;
+  Eigen::VectorXd residual_;
+};
+
+}  // namespace bagnold::quasi_static

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "src/io/h5md_file.hpp"
+#include "src/state/state.hpp"
+
+namespace bagnold {
+
+/// Images of disks along frames, as H5MD has them: position + image . (cell vectors) follows a disk
+/// through the boundaries. Frames hold disks in the box, so each disk is taken to go, from one
+/// frame to the next, the way nearest to the mean flow:
+///
+///     y += nearest image,    x += dgamma (y_before + y_after) / 2 + nearest image
+///
+/// right as long as its displacement against the mean flow stays below half the box.
+class Unwrapping {
+ public:
+  /// Images of the next frame, zero in the first. strain: gamma of the frame.
+  io::Images next(State const& state, double strain);
+
+  /// Goes on behind a frame whose images are known.
+  void go_on_from(State const& state, double strain, io::Images images);
+
+  bool begun() const { return begun_; }
+
+ private:
+  bool begun_ = false;
+  std::vector<std::array<double, 2>> position_;  ///< [N], of the frame before, [d_s]
+  io::Images images_;                            ///< [N], of the frame before
+  double strain_ = 0, tilt_ = 0;                 ///< of the frame before
+};
+
+}  // namespace bagnold

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/run/status.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "src/config/cascade.hpp"
+#include "src/config/errors.hpp"
+#include "src/config/plan.hpp"
+#include "src/config/run_time.hpp"
+#include "src/config/scene_file.hpp"
+#include "src/io/atomic_file.hpp"
+#include "src/io/checkpoint.hpp"
+#include "src/io/run_lock.hpp"
+#include "src/io/trajectory_parts.hpp"
+
+namespace bagnold {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using Standing = RunStatus::State;
+
+double age_of(fs::path const& file) {
+  std::error_code error;
+  auto const written = fs::last_write_time(file, error);
+  if (error) return 0;
+  return std::max(
+      0.0, std::chrono::duration<double>(fs::file_time_type::clock::now() - written).count());
+}
+
+std::vector<std::string> names_in(Json const& summary, char const* list) {
+  std::vector<std::string> names;
+  for (auto const& one : summary.value(list, Json::array())) names.push_back(one.value("name", ""));
+  return names;
+}
+
+/// What a run that is done says of itself.
+void add_summary(RunStatus& status, fs::path const& file) try {
+  auto const bytes = io::read_file(file);
+  auto const* text = reinterpret_cast<char const*>(bytes.data());
+  Json const summary = Json::parse(text, text + bytes.size());
+  status.warnings = names_in(summary, "warnings");
+  status.notes = names_in(summary, "notes");
+  if (!summary.contains("strain")) return;  // of a cascade: each rate has its own
+  status.strain = status.whole = summary.at("strain").at("total").get<double>();
+  status.seconds = summary.at("wall_seconds").get<double>();
+  auto const& disks = summary.at("scene").at("disks");
+  status.work = status.whole_work = summary.at("steps").get<double>() *
+                                    disks.at("count").get<double>() *
+                                    disks.at("replicas").get<double>();
+} catch (Json::exception const& error) {
+  throw FileError(fmt::format("{}: is damaged ({}); remove it and `bagnold resume {}`",
+                              file.string(), error.what(), file.parent_path().string()));
+}
+
+/// How far one that is not done has come. False where no checkpoint tells.
+bool add_checkpoint(RunStatus& status, fs::path const& folder, Plan const& plan, double disks) {
+  auto const checkpoint = io::newest_checkpoint(folder, nullptr);
+  if (!checkpoint) return false;
+  for (auto const& system : checkpoint->systems)
+    status.strain += plan.strain(std::min(system.step, plan.steps)) /
+                     static_cast<double>(checkpoint->systems.size());
+  status.work = static_cast<double>(checkpoint->steps()) * disks;
+  status.seconds = checkpoint->wall_seconds;
+  status.age = age_of(folder / "checkpoint.h5");
+  return true;
+}
+
+/// The last thing that a point of a sweep said in its log; "" where it has none.
+std::string last_words(fs::path const& log) {
+  constexpr std::string_view mark = "bagnold: ";
+  std::ifstream in(log);
+  std::string words;
+  for (std::string line; std::getline(in, line);)
+    if (line.starts_with(mark)) words = line.substr(mark.size());
+  return words;
+}
+
+/// Of one that is not done, and that nobody works on.
+Standing without_process(fs::path const& folder, bool begun, RunStatus& status) {
+  auto const failed = folder / "failed_state.h5";
+  if (fs::exists(failed) && (!begun || age_of(failed) <= age_of(folder / "checkpoint.h5")))
+    status.why = fmt::format("numerical failure, its state is in {}", failed.string());
+  auto const words = last_words(folder / "log.txt");
+  if (words.starts_with("stopped")) return Standing::stopped;
+  if (words.empty() && status.why.empty()) return begun ? Standing::stopped : Standing::not_begun;
+  if (!words.empty()) status.why = words;
+  return Standing::failed;
+}
+
+}  // namespace
+
+std::optional<double> RunStatus::seconds_left() const {
+  if (state == Standing::done) return 0.0;
+  if (!(seconds > 0) || !(work > 0)) return std::nullopt;
+  double const left = (whole_work - work) * seconds / work;
+  return std::max(0.0, left - (state == Standing::running ? age : 0));
+}
+
+RunStatus status_of(fs::path const& folder) {
+  if (!fs::exists(folder / "scene.toml") && !fs::exists(folder / "summary.json"))
+    throw InputError(fmt::format(
+        "{}: holds no run and no sweep; give the --out of `bagnold run` or `bagnold sweep`",
+        folder.string()));
+  RunStatus status;
+  status.holder = io::lock_holder(folder);
+  if (io::run_finished(folder)) {
+    status.state = Standing::done;
+    add_summary(status, folder / "summary.json");
+    return status;
+  }
+  Scene const scene = read_scene(folder / "scene.toml");
+  bool begun = false;
+  if (scene.shear.protocol != "cascade") {
+    Plan const plan = make_plan(scene);
+    status.whole = plan.strain(plan.steps);
+    status.whole_work = disk_steps(scene, plan);
+    begun = add_checkpoint(status, folder, plan, static_cast<double>(scene.disks.count));
+  }
+  status.state =
+      !status.holder.empty() ? Standing::running : without_process(folder, begun, status);
+  return status;
+}
+
+std::vector<RunStatus> status_of_stages(fs::path const& folder) {
+  std::vector<RunStatus> stages;
+  if (!fs::exists(folder / "scene.toml")) return stages;
+  Scene const scene = read_scene(folder / "scene.toml");
+  if (scene.shear.protocol != "cascade") return stages;
+  for (std::size_t k = 0; k < scene.shear.strain_rates.size(); ++k) {
+    auto const path = folder / stage_folder(scene, k);
+    if (fs::exists(path / "scene.toml")) {
+      stages.push_back(status_of(path));
+      continue;
+    }
+    stages.push_back(status_not_begun(stage_of(scene, k, "")));
+  }
+  return stages;
+}
+
+RunStatus status_not_begun(Scene const& scene) {
+  RunStatus status;
+  auto const plan = make_plan(scene);
+  status.whole = plan.strain(plan.steps);
+  status.whole_work = disk_steps(scene, plan);
+  return status;
+}
+
+char const* word(RunStatus::State state) {
+  switch (state) {
+    case Standing::not_begun:
+      return "not begun";
+    case Standing::running:
+      return "running";
+    case Standing::stopped:
+      return "stopped";
+    case Standing::failed:
+      return "failed";
+    case Standing::done:
+      break;
+  }
+  return "done";
+}
+
+}  // namespace bagnold

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include "src/config/quasi_static.hpp"
+#include "src/run/warnings/checks.hpp"
+
+namespace bagnold {
+
+namespace {
+
+constexpr double most_gap_of_creep = 0.01;  ///< docs/accuracy.md, "Quasi-static steps"
+
+}  // namespace
+
+std::optional<Warning> quasi_static_inertia(FinishedRun const& finished) {
+  if (!is_quasi_static(finished.run.scene)) return {};
+  auto const found = energy_gap_beyond(most_gap_of_creep, finished);
+  if (!found) return {};
+  return Warning{
+      "quasi_static_inertia", found->numbers(),
+      fmt::format("{}: inertia has a part in this flow, and integration.engine = \"{}\" may hold "
+                  "it in another state than it would be in",
+                  found->in_words(), quasi_static_engine),
+      "set integration.engine = \"auto\", which steps through collisions"};
+}
+
+}  // namespace bagnold

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/sweep/placed_points.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "src/config/errors.hpp"
+#include "src/config/scene_file.hpp"
+#include "src/io/atomic_file.hpp"
+
+namespace bagnold::sweep {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// A point that is there.
+struct Known {
+  std::string folder, scene;
+  Scene read;            ///< start.file absolute
+  bool started = false;  ///< another one starts from its last state
+  bool taken = false;
+};
+
+/// Through the reader, which fills in the default of a key that an older program did not know, and
+/// makes start.file absolute.
+Scene read_in(fs::path const& points, std::string const& scene, std::string const& name) {
+  return parse_scene(scene, name, points / name);
+}
+
+std::string but_for_strain(Scene scene) {
+  scene.shear.strain = 1.0;
+  return write_scene(scene);
+}
+
+std::vector<Known> read_known(fs::path const& folder) {
+  auto const file = folder / "points.json";
+  if (!fs::exists(file)) return {};
+  auto const bytes = io::read_file(file);
+  auto const* text = reinterpret_cast<char const*>(bytes.data());
+  Json const all = Json::parse(text, text + bytes.size(), nullptr, /*allow_exceptions=*/false);
+  if (!all.is_object() || !all.contains("points") || !all["points"].is_array())
+    throw InputError(fmt::format("{}: is damaged; choose another --out", file.string()));
+  std::vector<Known> known;
+  for (auto const* list : {"points", "left"})
+    for (auto const& point : all.value(list, Json::array())) {
+      auto const name = point.value("folder", ""), scene = point.value("scene", "");
+      known.push_back({name, scene, read_in(folder / "points", scene, name)});
+    }
+  std::set<std::string> starts;
+  for (auto const& point : known) starts.insert(point.read.start.file);
+  for (auto& point : known)
+    point.started = starts.contains((folder / "points" / point.folder / "state.h5").string());
+  return known;
+}
+
+/// Numbers points behind those that are there.
+class Numbers {
+ public:
+  explicit Numbers(std::vector<Known> const& known) {
+    for (auto const& point : known)
+      last_ = std::max(last_, std::strtoul(point.folder.c_str(), nullptr, 10));
+  }
+
+  /// "0003_elasticity=10" with the next number.
+  std::string next(std::string const& name) {
+    return fmt::format("{:04}{}", ++last_, name.substr(name.find_first_not_of("0123456789")));
+  }
+
+ private:
+  unsigned long last_ = 0;
+};
+
+/// Points by what is asked of them, in the order of the folder's file.
+class Places {
+ public:
+  explicit Places(std::vector<Known> known) : known_(std::move(known)) {
+    for (auto& point : known_) {
+      exact_.emplace(write_scene(point.read), &point);
+      shorter_.emplace(but_for_strain(point.read), &point);
+    }
+  }
+
+  Known* exact(Scene const& scene) const {
+    auto const at = exact_.find(write_scene(scene));
+    return at == exact_.end() ? nullptr : at->second;
+  }
+
+  /// The longest with less strain.
+  Known* shorter(Scene const& scene) const {
+    Known* best = nullptr;
+    auto const [begin, end] = shorter_.equal_range(but_for_strain(scene));
+    for (auto at = begin; at != end; ++at) {
+      Known* const one = at->second;
+      double const strain = one->read.shear.strain;
+      if (scene.shear.protocol != "steady" || one->started || one->taken ||
+          !(strain < scene.shear.strain))
+        continue;
+      if (best == nullptr || strain > best->read.shear.strain) best = one;
+    }
+    return best;
+  }
+
+  std::vector<Known>& all() { return known_; }
+
+ private:
+  std::vector<Known> known_;
+  std::map<std::string, Known*> exact_;
+  std::multimap<std::string, Known*> shorter_;
+};
+
+/// The first line in which two texts differ, "old -> new".
+std::string difference(std::string const& old_text, std::string const& new_text) {
+  std::istringstream old_lines(old_text), new_lines(new_text);
+  for (std::string before, after;
+       std::getline(old_lines, before) && std::getline(new_lines, after);)
+    if (before != after) return fmt::format("`{}` there, `{}` now", before, after);
+  return "another length";
+}
+
+}  // namespace
+
+PlacedPoints place_points(Sweep sweep, fs::path const& name) {
+  auto const folder = fs::absolute(name).lexically_normal();
+  Places places(read_known(folder));
+  Numbers numbers(places.all());
+  bool const is_new = places.all().empty();
+  PlacedPoints placed;
+  std::set<std::size_t> not_there;  // or to be made longer: what starts from it is another point
+  for (std::size_t k = 0; k < sweep.points.size() && !is_new; ++k) {
+    auto& point = sweep.points[k];
+    if (point.previous)
+      point.scene.start.file = "../" + sweep.points[*point.previous].folder + "/state.h5";
+    auto const scene = read_in(folder / "points", write_scene(point.scene), point.folder);
+    bool const starts_anew = point.previous && not_there.contains(*point.previous);
+    Known* known = starts_anew ? nullptr : places.exact(scene);
+    if (known == nullptr) not_there.insert(k);
+    if (known == nullptr && !starts_anew) {
+      known = places.shorter(scene);
+      if (known != nullptr) placed.longer.push_back(k);
+    }
+    if (known != nullptr) {
+      known->taken = true;
+      ++placed.kept;
+    }
+    point.folder = known != nullptr ? known->folder : numbers.next(point.folder);
+  }
+  if (!is_new && placed.kept == 0)
+    throw InputError(fmt::format(
+        "--out {}: holds the sweep of another file (sweep.toml is its copy): none of its {} points "
+        "is in {} (its first: {}); {}choose another folder, or put the file back as it was",
+        name.string(), places.all().size(), sweep.origin,
+        difference(places.all().front().scene, write_scene(sweep.points.front().scene)),
+        std::ranges::any_of(sweep.points,
+                            [](auto const& point) { return point.previous.has_value(); })
+            ? "of a chain only the last points can get more strain, for others start from the "
+              "rest; "
+            : ""));
+  for (auto const& point : places.all())
+    if (!point.taken) placed.left.push_back({point.folder, point.scene});
+  placed.sweep = std::move(sweep);
+  return placed;
+}
+
+std::string changes(PlacedPoints const& placed) {
+  bool const same = placed.left.empty() && placed.longer.empty() && placed.added() == 0;
+  if (placed.begun_with() == 0 || same) return {};
+  auto text = fmt::format("{} points of {} are kept, {} are new", placed.kept, placed.sweep.origin,
+                          placed.added());
+  if (!placed.longer.empty())
+    text += fmt::format("; {} of those that are kept get more strain", placed.longer.size());
+  if (!placed.left.empty()) {
+    text += fmt::format("; {} that left the file stay in points/ without a row in the tables: {}",
+                        placed.left.size(), placed.left.front().folder);
+    if (placed.left.size() > 1) text += " ...";
+  }
+  return text;
+}
+
+}  // namespace bagnold::sweep

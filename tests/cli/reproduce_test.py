@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""scripts/reproduce leaves out what is kept in tables."""
+
+import importlib.machinery
+import importlib.util
+import pathlib
+import tempfile
+import tomllib
+import unittest
+
+SCRIPT = pathlib.Path(__file__).resolve().parents[2] / "scripts/reproduce"
+SWEEP = """title = "tiny"
+[disks]
+count = 32
+[shear]
+strain_rates = [1e-3, 1e-4]
+[sweep]
+grid = { "disks.seed" = [1, 2], "disks.elasticity" = [0.1, 10] }
+zip = { "disks.packing_fraction" = [0.6, 0.7], "shear.strain" = [1, 2] }
+"""
+
+
+def loaded():
+    loader = importlib.machinery.SourceFileLoader("reproduce", str(SCRIPT))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("reproduce", loader))
+    loader.exec_module(module)
+    return module
+
+
+class Rest(unittest.TestCase):
+    def setUp(self):
+        self.reproduce = loaded()
+        self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+        self.file = self.folder / "tiny.toml"
+        self.file.write_text(SWEEP)
+        self.all = self.reproduce.combinations(tomllib.loads(SWEEP)["sweep"])
+
+    def table(self, without):
+        """All rates of all combinations but those of `without`, (combination, rate)."""
+        return [{"disks.count": "32", "disks.seed": str(one["disks.seed"]),
+                 "disks.elasticity": f"{one['disks.elasticity']:g}",
+                 "disks.packing_fraction": f"{one['disks.packing_fraction']:g}",
+                 "shear.strain_rate": f"{rate:g}", "p": "1", "p_error": ""}
+                for one in self.all for rate in (1e-3, 1e-4) if (one, rate) not in without]
+
+    def rest(self, table):
+        target = self.folder / "rest/tiny.toml"
+        if not self.reproduce.write_rest(self.file, table, target):
+            return None
+        found = tomllib.loads(target.read_text())
+        self.assertEqual(found["shear"], {"strain_rates": [1e-3, 1e-4]})
+        return self.reproduce.combinations(found["sweep"])
+
+    def test_all_combinations_are_asked_for(self):
+        self.assertEqual(len(self.all), 8)
+        self.assertIn({"disks.seed": 2, "disks.elasticity": 10, "disks.packing_fraction": 0.7, "shear.strain": 2},
+                      self.all)
+
+    def test_what_is_not_kept_is_left(self):
+        self.assertIsNone(self.rest([]))
+        gone = [(self.all[2], 1e-4), (self.all[5], 1e-3)]
+        self.assertEqual(self.rest(self.table(gone)), [self.all[2], self.all[5]])
+        self.assertEqual(self.rest(self.table([])), [])
+
+    def test_first_seeds_alone(self):
+        target = self.folder / "rest.toml"
+        self.assertTrue(self.reproduce.write_rest(self.file, self.table([(self.all[0], 1e-3)]), target, seeds=1))
+        found = self.reproduce.combinations(tomllib.loads(target.read_text())["sweep"])
+        self.assertEqual(found, [self.all[0]])
+        self.reproduce.write_rest(self.file, [], target, seeds=1)
+        found = self.reproduce.combinations(tomllib.loads(target.read_text())["sweep"])
+        self.assertEqual([one["disks.seed"] for one in found], [1] * 4)
+
+    def test_another_size_is_not_kept(self):
+        table = [row | {"disks.count": "64"} for row in self.table([])]
+        self.assertIsNone(self.rest(table))
+
+
+if __name__ == "__main__":
+    unittest.main()

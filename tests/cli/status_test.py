@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""`bagnold status` and `bagnold plot`: of runs, cascades and sweeps that are done, at work, or not."""
+
+import signal
+import unittest
+
+from bagnold import files_of
+from sweeps import SEEDS, SweepTest
+
+LONG = {"shear__strain": 2.0**20, "output__sample_strain": 2.0**10,
+        "output__checkpoint_minutes": 0.002}
+JAMMED = {"disks__packing_fraction": 0.86, "disks__model": "CD"}
+FORMS = {"png": b"\x89PNG", "pdf": b"%PDF", "svg": b"<?xml"}
+
+
+class Status(SweepTest):
+    def status(self, out, code=0):
+        before = files_of(out)
+        result = self.bagnold("status", out)
+        self.assertEqual(result.returncode, code, result.stderr)
+        self.assertEqual(result.stderr, "")
+        if all(self.bagnold_is_idle(path) for path in (out,)):
+            self.assertEqual(files_of(out), before, "status wrote something")
+        return result.stdout
+
+    def bagnold_is_idle(self, out):
+        return (out / "summary.json").exists()
+
+    def test_a_run_that_is_done(self):
+        out = self.run_new("out", **JAMMED)
+        said = self.status(out)
+        self.assertIn("done: strain 0.125", said)
+        self.assertIn("notes: above_jamming", said)
+
+    def test_running_and_stopped(self):
+        out = self.folder / "out"
+        process = self.start("run", self.scene(**LONG), "--out", out)
+        self.wait_until((out / "checkpoint.h5").exists, process)
+        said = self.status(out)
+        self.assertRegex(said, r"running: strain [\d.e+]+ of 1.049e\+06 \(\d+%\) at its checkpoint, "
+                               r"[\d.]+ (s|min) ago, about .+ left, until .*pid \d+")
+        self.assertIn(f"pid {process.pid}", said)
+        process.send_signal(signal.SIGTERM)
+        self.finish(process)
+        said = self.status(out)
+        self.assertIn("stopped: strain", said)
+        self.assertIn(f"`bagnold resume {out}` goes on", said)
+        self.assertNotIn("until", said)
+
+    def test_failed_and_not_begun(self):
+        coarse = {"integration__time_step": 8.0, "shear__strain_rate": 2.0**-5,
+                  "shear__strain": 64.0, "output__sample_strain": 1.0}
+        out = self.folder / "out"
+        result = self.bagnold("run", self.scene(**coarse), "--out", out, "--allow-unstable")
+        self.assertEqual(result.returncode, 3, result.stderr)
+        self.assertIn("failed", self.status(out))
+        for path in out.glob("failed*"):
+            path.unlink()
+        for path in out.glob("checkpoint*"):
+            path.unlink()
+        self.assertIn("not begun", self.status(out))
+
+    def test_a_cascade(self):
+        changes = {"shear__protocol": "cascade", "shear__strain_rate": None,
+                   "shear__strain_rates": [2.0**-6, 2.0**-7]}
+        out = self.run_new("out", **changes)
+        said = self.status(out)
+        self.assertIn("cascade, 2 of 2 rates done", said)
+        (out / "summary.json").unlink()
+        (out / "0002_strain_rate=0.0078125/summary.json").unlink()
+        said = self.status(out)
+        self.assertIn("1 of 2 rates done", said)
+        self.assertIn("stopped: strain", said)
+
+    def test_a_sweep(self):
+        path = self.sweep_file(grid={"disks.packing_fraction": [0.7, 0.86], "disks.seed": [1, 2]})
+        out = self.folder / "out"
+        self.sweep(path, out, "--emit-slurm")
+        said = self.status(out)
+        self.assertIn("0 done, 0 running, 0 stopped, 0 failed, 4 not begun; 0% of", said)
+        self.assertIn("prepared for Slurm", said)
+        self.sweep(path, out, "--quiet")
+        said = self.status(out)
+        self.assertIn("4 points: 4 done, 0 running", said)
+        self.assertIn("notes: above_jamming (2)", said)
+        point = self.points(out)[1]
+        (point / "summary.json").unlink()
+        (point / "log.txt").write_text("bagnold: no space left on this disk\n")
+        said = self.status(out, code=1)
+        self.assertIn("3 done, 0 running, 0 stopped, 1 failed", said)
+        self.assertRegex(said, f"{point.name} .*no space left on this disk")
+
+    def test_a_sweep_at_work(self):
+        out = self.folder / "out"
+        process = self.start("sweep", self.sweep_file(grid=SEEDS, **LONG), "--out", out, "--jobs", 2)
+        self.wait_until(lambda: len(list(out.glob("points/*/checkpoint.h5"))) == 2, process)
+        said = self.status(out)
+        self.assertIn("0 done, 2 running, 0 stopped, 0 failed, 1 not begun", said)
+        self.assertRegex(said, "2 at a time: about .* left, until")
+        process.send_signal(signal.SIGTERM)
+        self.finish(process)
+        said = self.status(out)
+        self.assertIn("0 running, 2 stopped, 0 failed, 1 not begun", said)
+        self.assertIn("goes on", said)
+
+    def test_refusals(self):
+        empty = self.folder / "empty"
+        empty.mkdir()
+        for command in ("status", "plot"):
+            self.assert_clean_error(self.bagnold(command, empty), 2, "holds no run")
+
+
+class Plot(SweepTest):
+    def plot(self, out, form):
+        result = self.bagnold("plot", out, "--format", form)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return result.stdout
+
+    def assert_picture(self, path):
+        form = path.suffix[1:]
+        self.assertEqual(path.read_bytes()[:len(FORMS[form])], FORMS[form])
+
+    def test_forms(self):
+        out = self.run_new("out", measure__profiles=True, measure__fields=True, disks__count=400,
+                           measure__frame_strain=0.02)
+        for form in FORMS:
+            said = self.plot(out, form)
+            for name in ("plot", "profiles", "fields", "histograms"):
+                self.assert_picture(out / f"{name}.{form}")
+                self.assertIn(f"{name}.{form}\n", said)
+        result = self.bagnold("plot", out, "--format", "bmp")
+        self.assert_clean_error(result, 2, "png")
+
+    def test_while_it_runs(self):
+        out = self.folder / "out"
+        process = self.start("run", self.scene(**{**LONG, "output__sample_strain": 2.0}), "--out", out)
+        self.wait_until((out / "result.h5").exists, process)
+        said = self.plot(out, "png")
+        self.assertRegex(said, r"plot.png, of strain [\d.e+]+ of 1.049e\+06 \(.* ago; `kill -USR1")
+        self.assert_picture(out / "plot.png")
+        self.assertIsNone(process.poll())
+
+    def test_cascades_and_sweeps(self):
+        out = self.run_new("cascade", shear__protocol="cascade", shear__strain_rate=None,
+                           shear__strain_rates=[2.0**-6, 2.0**-7])
+        said = self.plot(out, "svg")
+        self.assertEqual(said.count("plot.svg"), 2)
+        self.assertIn("flow_curve.svg\n", said)
+        self.assert_picture(out / "flow_curve.svg")
+        out = self.folder / "sweep"
+        path = self.sweep_file(grid={"disks.packing_fraction": [0.7, 0.72]})
+        self.sweep(path, out, "--emit-slurm")
+        self.assert_clean_error(self.bagnold("plot", out), 2, "--collect")
+        self.sweep(path, out, "--quiet")
+        self.assertIn("sweep.pdf\n", self.plot(out, "pdf"))
+        self.assert_picture(out / "table.pdf")
+        self.assert_picture(out / "sweep.pdf")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,334 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures by what they draw: lines, labels with units, the scene on each, no text upon another."""
+
+import itertools
+import shutil
+import unittest
+import warnings
+
+import h5py
+import matplotlib
+import numpy as np
+
+matplotlib.use("Agg")
+
+from matplotlib import pyplot as plt  # noqa: E402
+from matplotlib.axes import Axes  # noqa: E402
+from matplotlib.collections import QuadMesh  # noqa: E402
+from matplotlib.text import Text  # noqa: E402
+
+from made import FOLDER, SCENE, Folder, bagnold, made, run  # noqa: E402
+from bagnold import plots  # noqa: E402
+
+RAMP = {**SCENE, "shear": {"protocol": "ramp", "strain_rate": 2.0**-9, "strain_rate_high": 2.0**-6, "ramp_rate": 2e-3,
+                           "ramp_window": 16.0, "cycles": 3, "strain": 0.25},
+        "output": {"plot": False}}
+
+
+def texts(figure):
+    """[(text, box in pixels)] of all that is written, ticks outside of their axes left out."""
+    figure.canvas.draw()
+    hidden = set()
+    for axes in figure.findobj(Axes):
+        for axis in (axes.xaxis, axes.yaxis):
+            low, high = sorted(axis.get_view_interval())
+            for tick in axis.get_major_ticks() + axis.get_minor_ticks():
+                inside = low - 1e-9 * (high - low) <= tick.get_loc() <= high + 1e-9 * (high - low)
+                if not (inside and axis.get_visible() and axes.axison):
+                    hidden |= {tick.label1, tick.label2}
+    found = []
+    for one in figure.findobj(Text):
+        if one.get_visible() and one.get_text().strip() and one not in hidden:
+            found.append((one.get_text(), one.get_window_extent(figure.canvas.get_renderer())))
+    return found
+
+
+def scene_text(figure):
+    return " ".join(one.get_text() for one in figure.texts)
+
+
+class Pictures(Folder):
+    def setUp(self):
+        super().setUp()
+        self.addCleanup(plt.close, "all")
+
+    def readable(self, figure):
+        """No text upon another, none outside of the page; both axes of each panel have a label and two ticks."""
+        drawn = texts(figure)
+        page = figure.bbox
+        for text, box in drawn:
+            self.assertTrue(box.x0 >= 0 and box.y0 >= 0 and box.x1 <= page.x1 and box.y1 <= page.y1, (text, box))
+        for (one, a), (other, b) in itertools.combinations(drawn, 2):
+            wide, high = min(a.x1, b.x1) - max(a.x0, b.x0), min(a.y1, b.y1) - max(a.y0, b.y0)
+            self.assertFalse(wide > 1 and high > 1, (one, other))
+
+    def has_scene(self, figure, *parts):
+        said = scene_text(figure)
+        for part in parts or ("model CD_rot", "$N = 64$", r"$\phi = 0.84$", "$Q = 1$", r"\dot\gamma\tau_e = ",
+                              "equal masses", f"bagnold {bagnold.__version__}"):
+            self.assertIn(part, said)
+
+    def labels(self, figure):
+        return [axes.get_ylabel() for axes in figure.axes]
+
+
+class Runs(Pictures):
+    def test_steady(self):
+        figure = plots.run(made())
+        self.readable(figure)
+        self.has_scene(figure)
+        self.assertIn("strain 1 ", scene_text(figure))
+        for label in (r"stress  $[m/\tau_e^2]$", r"$T_g$  $[m\,d_s^2/\tau_e^2]$", "$Z$", r"$\mu$",
+                      r"$\langle\dot\theta\rangle/\dot\gamma$"):
+            self.assertIn(label, self.labels(figure))
+
+    def test_replicas(self):
+        source = made(disks__replicas=3, disks__model="CD_n", output__sample_strain=2.0**-9)
+        figure = plots.run(source)
+        self.readable(figure)
+        said = scene_text(figure)
+        for part in ("3 replicas", "pale: each replica", "grey: not measured", "bold: running mean", "dashed: mean"):
+            self.assertIn(part, said)
+        stress, = [axes for axes in figure.axes if axes.get_ylabel().startswith("stress ")]
+        self.assertEqual(list(stress.texts), [])  # nothing is written upon the curves
+
+    def test_a_long_title_and_one_with_signs(self):
+        for title in ("a $ and a _ of 80 letters " + 54 * "x", ""):
+            figure = plots.run(made(title=title))
+            self.readable(figure)
+            self.assertIn(title.replace("$", r"\$"), scene_text(figure))
+
+
+class Ramps(Pictures):
+    @classmethod
+    def setUpClass(cls):
+        cls.source = run(RAMP, FOLDER / "ramp")
+
+    def lines(self, axes):
+        """Of passes: those that have a point of the series."""
+        return [line for line in axes.get_lines() if line.get_marker() == "o"]
+
+    def test_a_line_a_pass_and_one_colour_a_cycle(self):
+        figure = plots.run(self.source)
+        self.readable(figure)
+        self.has_scene(figure, "model CD_rot", "3 cycles", " to ")
+        for axes in figure.axes:
+            lines = self.lines(axes)
+            self.assertEqual(len(lines), 6)
+            colours = [line.get_color() for line in lines]
+            self.assertEqual(colours[::2], colours[1::2])
+            self.assertEqual(len(set(colours)), 3)
+            for line, way in zip(lines, itertools.cycle((1, -1))):
+                rate = line.get_xdata()
+                self.assertTrue((way * np.diff(rate) > 0).all(), rate)
+                self.assertEqual(line.get_linestyle() == "-", way > 0)
+        direction, sigma = self.source.series["direction"], self.source.series["sigma"]
+        drawn = np.concatenate([line.get_ydata() for line in self.lines(figure.axes[0])])
+        wanted = sigma[direction != 0]
+        np.testing.assert_array_equal(drawn[np.isfinite(drawn)], wanted[wanted > 0])
+        legend = [text.get_text() for text in figure.axes[0].get_legend().get_texts()]
+        self.assertEqual(legend[:5], ["cycle 1", "cycle 2", "cycle 3", "up", "down"])
+        self.assertEqual([axes.get_legend() for axes in figure.axes[1:]], [None] * 4)
+        self.assertEqual(figure.axes[0].get_ylabel(), r"$\sigma$  $[m/\tau_e^2]$")
+
+    def test_many_cycles_and_an_end_on_the_way(self):
+        """Of a made series: twelve cycles, the last without its way down; two replicas."""
+        folder = self.folder / "made"
+        folder.mkdir()
+        way = np.concatenate([np.zeros(3), *(np.full(8, sign) for sign in [1, -1] * 11 + [1])])
+        rate = np.exp(np.cumsum(0.3 * way))
+        with h5py.File(folder / "result.h5", "w") as file:
+            for name in ("direction", "strain_rate", "strain", "sigma", "p", "B_p", "eta_p", "Z", "R_v"):
+                values = {"direction": way, "strain_rate": rate, "strain": np.arange(float(len(way)))}.get(name, rate**1.5)
+                file[f"series/{name}"] = np.stack([values, values])
+            file["series"].attrs["discarded_windows"] = 3
+            file.attrs["model"] = "CD"
+        figure = plots.run(folder)
+        self.readable(figure)
+        lines = self.lines(figure.axes[0])
+        self.assertEqual(len(lines), 2 * 23)
+        self.assertEqual(len({line.get_color() for line in lines}), 12)
+        legend = [text.get_text() for text in figure.axes[0].get_legend().get_texts()]
+        self.assertEqual(legend[:4], ["cycle 1", "cycle 12", "up", "down"])
+        self.assertIn("12 cycles", scene_text(figure))
+
+
+class Frames(Pictures):
+    @classmethod
+    def setUpClass(cls):
+        cls.source = run(SCENE, FOLDER / "frames", disks__count=200, measure={
+            "contacts": True, "rotation": True, "profiles": True, "fields": True, "frame_strain": 2.0**-5})
+
+    def test_histograms(self):
+        figure = plots.histograms(self.source)
+        self.readable(figure)
+        self.has_scene(figure, "model CD_rot", "$N = 200$", "equal masses")
+        self.assertEqual([axes.get_xlabel() for axes in figure.axes],
+                         [r"collision angle $\theta$  [degrees]", r"duration of contacts $\tau_{dur}$  $[\tau_e]$",
+                          "disks in the cluster where a contact begins", r"spin $\dot\theta/\dot\gamma$",
+                          r"$\phi$ within $4\,d_s$", r"$\dot\gamma$ within $4\,d_s$ over that of the box"])
+        found = self.source.histograms
+        for patch, name in zip(figure.axes[0].patches, ("theta_begin", "theta_end")):
+            np.testing.assert_array_equal(patch.get_data().values, found[name].density)
+        durations, = figure.axes[1].patches
+        values, edges, _ = durations.get_data()
+        self.assertAlmostEqual(np.sum(values * np.diff(np.log10(edges))), 1)
+        self.assertIn("mean ", figure.axes[1].get_legend().get_texts()[0].get_text())
+        spins, = figure.axes[3].patches
+        values, edges, _ = spins.get_data()
+        self.assertAlmostEqual(np.sum(values * np.diff(edges)), 1)  # joined bins keep their share
+        self.assertEqual(figure.axes[3].get_lines()[0].get_xdata()[0], -0.5)
+
+    def test_only_what_is_there(self):
+        source = made(disks__model="CD_n", measure__contacts=True)
+        figure = plots.histograms(source)
+        self.readable(figure)
+        self.assertEqual(len(figure.axes), 3)
+        with self.assertRaisesRegex(bagnold.InputError, "has no /histograms: set measure.contacts"):
+            plots.histograms(made())
+        shutil.rmtree(self.folder)
+        self.folder.mkdir()
+        plots.draw_to(source.folder, self.folder, frames=True)
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["histograms.png"])
+
+    def test_profiles_and_fields(self):
+        for draw in (plots.profiles, plots.fields):
+            figure = draw(self.source)
+            self.readable(figure)
+            self.has_scene(figure, "model CD_rot", "$N = 200$", r"\dot\gamma\tau_e = ", "equal masses")
+        self.assertIn("last frame", scene_text(figure))
+        self.assertIn("strain 1 ", scene_text(figure))
+
+
+    def test_boxes_that_are_not_square(self):
+        """Boxes are drawn in their shape, and nothing is written upon anything."""
+        for aspect in (0.3, 3.0):
+            source = made(disks__box_aspect=aspect, disks__count=1024, shear__strain=2.0**-4, measure__fields=True,
+                          measure__frame_strain=2.0**-6, output__sample_strain=2.0**-6)
+            self.readable(plots.run(source))
+            figure = plots.fields(source)
+            self.readable(figure)
+            boxes = [axes.get_window_extent() for axes in figure.axes if axes.get_xlabel().startswith("$x$")]
+            self.assertEqual(len(boxes), 2)
+            for box in boxes:
+                self.assertAlmostEqual(box.height / box.width, aspect, delta=1e-6 * aspect)
+
+
+class Sweeps(Pictures):
+    def curves(self, axes):
+        """Of curves with points: (x, y)."""
+        return [container.lines[0].get_data() for container in axes.containers]
+
+    def test_a_cascade_is_a_flow_curve(self):
+        rates = [2.0**-6, 2.0**-7, 2.0**-8]
+        source = run({**SCENE, "shear": {"protocol": "cascade", "strain_rates": rates, "strain": 0.5}}, FOLDER / "cascade")
+        figure = plots.sweep(source.folder)
+        self.readable(figure)
+        self.has_scene(figure, "model CD_rot", "$N = 64$", r"$\phi = 0.84$", "$Q = 1$", "equal masses", "3 of 3 points")
+        self.assertEqual(self.labels(figure), [r"$\sigma$  $[m/\tau_e^2]$", r"$p$  $[m/\tau_e^2]$", "$B_p$", r"$\eta_p$",
+                                               r"$\mu = \sigma/p$", "$Z$"])
+        table = bagnold.sweep(source.folder)
+        for axes, name in zip(figure.axes, ("sigma", "p", "B_p", "eta_p", "mu", "Z")):
+            (x, y), = self.curves(axes)
+            np.testing.assert_array_equal(x, rates[::-1])
+            np.testing.assert_array_equal(y, table[name][::-1])
+            self.assertEqual(axes.get_xscale(), "log")
+            self.assertEqual(axes.get_xlabel(), r"strain rate $\dot\gamma\tau_e$")
+        plots.draw_to(source.folder, self.folder / "x.png")
+        self.assertTrue((self.folder / "x.png").exists())
+
+    def made_sweep(self, keys, points):
+        """A table as of a sweep without its points' folders; p = 3 times the first key, of two of one seed apart by 1."""
+        with h5py.File(self.folder / "sweep.h5", "w") as file:
+            text = h5py.string_dtype()
+            for name in ("folder", "scene"):
+                file[f"points/{name}"] = np.array(["x", '[disks]\nmodel = "CD_n"\n'][name == "scene"], dtype=object
+                                                  ).repeat(len(points)).astype(text)
+            file["status"] = np.array(["done"] * len(points), dtype=object).astype(text)
+            file["warnings"] = np.array([""] * len(points), dtype=object).astype(text)
+            for k, key in enumerate(keys):
+                column = [point[k] for point in points]
+                file[f"points/{key}"] = column if isinstance(column[0], float) else np.array(column, dtype=object).astype(text)
+            seeds = [point[keys.index("disks.seed")] if "disks.seed" in keys else 1.0 for point in points]
+            numbers = [point[0] if isinstance(point[0], float) else float(len(point[0])) for point in points]
+            for name in ("p", "mu"):
+                file[f"observables/{name}"] = 3 * np.array(numbers) + np.array(seeds)
+                file[f"observables/{name}_error"] = np.full(len(points), np.nan)
+        return plots.sweep(self.folder)
+
+    def test_a_curve_for_the_other_keys_and_a_mean_over_seeds(self):
+        points = list(itertools.product([1.0, 10.0, 100.0], [0.7, 0.8], [1.0, 2.0]))
+        figure = self.made_sweep(["disks.elasticity", "disks.packing_fraction", "disks.seed"], points)
+        self.readable(figure)
+        self.has_scene(figure, "model CD_n", "12 of 12 points")
+        self.assertEqual([axes.get_ylabel() for axes in figure.axes], [r"$p$  $[m/\tau_e^2]$", r"$\mu = \sigma/p$"])
+        self.assertEqual([text.get_text() for text in figure.legends[0].get_texts()], [r"$\phi = 0.7$", r"$\phi = 0.8$"])
+        for x, y in self.curves(figure.axes[0]):
+            np.testing.assert_array_equal(x, [1, 10, 100])
+            np.testing.assert_array_equal(y, [4.5, 31.5, 301.5])
+        bars = figure.axes[0].containers[0].lines[2][0].get_segments()
+        np.testing.assert_allclose([bar[1, 1] - bar[0, 1] for bar in bars], 1)  # twice 0.5, the error of two that differ by 1
+
+    def test_many_curves_have_two_names(self):
+        points = [(float(q), phi) for phi in np.linspace(0.6, 0.8, 20).tolist() for q in range(1, 31)]
+        figure = self.made_sweep(["disks.elasticity", "disks.packing_fraction"], points)
+        self.readable(figure)
+        self.assertEqual([text.get_text() for text in figure.legends[0].get_texts()], [r"$\phi = 0.6$", r"$\phi = 0.8$"])
+
+    def test_texts_and_seeds_alone(self):
+        figure = self.made_sweep(["disks.model"], [("CD",), ("CD_n",), ("CD_rot",)])
+        self.readable(figure)
+        self.assertEqual([text.get_text() for text in figure.axes[0].get_xticklabels()], ["CD", "CD_n", "CD_rot"])
+        figure = self.made_sweep(["disks.seed"], [(1.0,), (2.0,), (3.0,)])
+        self.readable(figure)
+        self.assertEqual(figure.axes[0].get_xlabel(), "disks.seed")
+
+    def test_a_real_one(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            source = bagnold.sweep_file({**SCENE, "sweep": {"grid": {"disks.packing_fraction": [0.8, 0.82], "disks.seed": [1, 2]}}},
+                                        self.folder / "sweep", progress=False, jobs=1)
+        figure = plots.sweep(source)
+        self.readable(figure)
+        self.has_scene(figure, "model CD_rot", "$N = 64$", "$Q = 1$", "4 of 4 points", f"bagnold {bagnold.__version__}")
+        self.assertEqual({axes.get_xlabel() for axes in figure.axes}, {r"$\phi$"})
+        self.assertEqual(len(figure.axes), 6)
+
+
+class Ticks(unittest.TestCase):
+    def test_logarithmic_axes_have_two_numbers(self):
+        from bagnold.plots.labels import log_ticks
+        for low, high in ((1.0, 1.3), (3.1, 4.9), (1.0, 2.5), (0.6, 3.0), (1e-5, 3e-4), (2e-3, 9e-1), (1e-8, 1e3)):
+            figure, axes = plt.subplots()
+            axes.set_yscale("log")
+            axes.set_ylim(low, high)
+            log_ticks(axes.yaxis)
+            figure.canvas.draw()
+            shown = [text for text, place in zip(axes.get_yticklabels(), axes.get_yticks())
+                     if low <= place <= high and text.get_text()]
+            self.assertTrue(2 <= len(shown) <= 12, (low, high, [text.get_text() for text in shown]))
+            plt.close(figure)
+
+
+class RampMaps(Pictures):
+    """Profiles and histograms of a ramp: a column for each frame."""
+
+    def test_profiles_and_histograms(self):
+        r = run(RAMP, self.folder / "ramp", measure__profiles=True, measure__rotation=True, measure__contacts=True,
+                measure__frame_decades=0.0625)
+        frames = len(r.samples["ramp_frames"]["strain"])
+        self.assertGreater(frames, 50)
+        for draw, wanted in ((plots.profiles, (r"$\phi(y)$", r"$\sigma(y)$ over its mean")),
+                             (plots.histograms, (r"$\tau_{dur}$  $[\tau_e]$", r"$\dot\theta/\dot\gamma$"))):
+            figure = draw(r)
+            self.readable(figure)
+            self.has_scene(figure, "model CD_rot", "$N = 64$", " to ", "and back")
+            for label in wanted:
+                self.assertIn(label, self.labels(figure))
+            maps = [mesh for axes in figure.axes for mesh in axes.collections if isinstance(mesh, QuadMesh)
+                    and mesh.get_array().size % frames == 0]
+            self.assertGreaterEqual(len(maps), 3)
+
+
+if __name__ == "__main__":
+    unittest.main()

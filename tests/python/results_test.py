@@ -1,0 +1,343 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the package reads, against the files as h5py and json have them."""
+
+import csv
+import importlib.util
+import inspect
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tomllib
+import unittest
+import warnings
+
+import h5py
+import matplotlib
+import numpy as np
+
+from made import SCENE, SOURCE, Folder, bagnold, made, run, with_frames
+
+matplotlib.use("Agg")
+
+
+class Results(Folder):
+    def test_series_and_averages(self):
+        r = made()
+        self.assertIn(r.folder.name, repr(r))
+        with h5py.File(r.folder / "result.h5") as file:
+            self.assertEqual(set(r.series), set(file["series"]))
+            for name in r.series:
+                np.testing.assert_array_equal(r.series[name], file["series"][name])
+            self.assertEqual(r.series.unit("p"), file["series/p"].attrs["unit"])
+            self.assertIn("pressure", r.series.description("p"))
+            discarded = file["series"].attrs["discarded_windows"]
+        self.assertEqual(len(r.series.measured("Z")), len(r.series["Z"]) - discarded)
+        found = json.loads((r.folder / "summary.json").read_text())
+        self.assertEqual(set(r.observables), set(found["observables"]))
+        for name, one in found["observables"].items():
+            self.assertEqual(r[name].samples, one["samples"])
+            for key in ("mean", "error", "correlation_strain"):
+                value = getattr(r[name], key)
+                self.assertTrue(value == one[key] or (one[key] is None and np.isnan(value)), (name, key))
+        self.assertEqual(float(r["Z"]), found["observables"]["Z"]["mean"])
+        self.assertEqual([w.name for w in r.warnings], [w["name"] for w in found["warnings"]])
+        self.assertEqual(r.about["model"], "CD_rot")
+        with self.assertRaisesRegex(KeyError, "B_q is not among the averages .*B_p"):
+            r["B_q"]
+        with self.assertRaisesRegex(KeyError, "B_q is not among the series"):
+            r.series["B_q"]
+
+    def test_scene(self):
+        scene = made().scene
+        self.assertEqual(scene["disks"]["count"], 64)
+        self.assertEqual(scene["disks.count"], 64)
+        self.assertEqual(scene.get("disks.no"), None)
+        self.assertEqual(scene.flat()["shear.strain_rate"], 2.0**-7)
+        with self.assertRaisesRegex(KeyError, "disks.cuont is not in the scene.*disks.count"):
+            scene["disks.cuont"]
+
+    def test_scenes_as_text(self):
+        from bagnold.scene import toml_text
+        scene = {"title": 'a "quoted" \\ é\x7f\n', "disks": {"count": np.int64(4), "elasticity": np.float64(0.1)},
+                 "shear.target_error": {"B_p": 0.02}, "shear.strain_rates": np.array([1e-3, 1e-4]),
+                 "output": {"plot": True}, "sweep": {"grid": {"disks.seed": [1, 2]}}, "start.file": pathlib.Path("a")}
+        self.assertEqual(tomllib.loads(toml_text(scene)), {
+            "title": scene["title"], "disks": {"count": 4, "elasticity": 0.1},
+            "shear": {"target_error": {"B_p": 0.02}, "strain_rates": [1e-3, 1e-4]}, "output": {"plot": True},
+            "sweep": {"grid": {"disks.seed": [1, 2]}}, "start": {"file": "a"}})
+        with self.assertRaisesRegex(TypeError, "has no form in a scene"):
+            toml_text({"disks": {"count": object()}})
+
+    def test_numbers_in_words(self):
+        from bagnold.observables import rounded
+        for mean, error, text in ((18873.4, 973, "1.89(10)e+04"), (0.51234, 0.0004, "0.5123(4)"),
+                                  (17.3, 1.2, "17.3(1.2)"), (17.3, 25, "17(25)"), (1.5, np.nan, "1.5"),
+                                  (np.nan, 1, "undefined"), (-2.345e-7, 3e-9, "-2.35(3)e-07"), (0, 0.5, "0.0(5)")):
+            self.assertEqual(rounded(mean, error), text)
+        self.assertRegex(str(made()["p"]), r"^p = [\d.]+(\([\d.]+\))? m/tau_e\^2$")
+
+    def test_what_else_is_measured(self):
+        r = made(disks__count=128, measure__profiles=True, measure__rotation=True, measure__fields=True, measure__contacts=True,
+                 measure__frame_strain=2.0**-4)
+        with h5py.File(r.folder / "result.h5") as file:
+            np.testing.assert_array_equal(r.profiles["v_x"].value, file["profiles/v_x/value"])
+            np.testing.assert_array_equal(r.histograms["rotation"].density, file["histograms/rotation/density"])
+            self.assertEqual(list(r.samples["fields"])[:3], ["x", "y", "diameter"])
+            np.testing.assert_array_equal(r.samples["fields"]["y"], file["samples/fields"][:, 1])
+        self.assertEqual(made().histograms, {})
+
+    def test_replicas(self):
+        r = with_frames(disks__replicas=3, disks__seed=5)
+        self.assertEqual(r.seeds, [5, 6, 7])
+        self.assertEqual(r.series["Z"].shape, (3, 32))
+        self.assertEqual(len(r.replicas), 3)
+        self.assertEqual(len(r.states), 3)
+        alone = with_frames(disks__seed=6)
+        self.assertEqual(r.replicas[1]["Z"].mean, alone["Z"].mean)
+        np.testing.assert_array_equal(r.frames_of(6).positions, alone.frames.positions)
+        np.testing.assert_array_equal(r.states[1].position, alone.state.position)
+        with self.assertRaisesRegex(bagnold.InputError, "seed = 9 .*5 .. 7"):
+            r.frames_of(9)
+
+    def test_a_cascade(self):
+        scene = {**SCENE, "shear": {"protocol": "cascade", "strain_rates": [2.0**-6, 2.0**-7], "strain": 1.0}}
+        r = run(scene, self.folder / "cascade")
+        self.assertEqual([point.scene["shear.strain_rate"] for point in r.points], [2.0**-6, 2.0**-7])
+        table = bagnold.sweep(r.folder)
+        np.testing.assert_array_equal(table["shear.strain_rate"], [2.0**-6, 2.0**-7])
+        np.testing.assert_array_equal(table["Z"], [point["Z"].mean for point in r.points])
+        np.testing.assert_array_equal(table.error("Z"), [point["Z"].error for point in r.points])
+        self.assertEqual(table[1].load()["Z"], r.points[1]["Z"])
+        with self.assertRaisesRegex(bagnold.FileError, "is a cascade.*r.points"):
+            r["Z"]
+
+    def test_a_ramp(self):
+        scene = {**SCENE, "output": {"plot": False}, "shear": {"protocol": "ramp", "strain_rate": 2.0**-8, "strain_rate_high": 2.0**-6,
+                                    "ramp_rate": 1e-2, "ramp_window": 4.0, "strain": 0.25}}
+        r = run(scene, self.folder / "ramp")
+        up = r.loop("sigma")["up"]
+        self.assertEqual(up.strain_rate.shape, up.mean.shape)
+        bins = r.summary["loop"]["up"]
+        np.testing.assert_array_equal(up.mean, [one["observables"]["sigma"]["mean"] for one in bins])
+        with self.assertRaisesRegex(bagnold.InputError, "is no ramp"):
+            made().loop("sigma")
+
+    def test_what_is_no_run_says_what_it_is(self):
+        for path, words in ((self.folder / "none", "the folder is not there"), (self.folder, "holds no run")):
+            with self.assertRaisesRegex(bagnold.FileError, words):
+                bagnold.load(path)
+        begun = self.folder / "begun"
+        begun.mkdir()
+        shutil.copy(made().folder / "scene.toml", begun)
+        r = bagnold.load(begun)
+        self.assertEqual(r.scene["disks.count"], 64)
+        self.assertFalse(r.complete)
+        with self.assertRaisesRegex(bagnold.FileError, "not complete.*bagnold resume"):
+            r["B_p"]
+        with self.assertRaisesRegex(bagnold.FileError, "has not come that far"):
+            r.series
+        with self.assertRaisesRegex(bagnold.FileError, "output.trajectory_strain"):
+            made().frames
+        (begun / "result.h5").write_text("no HDF5")
+        with self.assertRaisesRegex(bagnold.FileError, "result.h5 cannot be read"):
+            r.series
+
+
+class Frames(Folder):
+    def test_frames_are_those_of_the_file(self):
+        r = with_frames()
+        frames = r.frames
+        self.assertEqual(len(frames), 9)
+        with h5py.File(r.folder / "trajectory.h5md") as file:
+            group = file["particles/trajectory"]
+            np.testing.assert_array_equal(frames.positions, group["position/value"][..., :2])
+            np.testing.assert_array_equal(frames.velocities, group["velocity/value"][..., :2])
+            np.testing.assert_array_equal(frames.spins, group["spin/value"])
+            np.testing.assert_array_equal(frames.steps, group["position/step"])
+            for k, frame in enumerate(frames):
+                np.testing.assert_array_equal(frame.position, group["position/value"][k, :, :2])
+                np.testing.assert_array_equal(frame.spin, group["spin/value"][k])
+                np.testing.assert_array_equal(frame.box.matrix, group["box/edges/value"][k])
+                self.assertEqual(frame.time, group["position/time"][k])
+                self.assertAlmostEqual(frame.strain, k * 2.0**-3, delta=1e-12)
+                self.assertEqual(frame.strain_rate, 2.0**-7)
+        self.assertEqual(len(frame), 64)
+        np.testing.assert_array_equal(frame.species, frame.diameter > 1.2)
+        self.assertAlmostEqual(frame.packing_fraction, 0.84)
+        np.testing.assert_array_equal(frames[-1].position, frame.position)
+        with self.assertRaises(IndexError):
+            frames[9]
+
+    def test_places_without_images(self):
+        frames = with_frames(shear__strain=8.0, disks__packing_fraction=0.7).frames
+        self.assertGreater(np.abs(frames[-1].image).max(), 1)
+        places = np.array([frame.unwrapped for frame in frames])
+        np.testing.assert_allclose(places, bagnold.structure.unwrapped(frames), atol=1e-8)
+
+    def test_files_of_older_versions(self):
+        r = with_frames()
+        for name in ("scene.toml", "summary.json", "trajectory.h5md"):
+            shutil.copy(r.folder / name, self.folder)
+        with h5py.File(self.folder / "trajectory.h5md", "r+") as file:
+            del file["observables"], file["particles/trajectory/image"]
+        for old, frame in zip(bagnold.load(self.folder).frames, r.frames, strict=True):
+            self.assertAlmostEqual(old.strain, frame.strain, delta=1e-12)
+            self.assertEqual((old.strain_rate, old.image), (frame.strain_rate, None))
+        with self.assertRaisesRegex(bagnold.InputError, "no image.*structure.unwrapped"):
+            old.unwrapped
+
+    def test_slices(self):
+        frames = with_frames().frames
+        some = frames[1:8:3]
+        self.assertEqual(len(some), 3)
+        np.testing.assert_array_equal(some.steps, frames.steps[1:8:3])
+        np.testing.assert_array_equal(some[1:][0].position, frames[4].position)
+        np.testing.assert_array_equal(frames[::-2].positions, frames.positions[::-2])
+        np.testing.assert_array_equal(frames.strains, [frame.strain for frame in frames])
+
+    def test_the_state_is_the_last_frame(self):
+        r = with_frames()
+        state, last = r.state, r.frames[-1]
+        np.testing.assert_array_equal(state.position, last.position)
+        np.testing.assert_array_equal(state.spin, last.spin)
+        self.assertEqual((state.box, state.time, state.strain_rate), (last.box, last.time, last.strain_rate))
+
+    def test_no_spins_without_rotation(self):
+        frames = with_frames(disks__model="CD_n").frames
+        self.assertIsNone(frames[0].spin)
+        with self.assertRaisesRegex(bagnold.InputError, "does not rotate"):
+            frames.spins
+
+    def test_parts_of_a_run_that_goes_on(self):
+        """A frame each part; of two with one number the younger counts."""
+        r = with_frames()
+        out = self.folder / "begun"
+        parts = out / "trajectory.parts"
+        parts.mkdir(parents=True)
+        shutil.copy(r.folder / "scene.toml", out)
+        with h5py.File(r.folder / "trajectory.h5md") as whole:
+            for number, frame in ((0, 3), (0, 0), (1, 1), (2, 2)):
+                with h5py.File(parts / f"{number:06}_{frame:016x}.h5md", "w") as part:
+                    whole.copy("particles", part)
+                    group = part["particles/trajectory"]
+                    for name in ("position/step", "position/time"):
+                        del group[name]
+                        group[name] = whole["particles/trajectory"][name][frame:frame + 1]
+                    for name in ("position", "velocity", "spin", "box/edges"):
+                        del group[name]["value"]
+                        group[name]["value"] = whole["particles/trajectory"][name]["value"][frame:frame + 1]
+        frames = bagnold.load(out).frames
+        self.assertEqual(len(frames), 3)
+        np.testing.assert_array_equal(frames.positions, r.frames.positions[:3])
+        np.testing.assert_array_equal([frame.position for frame in frames[::-1]], r.frames.positions[2::-1])
+
+
+class Pictures(Folder):
+    """By functions and by `python -m bagnold plot`; what they show is tested by tests/cli."""
+
+    def test_of_a_run(self):
+        from bagnold import plots
+        r = made()
+        for source in (r, r.folder, str(r.folder / "result.h5")):
+            figure = plots.run(source)
+            self.assertGreater(len(figure.axes), 5)
+            plots.style.plt.close(figure)
+        plots.save(r.plot(), self.folder / "x.svg")
+        self.assertIn("<svg", (self.folder / "x.svg").read_text())
+        with self.assertRaisesRegex(bagnold.InputError, "measure.profiles = true"):
+            plots.profiles(r)
+        with self.assertRaisesRegex(bagnold.FileError, "result.h5 is not there"):
+            plots.run(self.folder)
+
+    def test_of_frames(self):
+        from bagnold import plots
+        r = made(disks__count=128, measure__profiles=True, measure__fields=True, measure__frame_strain=2.0**-4)
+        self.assertEqual(len([axes for axes in plots.profiles(r).axes if axes.lines]), 8)
+        self.assertGreaterEqual(len(plots.fields(r).axes), 2)
+        for target, names in ((self.folder, ["fields.png", "histograms.png", "profiles.png"]),
+                              (self.folder / "any.pdf", ["fields.pdf", "histograms.pdf", "profiles.pdf"])):
+            said = self.plot(r.folder, target, "--frames")
+            self.assertEqual((said.returncode, said.stderr), (0, ""))
+            self.assertEqual(sorted(path.name for path in self.folder.glob(f"*{names[0][-4:]}")), names)
+
+    def test_what_cannot_be_drawn_is_one_line(self):
+        (self.folder / "x.drawn.csv").write_text("panel\n")
+        for source in (self.folder / "none", self.folder, self.folder / "x.drawn.csv"):
+            said = self.plot(source, self.folder / "x.png")
+            self.assertEqual((said.returncode, len(said.stderr.splitlines())), (1, 1), said.stderr)
+            self.assertFalse((self.folder / "x.png").exists())
+
+    def plot(self, *words):
+        return subprocess.run([sys.executable, "-m", "bagnold", "plot", *map(str, words)], capture_output=True,
+                              text=True, env={**os.environ, "PYTHONPATH": str(SOURCE / "python")})
+
+
+class Sweeps(Folder):
+    def test_table(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            sweep = bagnold.sweep_file({**SCENE, "sweep": {"grid": {"disks.elasticity": [1, 4], "disks.seed": [1, 2]}}},
+                                       self.folder / "many", jobs=2, progress=False)
+        self.assertEqual(len(sweep), 4)
+        with open(self.folder / "many/sweep.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        np.testing.assert_array_equal(sweep["disks.elasticity"], [1, 1, 4, 4])
+        for name in sweep.names:
+            for column, values in ((name, sweep[name]), (f"{name}_error", sweep.error(name))):
+                np.testing.assert_array_equal(values, [float(row[column] or "nan") for row in rows])
+        point = sweep[2]
+        self.assertEqual((point.status, point.scene["disks.elasticity"], point.scene["disks.seed"]), ("done", 4, 1))
+        self.assertEqual(point.load()["Z"].mean, sweep["Z"][2])
+        self.assertEqual(point.warnings, tuple(warning.name for warning in point.load().warnings))
+        with self.assertRaisesRegex(KeyError, "neither a varied key.*disks.seed.*observable"):
+            sweep["Q"]
+        with self.assertRaisesRegex(bagnold.FileError, "bagnold.sweep"):
+            bagnold.load(self.folder / "many")
+        with self.assertRaisesRegex(bagnold.FileError, "bagnold.load"):
+            bagnold.sweep(made().folder)
+        try:
+            import pandas  # noqa: F401
+        except ImportError:
+            with self.assertRaisesRegex(bagnold.MissingLibrary, "pandas"):
+                sweep.to_pandas()
+            return
+        table = sweep.to_pandas()
+        np.testing.assert_array_equal(table["Z"], sweep["Z"])
+        self.assertEqual(list(table["disks.seed"]), [1, 2, 1, 2])
+
+
+class Package(unittest.TestCase):
+    def test_version_is_that_of_the_program(self):
+        version = re.search(r"project\(Bagnold VERSION (\S+)", (SOURCE / "CMakeLists.txt").read_text())[1]
+        project = tomllib.loads((SOURCE / "python/pyproject.toml").read_text())["project"]
+        self.assertEqual(project["version"], version)
+        self.assertEqual(bagnold.__version__, version)
+
+    def test_all_that_is_public_is_documented(self):
+        for name in bagnold.__all__:
+            value = getattr(bagnold, name)
+            self.assertTrue(inspect.getdoc(value), name)
+            if inspect.isclass(value):
+                for member, what in vars(value).items():
+                    if not member.startswith("_") and (callable(what) or isinstance(what, property)):
+                        self.assertTrue(inspect.getdoc(getattr(value, member)), f"{name}.{member}")
+
+    @unittest.skipUnless(importlib.util.find_spec("mypy"), "mypy is not installed")
+    def test_types(self):
+        said = subprocess.run([sys.executable, "-m", "mypy", "--config-file", "pyproject.toml", "--cache-dir",
+                               "/dev/null", "-p", "bagnold"], cwd=SOURCE / "python", capture_output=True, text=True)
+        self.assertEqual(said.returncode, 0, said.stdout)
+
+    def test_imports_neither_matplotlib_nor_pandas(self):
+        program = (f"import sys; sys.path.insert(0, {str(SOURCE / 'python')!r}); import bagnold; "
+                   "print([name for name in ('matplotlib', 'pandas', 'gsd') if name in sys.modules])")
+        said = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True).stdout
+        self.assertEqual(said.strip(), "[]")
+
+
+if __name__ == "__main__":
+    unittest.main()
