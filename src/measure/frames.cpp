@@ -27,7 +27,7 @@ void Frames::show(Simulation const& simulation, std::int64_t from) {
   auto const waits = [&](Observed const& w) { return w.waits(from, step); };
   if (std::ranges::none_of(observed_, waits)) return;
   State const state = simulation.state();
-  Frame const frame{state, step, strain_(step)};
+  Frame const frame{state, step, plan_.strain(step)};
   for (auto const& w : observed_)
     if (waits(w)) w.observer->add(frame);
 }
@@ -59,7 +59,7 @@ void Frames::load(ObserverState const& numbers) {
 }
 
 void Frames::forget_before(std::int64_t step) {
-  for (auto const& w : observed_) w.observer->forget_before(strain_(step));
+  for (auto const& w : observed_) w.observer->forget_before(plan_.strain(step));
 }
 
 std::vector<std::string> Frames::lost() const {

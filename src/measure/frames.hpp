@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <vector>
 
+#include "src/config/plan.hpp"
 #include "src/engine/simulation.hpp"
 #include "src/measure/frame_observer.hpp"
 
@@ -18,9 +18,8 @@ namespace bagnold {
 /// not depend on how the run is cut into calls, if each goes no further than next().
 class Frames {
  public:
-  /// strain(step): from step 0 to the start of `step`.
-  explicit Frames(std::function<double(std::int64_t)> strain = [](std::int64_t) { return 0.0; })
-      : strain_(std::move(strain)) {}
+  /// plan: of the run, which tells the strain of a step.
+  explicit Frames(Plan const& plan = {}) : plan_(plan) {}
 
   /// spacing: [steps], 1 at least. Frames before first_step are not shown.
   void add_observer(std::unique_ptr<FrameObserver> observer, std::int64_t spacing,
@@ -55,7 +54,7 @@ class Frames {
 
     bool waits(std::int64_t from, std::int64_t to) const;
   };
-  std::function<double(std::int64_t)> strain_;
+  Plan plan_;
   static std::vector<FrameObserver const*> observers(std::vector<Frames const*> const& systems,
                                                      std::size_t which);
 

@@ -39,7 +39,7 @@ class Steps final : public FrameObserver {
 
 std::vector<std::vector<std::int64_t>> seen_in_calls_of(std::int64_t steps) {
   std::vector<std::vector<std::int64_t>> seen(3);
-  Frames frames([](std::int64_t step) { return 0.5 * static_cast<double>(step); });
+  Frames frames(Plan{.time_step = 0.5, .strain_rate = 1});
   frames.add_observer(std::make_unique<Steps>(seen[0]), 10);
   frames.add_observer(std::make_unique<Steps>(seen[1]), 10, 40);
   frames.add_observer(std::make_unique<Steps>(seen[2]), 3, 60);
