@@ -209,8 +209,9 @@ def draw_scatter(axes, panel, points):
                   color="black", lw=1.1)
     axes.plot(x0, y0, "o", ms=5, mfc="white", mec="black", mew=0.8, zorder=4)
     (_, (dx, dy)), _ = directions
-    axes.annotate(f"major axis: slope {dy / dx:.2f}; correlation {np.corrcoef(x, y)[0, 1]:.2f}",
-                  (0.02, 1.01), xycoords="axes fraction", fontsize=7)
+    axes.annotate(f"major axis: slope {dy / dx:.2f}\ncorrelation {np.corrcoef(x, y)[0, 1]:.2f}",
+                  (0.98, 0.98), xycoords="axes fraction", ha="right", va="top", fontsize=7,
+                  bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 1})
     axes.set(xlim=(x0 - half, x0 + half), ylim=(y0 - half, y0 + half), aspect="equal",
              xlabel=VELOCITIES.get(panel["x"], panel["x"]),
              ylabel=VELOCITIES.get(panel["y"], panel["y"]))
