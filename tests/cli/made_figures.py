@@ -86,6 +86,7 @@ def cd_rot(phi, q, rate):
     contacts(out, rate, z)
     out["spin_mean"] = -0.5 - 0.001 * q / 50
     out["spin_var"] = 4 - 500 * (phi - rot_phi_c(q)) ** 2
+    out["R_v"] = 1.1
     return out
 
 
