@@ -223,7 +223,7 @@ class ContactFrames(Sequence[Contacts]):
     def __getitem__(self, which: int | slice) -> Contacts | ContactFrames:
         if isinstance(which, slice):
             return ContactFrames(self._frames[which], self._scene)
-        return next(iter(ContactFrames(self._frames[range(len(self))[which]:][:1], self._scene)))
+        return next(iter(self[range(len(self))[which]:]))
 
     def __iter__(self) -> Iterator[Contacts]:
         if self._frames.with_contacts:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import copy
 import math
 import os
 import pathlib
@@ -133,15 +134,14 @@ class Frames(Sequence[Frame]):
     Only the frames that are asked for are read. While a run goes on these are the frames written so
     far (its parts). ``positions`` and the like read all frames into one array."""
 
-    def __init__(self, path: str | os.PathLike[str], strain_rate: float = math.nan,
-                 chosen: range | None = None) -> None:
+    def __init__(self, path: str | os.PathLike[str], strain_rate: float = math.nan) -> None:
         """path: trajectory.h5md, or the folder trajectory.parts. strain_rate: of files whose frames
         do not tell, 1/tau_e."""
         self.path = pathlib.Path(path)
         self._rate = strain_rate
         self._parts = [_Part(one) for one in _part_files(self.path)]
         self._starts = np.concatenate([[0], np.cumsum([part.frames for part in self._parts])]).astype(int)
-        self._chosen = range(int(self._starts[-1])) if chosen is None else chosen
+        self._chosen = range(int(self._starts[-1]))
         if not self._parts:
             raise FileError(f"{self.path} holds no frames")
 
@@ -156,12 +156,10 @@ class Frames(Sequence[Frame]):
 
     def __getitem__(self, which: int | slice) -> Frame | Frames:
         if isinstance(which, slice):
-            chosen = self._chosen[which]
-            return Frames(self.path, self._rate, chosen)
-        frame = self._chosen[which]
-        part = int(np.searchsorted(self._starts, frame, side="right")) - 1
-        with open_hdf5(self._parts[part].path) as file:
-            return self._read(file, frame - int(self._starts[part]))
+            chosen = copy.copy(self)  # of the same files, which need not be looked through again
+            chosen._chosen = self._chosen[which]
+            return chosen
+        return next(iter(self[range(len(self))[which]:]))
 
     def __iter__(self) -> Iterator[Frame]:
         for part, file, k in self._opened():

@@ -20,24 +20,13 @@ function(make_kokkos name action)
     "}\n")
 endfunction()
 
-# configure(NAME WORDS SUCCEEDS ARGUMENT...): configuring with a package says WORDS, and succeeds or not.
-function(configure name words succeeds)
-  file(REMOVE_RECURSE "${WORK}/build")
-  execute_process(COMMAND "${CMAKE_COMMAND}" -S "${WORK}" -B "${WORK}/build" -G "${GENERATOR}"
-    "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DKokkos_DIR=${WORK}/${name}" ${ARGN}
-    OUTPUT_VARIABLE said ERROR_VARIABLE said RESULT_VARIABLE code)
-  string(REGEX REPLACE "[ \n]+" " " said "${said}")
-  string(FIND "${said}" "${words}" at)
-  if((code EQUAL 0 AND NOT succeeds) OR (NOT code EQUAL 0 AND succeeds) OR at EQUAL -1)
-    message(FATAL_ERROR "${name}: code ${code}, wanted \"${words}\", said: ${said}")
-  endif()
-endfunction()
+include("${CMAKE_CURRENT_LIST_DIR}/configure_probe.cmake")
 
 file(REMOVE_RECURSE "${WORK}")
 file(WRITE "${WORK}/CMakeLists.txt" "cmake_minimum_required(VERSION 3.25)\nproject(probe CXX)\n"
   "include([[${SOURCE}/cmake/kokkos.cmake]])\n")
 make_kokkos(sound "")
 make_kokkos(broken "std::abort()")
-configure(sound "Kokkos 4.6.99 with SERIAL" TRUE)
-configure(broken "-DKokkos_ENABLE_IMPL_VIEW_LEGACY=ON" FALSE)
-configure(broken "not tried" TRUE -DCMAKE_SYSTEM_NAME=Linux)
+configure_probe(TRUE "Kokkos 4.6.99 with SERIAL" "-DKokkos_DIR=${WORK}/sound")
+configure_probe(FALSE "-DKokkos_ENABLE_IMPL_VIEW_LEGACY=ON" "-DKokkos_DIR=${WORK}/broken")
+configure_probe(TRUE "not tried" "-DKokkos_DIR=${WORK}/broken" -DCMAKE_SYSTEM_NAME=Linux)

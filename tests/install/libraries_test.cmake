@@ -9,19 +9,7 @@ set(names Eigen3 tomlplusplus CLI11 nlohmann_json)
 set(targets Eigen3::Eigen tomlplusplus::tomlplusplus CLI11::CLI11 nlohmann_json::nlohmann_json)
 set(headers Eigen/Core toml++/toml.h CLI/CLI.hpp nlohmann/json.hpp)
 
-# configure(SUCCEEDS WORDS ARGUMENT...): configuring the probe says WORDS, and succeeds or not.
-function(configure succeeds words)
-  file(REMOVE_RECURSE "${WORK}/build")
-  execute_process(COMMAND "${CMAKE_COMMAND}" -S "${WORK}" -B "${WORK}/build" -G "${GENERATOR}"
-    "-DCMAKE_CXX_COMPILER=${COMPILER}" ${ARGN}
-    OUTPUT_VARIABLE said ERROR_VARIABLE said RESULT_VARIABLE code)
-  string(REGEX REPLACE "[ \n]+" " " said "${said}")
-  string(FIND "${said}" "${words}" at)
-  if((code EQUAL 0 AND NOT succeeds) OR (NOT code EQUAL 0 AND succeeds) OR at EQUAL -1)
-    message(FATAL_ERROR "code ${code}, wanted \"${words}\", said: ${said}")
-  endif()
-  set(said "${said}" PARENT_SCOPE)
-endfunction()
+include("${CMAKE_CURRENT_LIST_DIR}/configure_probe.cmake")
 
 file(REMOVE_RECURSE "${WORK}")
 list(JOIN targets " " linked)
@@ -57,16 +45,16 @@ file(WRITE "${WORK}/downloads/Random123/include/Random123/philox.h" "#include \"
 list(APPEND hidden -DRANDOM123_INCLUDE_DIR=RANDOM123_INCLUDE_DIR-NOTFOUND "-DCMAKE_IGNORE_PATH=/usr/include")
 list(APPEND downloads "-DFETCHCONTENT_SOURCE_DIR_RANDOM123=${WORK}/downloads/Random123")
 
-configure(FALSE "tomlplusplus was not found" -DCMAKE_DISABLE_FIND_PACKAGE_tomlplusplus=ON)
-configure(FALSE "libtomlplusplus-dev" -DCMAKE_DISABLE_FIND_PACKAGE_tomlplusplus=ON)
-configure(FALSE "-DBAGNOLD_FETCH_LIBRARIES=ON" -DCMAKE_DISABLE_FIND_PACKAGE_CLI11=ON)
+configure_probe(FALSE "tomlplusplus was not found" -DCMAKE_DISABLE_FIND_PACKAGE_tomlplusplus=ON)
+configure_probe(FALSE "libtomlplusplus-dev" -DCMAKE_DISABLE_FIND_PACKAGE_tomlplusplus=ON)
+configure_probe(FALSE "-DBAGNOLD_FETCH_LIBRARIES=ON" -DCMAKE_DISABLE_FIND_PACKAGE_CLI11=ON)
 
-configure(TRUE "Random123 in" -DBAGNOLD_FETCH_LIBRARIES=ON -DFETCHCONTENT_FULLY_DISCONNECTED=ON)
+configure_probe(TRUE "Random123 in" -DBAGNOLD_FETCH_LIBRARIES=ON -DFETCHCONTENT_FULLY_DISCONNECTED=ON)
 if(said MATCHES "downloaded")
   message(FATAL_ERROR "what is installed was downloaded: ${said}")
 endif()
 
-configure(TRUE "Random123 in ${WORK}/downloads/Random123/include." -DBAGNOLD_FETCH_LIBRARIES=ON ${downloads} ${hidden}
+configure_probe(TRUE "Random123 in ${WORK}/downloads/Random123/include." -DBAGNOLD_FETCH_LIBRARIES=ON ${downloads} ${hidden}
   "-DXXHASH_INCLUDE_DIR=${WORK}" "-DXXHASH_LIBRARY=${WORK}")
 foreach(name IN LISTS names)
   if(NOT said MATCHES "${name}: downloaded")

@@ -66,6 +66,12 @@ class Import(Folder):
             bagnold.import_state(path, self.folder / "refused.h5", **options)
         self.assertFalse((self.folder / "refused.h5").exists())
 
+    def refused_with(self, old, new, expected, text, kind, count=-1):
+        """Where `new` stands for `old` in the text of a file, `count` times at most."""
+        with self.subTest(new=new):
+            self.assertIn(old, text)
+            self.refused(expected, self.file(text.replace(old, new, count)), format=kind)
+
 
 class RoundTrips(Import):
     def same(self, frame, state):
@@ -245,9 +251,7 @@ class Refusals(Import):
                 ("9.0 4.0 0.0 0 0 0", "9.0 4.0 0.0 0 0", "9 columns"),
                 ("2.8 0.5 9.0 4.0 0.0 0 0 0", "2.8 0.5", "4 columns"),
                 ("Atoms # sphere", "Bodies", "no section Atoms")):
-            with self.subTest(new=new):
-                self.assertIn(old, DATA)
-                self.refused(expected, self.file(DATA.replace(old, new)), format="lammps")
+            self.refused_with(old, new, expected, DATA, "lammps")
         self.refused("--frame 3", self.file(DATA), frame=3)
         for name in ("unit", "time_unit", "tolerance"):
             self.refused(f"--{name.replace('_', '-')} 0", self.file(DATA), **{name: 0})
@@ -271,9 +275,7 @@ class Refusals(Import):
                 ("B 11.0 8.0 0.0 0.7\n", "", "ends within a frame"),
                 ("4\n", "4 disks\n", "must be the number of disks"),
                 ("B 8.0 4.0 0.0 0.7", "B 8.0 4.0 0.0", "4 columns")):
-            with self.subTest(new=new):
-                self.assertIn(old, XYZ)
-                self.refused(expected, self.file(XYZ.replace(old, new, 1), "x.xyz"), format="extxyz")
+            self.refused_with(old, new, expected, XYZ, "extxyz", 1)
         self.refused("has 1 disks", self.file(XYZ.replace("4\n", "1\n", 1).split("A 5.0")[0], "x.xyz"))
         self.refused("--frame 1 .*has 1 frame\\); use 0", self.file(XYZ, "x.xyz"), frame=1)
 
@@ -288,9 +290,7 @@ class Refusals(Import):
                 ("ITEM: TIMESTEP\n0\n", "ITEM: TIMESTEP\n", "TIMESTEP: nothing .must be a whole number"),
                 ("ITEM: NUMBER OF ATOMS", "ITEM: ENTRIES", "no ITEM: NUMBER OF ATOMS"),
                 ("ITEM: TIMESTEP", "ITEM: STEP", "has no ITEM: TIMESTEP")):
-            with self.subTest(new=new):
-                self.assertIn(old, text)
-                self.refused(expected, self.file(text.replace(old, new), "y.dump"), format="dump")
+            self.refused_with(old, new, expected, text, "dump")
 
 
 class Runs(Import):
