@@ -22,6 +22,12 @@ std::vector<std::uint32_t> disks_along_curve(CellGrid<Space> const& grid) {
   return order;
 }
 
+/// The pairs of a block as they are found.
+struct FoundPairs {
+  std::vector<Neighbor> partner;
+  std::vector<std::uint32_t> end;  ///< of each own disk's, in `partner`
+};
+
 /// Reorders pairs so that those of one disk lie a pack apart: each pack then adds to other disks
 /// than the one before, and need not wait for its stores. Within stretches that stay in the first
 /// cache.
@@ -66,10 +72,11 @@ Blocks build_blocks(Space const& space, Kokkos::View<Vec2<Real>*, Space> const& 
   blocks.block = Blocks::Array<Block>(Kokkos::view_alloc(space, "blocks::block"), blocks.count);
   auto const block = blocks.block;
   auto const is_inside = [=](std::uint32_t b, Neighbor const& n) {
-    return n.index() / size == b && n.image().m == 0 && n.image().n == 0;
+    return n.index() - b * size < size && n.image().m == 0 && n.image().n == 0;
   };
 
-  // Halos and pair counts of each block.
+  // Pairs, one disk's after another's, halos and pair counts of each block.
+  std::vector<detail::FoundPairs> found(blocks.count);
   std::vector<std::vector<std::uint32_t>> keys(blocks.count);
   side_by_side::parallel_for("blocks::count", Policy(space, 0, blocks.count), [&](std::int64_t b) {
     Block mine;
@@ -77,13 +84,19 @@ Blocks build_blocks(Space const& space, Kokkos::View<Vec2<Real>*, Space> const& 
     mine.own = std::min(count - begin, size);
     mine.padded = simd::round_up(mine.own + 2);
     auto& halo = keys[b];
-    for (auto i = begin; i < begin + mine.own; ++i)
+    auto& listed = found[b];
+    listed.end.reserve(mine.own);
+    listed.partner.reserve(5 * mine.own);
+    for (auto i = begin; i < begin + mine.own; ++i) {
       search(i, [&](Neighbor const& n) {
         bool const inside = is_inside(b, n);
         if (inside && n.index() < i) return;
         ++mine.pairs[pair_class(kind(i), kind(n.index()))];
+        listed.partner.push_back(n);
         if (!inside) halo.push_back(n.packed);
       });
+      listed.end.push_back(static_cast<std::uint32_t>(listed.partner.size()));
+    }
     std::sort(halo.begin(), halo.end());
     halo.erase(std::unique(halo.begin(), halo.end()), halo.end());
     mine.halo = static_cast<std::uint32_t>(halo.size());
@@ -126,20 +139,22 @@ Blocks build_blocks(Space const& space, Kokkos::View<Vec2<Real>*, Space> const& 
       blocks.halo(mine.halo_first + h) = Neighbor::make(slot(n.index()), n.image());
     }
     std::uint32_t end[pair_classes] = {mine.pairs[0], mine.pairs[1], mine.pairs[2]};
-    for (auto i = begin; i < begin + mine.own; ++i)
-      search(i, [&](Neighbor const& n) {
-        bool const inside = is_inside(b, n);
-        if (inside && n.index() < i) return;
+    auto const& listed = found[b];
+    for (std::uint32_t i = 0, k = 0; i < mine.own; ++i)
+      for (; k < listed.end[i]; ++k) {
+        Neighbor const n = listed.partner[k];
         auto const partner =
-            inside ? n.index() - begin
-                   : mine.padded +
-                         static_cast<std::uint32_t>(
-                             std::lower_bound(halo.begin(), halo.end(), n.packed) - halo.begin());
-        auto& to = end[pair_class(kind(i), kind(n.index()))];
-        bool const swap = kind(i) > kind(n.index());
-        blocks.outer(to++) = swap ? simd::LocalPair::make(partner, i - begin)
-                                  : simd::LocalPair::make(i - begin, partner);
-      });
+            is_inside(b, n)
+                ? n.index() - begin
+                : mine.padded +
+                      static_cast<std::uint32_t>(
+                          std::lower_bound(halo.begin(), halo.end(), n.packed) - halo.begin());
+        auto const mine_is = kind(begin + i), other_is = kind(n.index());
+        blocks.outer(end[pair_class(mine_is, other_is)]++) =
+            mine_is > other_is ? simd::LocalPair::make(partner, i)
+                               : simd::LocalPair::make(i, partner);
+      }
+    found[b] = {};
     for (int c = 0; c < pair_classes; ++c) {
       while (end[c] < mine.pairs[c + 1])
         blocks.outer(end[c]++) = simd::LocalPair::make(mine.own, mine.own + 1);

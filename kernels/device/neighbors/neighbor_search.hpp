@@ -24,8 +24,9 @@ struct NeighborSearch {
 
   template <class Visitor>
   KOKKOS_FUNCTION void operator()(std::uint32_t i, Visitor&& visit) const {
-    if (grid.columns < 3 || grid.rows < 3) return all_pairs(i, visit);
-    Vec2<Real> const point = position(i);
+    Query const query(*this, i);
+    if (grid.columns < 3 || grid.rows < 3) return all_pairs(query, visit);
+    Vec2<Real> const point = query.point;
     int const row_i = grid.row(point.y);
     for (int step = -1; step <= 1; ++step) {
       int row = row_i + step;
@@ -34,39 +35,59 @@ struct NeighborSearch {
       Real const x = point.x - n * box.offset;
       int const m = static_cast<int>(math::floor(x / box.length));
       int const column_i = grid.column(x - m * box.length);
-      for (int side_step = -1; side_step <= 1; ++side_step) {
-        int column = column_i + side_step;
-        int const wrapped = column < 0 ? -1 : (column >= grid.columns ? 1 : 0);
-        column -= wrapped * grid.columns;
-        visit_cell(i, static_cast<std::int64_t>(row) * grid.columns + column, Image{m + wrapped, n},
-                   visit);
-      }
+      auto const cells = [&](int first, int last, int wrapped) {
+        visit_cells(query, static_cast<std::int64_t>(row) * grid.columns + first, last - first + 1,
+                    Image{m + wrapped, n}, visit);
+      };
+      int const last = grid.columns - 1;
+      if (column_i == 0) cells(last, last, -1);
+      cells(column_i == 0 ? 0 : column_i - 1, column_i == last ? last : column_i + 1, 0);
+      if (column_i == last) cells(0, 0, 1);
     }
   }
 
  private:
+  /// What is the same for all candidates of a disk.
+  struct Query {
+    std::uint32_t disk;
+    Vec2<Real> point;
+    Real reach2[2];  ///< by the other's species
+
+    KOKKOS_FUNCTION Query(NeighborSearch const& search, std::uint32_t i)
+        : disk(i), point(search.position(i)) {
+      for (int s = 0; s < 2; ++s) {
+        Real const reach =
+            (search.table.diameter[search.species(i)] + search.table.diameter[s]) / 2 + search.skin;
+        reach2[s] = reach * reach;
+      }
+    }
+  };
+
+  /// Cells side by side: their members lie one after the other.
   template <class Visitor>
-  KOKKOS_FUNCTION void visit_cell(std::uint32_t i, std::int64_t cell, Image const& image,
-                                  Visitor&& visit) const {
-    for (auto k = grid.first(cell); k < grid.first(cell + 1); ++k)
-      visit_if_near(i, grid.members(k), image, visit);
+  KOKKOS_FUNCTION void visit_cells(Query const& query, std::int64_t first, int count,
+                                   Image const& image, Visitor&& visit) const {
+    Vec2<Real> const shift = box.shift(image);
+    auto const end = grid.first(first + count);
+    for (auto k = grid.first(first); k < end; ++k)
+      visit_if_near(query, grid.members(k), image, shift, visit);
   }
 
   /// For boxes too small for cells: every disk, every image.
   template <class Visitor>
-  KOKKOS_FUNCTION void all_pairs(std::uint32_t i, Visitor&& visit) const {
+  KOKKOS_FUNCTION void all_pairs(Query const& query, Visitor&& visit) const {
     for (std::uint32_t j = 0; j < position.extent(0); ++j)
       for (int n = -1; n <= 1; ++n)
-        for (int m = -2; m <= 2; ++m) visit_if_near(i, j, Image{m, n}, visit);
+        for (int m = -2; m <= 2; ++m)
+          visit_if_near(query, j, Image{m, n}, box.shift(Image{m, n}), visit);
   }
 
   template <class Visitor>
-  KOKKOS_FUNCTION void visit_if_near(std::uint32_t i, std::uint32_t j, Image const& image,
-                                     Visitor&& visit) const {
-    if (i == j) return;
-    Vec2<Real> const separation = (position(i) - position(j)) - box.shift(image);
-    Real const reach = (table.diameter[species(i)] + table.diameter[species(j)]) / 2 + skin;
-    if (dot(separation, separation) < reach * reach) visit(Neighbor::make(j, image));
+  KOKKOS_FUNCTION void visit_if_near(Query const& query, std::uint32_t j, Image const& image,
+                                     Vec2<Real> const& shift, Visitor&& visit) const {
+    Vec2<Real> const separation = (query.point - position(j)) - shift;
+    if (dot(separation, separation) < query.reach2[species(j)] && j != query.disk)
+      visit(Neighbor::make(j, image));
   }
 };
 
