@@ -11,6 +11,7 @@
 #include "bench/accuracy/system.hpp"
 #include "kernels/physics/laws/laws.hpp"
 #include "kernels/physics/repulsion/repulsion.hpp"
+#include "src/config/skin.hpp"
 #include "src/engine/laws.hpp"
 
 namespace bagnold::accuracy {
@@ -92,7 +93,7 @@ std::unique_ptr<System> make_for_law(Scene const& scene, State const& state, Met
     World<Law, Repulsion, Precision> w(make_law<Law>(scene.disks),
                                        make_species_table(scene.mass_by_area()), state,
                                        scene.shear.strain_rate, method.time_step);
-    w.skin = scene.integration.skin;
+    w.skin = scene.integration.skin.number.value_or(usual_skin);
     w.arrangement = method.arrangement;
     return w;
   };

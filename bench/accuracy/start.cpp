@@ -22,13 +22,14 @@ void Start::add_options(CLI::App& app) {
   app.add_option("--phi", scene.disks.packing_fraction, "packing fraction")->capture_default_str();
   app.add_option("--q", scene.disks.elasticity, "elasticity Q")->capture_default_str();
   app.add_option("--rate", scene.shear.strain_rate, "strain rate")->capture_default_str();
-  app.add_option("--skin", scene.integration.skin, "of the neighbour list")->capture_default_str();
+  app.add_option("--skin", skin, "of the neighbour list")->capture_default_str();
 }
 
 State Start::read() {
   auto states = io::read_states(state);
   states.resize(1);
   scene.disks.count = static_cast<std::int64_t>(states[0].count());
+  scene.integration.skin = skin;
   scene.start.file = state;
   return fit_to_scene(std::move(states), scene)[0].state;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bench/accuracy/system.hpp"
+#include "src/config/skin.hpp"
 
 namespace bagnold::accuracy {
 
@@ -13,6 +14,7 @@ namespace bagnold::accuracy {
 struct Start {
   std::string state;  ///< a state file of one system or several, of which the first is taken
   Scene scene;
+  double skin = usual_skin;  ///< [d_s]
 
   void add_options(CLI::App& app);
   State read();  ///< fits it to the scene, whose N it sets

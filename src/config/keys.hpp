@@ -190,8 +190,15 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
             above,
             {automatic, of_papers}},
         integration.time_step);
-  visit(Key{"integration.skin", "d_s", "neighbour list reaches this far beyond contact", optional,
-            0.01, 10},
+  visit(Key{"integration.skin",
+            "d_s",
+            "neighbour list reaches this far beyond contact; auto: 0.35, or 0.5 with "
+            "implicit-damping",
+            optional,
+            0.01,
+            10,
+            false,
+            {automatic}},
         integration.skin);
 
   visit(Key{"measure.every", "steps", "between evaluations inside a window; quasi-static: of all",

@@ -10,6 +10,7 @@
 #include "kernels/physics/species.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/quasi_static.hpp"
+#include "src/config/skin.hpp"
 #include "src/config/stability.hpp"
 #include "src/config/step_counts.hpp"
 #include "src/config/time_step.hpp"
@@ -174,7 +175,7 @@ double memory_needed(Scene const& scene, Plan const& plan) {
   // (N = 262144 and 1048576, one in windows).
   double const spin = scene.rotates() ? 8 : 0;
   double const views = 3 * 16 + 2 * (16 + spin) + 1;
-  double const list = 4 + 1.125 * 4 * 7 * std::pow(1 + scene.integration.skin, 2) + 3 * 4;
+  double const list = 4 + 1.125 * 4 * 7 * std::pow(1 + skin(scene), 2) + 3 * 4;
   double const host = (16 + 16 + spin + 8) + 32;
   double const windows = static_cast<double>(plan.windows) * 16 * 8 * 6;
   double const system = static_cast<double>(scene.disks.count) * (views + list + host) + windows +
@@ -183,14 +184,14 @@ double memory_needed(Scene const& scene, Plan const& plan) {
 }
 
 void check_feasible(Scene const& scene, Plan const& plan, bool allow_unstable) {
-  double const reach = big_diameter + scene.integration.skin;
+  double const reach = big_diameter + skin(scene);
   double const least = std::min(scene.box_length(), scene.box_height());
   auto const box = box_in_words(scene);
   if (least < 2 * reach)
     throw InputError(fmt::format(
         "{} (must be at least 2 (largest contact distance {} + integration.skin {}) = {:.3g}, or "
         "disks meet through two images); use more disks{} a smaller skin",
-        box, big_diameter, scene.integration.skin, 2 * reach,
+        box, big_diameter, skin(scene), 2 * reach,
         scene.disks.box_aspect == 1 ? " or" : ", an aspect nearer 1 or"));
 
   if (scene.measure.fields && least < least_box_for_fields())

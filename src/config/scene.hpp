@@ -68,7 +68,7 @@ struct Scene {
     std::string scheme = default_scheme;  ///< or "auto", which scheme_of(scene) resolves
     std::string engine = "auto";
     NumberOrWord time_step = automatic;  ///< dt; time_step(scene) resolves it
-    double skin = 0.35;
+    NumberOrWord skin = automatic;       ///< skin(scene) resolves it
   } integration;
 
   struct Measure {

@@ -10,6 +10,7 @@
 #include "src/config/laws.hpp"
 #include "src/config/quasi_static.hpp"
 #include "src/config/schemes.hpp"
+#include "src/config/skin.hpp"
 
 namespace bagnold {
 
@@ -61,8 +62,8 @@ double time_step(Scene const& scene) {
 
 namespace {
 
-/// Steps of implicit damping that are shorter cost more than they save: its five terms take as long
-/// as two steps of two stages.
+/// Steps of implicit damping that are shorter cost more than they save: its terms take as long as
+/// two steps of two stages.
 constexpr double least_gain = 3;
 
 bool damps_sliding(Scene::Disks const& disks) {
@@ -89,6 +90,7 @@ Scene resolved(Scene scene) {
   bool const changes = implicit_step_length(scene) > 1;
   if (!is_quasi_static(scene) || scene.shear.protocol != "cascade")  // else one for each rate
     scene.integration.time_step = time_step(scene);
+  scene.integration.skin = skin(scene);
   if (!changes) scene.integration.scheme = scheme_of(scene);
   return scene;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "src/config/skin.hpp"
 #include "src/engine/backends.hpp"
 #include "src/engine/blocks/make_stepper.hpp"
 #include "src/engine/compiled_once.hpp"
@@ -25,7 +26,7 @@ std::unique_ptr<Simulation> make_reference(Scene const& scene, Snapshot const& s
     return on_backend<Made>(backend, [&]<class Space>(std::type_identity<Space>) -> Made {
       return std::make_unique<ReferenceEngine<Law, R, Space, S>>(
           law, make_species_table(scene.mass_by_area()), strain_rates(scene), time_step(scene),
-          scene.integration.skin, snapshot, make_device_drive<Law::rotates, Space>(drive));
+          skin(scene), snapshot, make_device_drive<Law::rotates, Space>(drive));
     });
   });
 }
@@ -39,7 +40,7 @@ std::shared_ptr<Ensemble> make_ensemble(Scene const& scene, std::vector<Snapshot
       if constexpr (is_device<Space>)
         return std::make_shared<EnsembleEngine<Law, R, Space, S>>(
             law, make_species_table(scene.mass_by_area()), strain_rates(scene), time_step(scene),
-            scene.integration.skin, snapshots);
+            skin(scene), snapshots);
       else
         return static_cast<void>(snapshots), nullptr;
     });

@@ -10,6 +10,7 @@
 #include "src/config/cascade.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/mistakes.hpp"
+#include "src/config/skin.hpp"
 #include "src/run/messages.hpp"
 #include "src/run/target_error.hpp"
 
@@ -33,7 +34,7 @@ void refuse_less_than_a_window(Scene const& scene, Plan const& plan) {
 ///
 /// What is found to be too many only when lists are built is std::length_error there.
 double least_pairs(Scene const& scene) {
-  double const reach = 1 + scene.integration.skin;
+  double const reach = 1 + skin(scene);
   return 4 * static_cast<double>(scene.disks.count) * scene.disks.packing_fraction * reach * reach /
          (1 + big_diameter * big_diameter);
 }
@@ -44,7 +45,7 @@ void refuse_too_many_pairs(Scene const& scene) {
   throw InputError(fmt::format(
       "disks.count = {} with integration.skin = {} (makes lists of {:.2g} pairs or more, limit "
       "{:.2g}); use fewer disks or a smaller skin",
-      scene.disks.count, scene.integration.skin, pairs, static_cast<double>(most_pairs)));
+      scene.disks.count, skin(scene), pairs, static_cast<double>(most_pairs)));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "kernels/physics/laws/cd_n.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/scene.hpp"
+#include "src/config/skin.hpp"
 #include "src/engine/backends.hpp"
 #include "src/engine/device_copy.hpp"
 #include "src/engine/make_simulation.hpp"
@@ -203,7 +204,8 @@ void relax_start(State& state, Scene const& scene, std::string const& what,
                  std::map<std::string, double>& record, std::function<bool()> const& go_on) {
   auto const& start = scene.start;
   auto const [iterations, overlap] =
-      relax_overlaps(state, start.overlap, start.iterations, scene.integration.skin, go_on);
+      relax_overlaps(state, start.overlap, start.iterations,
+                     scene.integration.skin.number.value_or(usual_skin), go_on);
   record["start_iterations"] = static_cast<double>(iterations);
   record["start_overlap"] = overlap;
   if (overlap > largest_start_overlap)

@@ -150,10 +150,10 @@ TEST(Feasible, ABoxMustHoldTwoContactDistancesAndSkins) {
   Scene scene = minimal_scene();
   scene.disks.count = 12;
   double const width = scene.box_length();
-  scene.integration.skin = width / 2 - 1.4;
-  scene.integration.skin *= 1 - 1e-12;
+  double const largest = width / 2 - 1.4;
+  scene.integration.skin = largest * (1 - 1e-12);
   EXPECT_EQ(feasibility(scene), "accepted");
-  scene.integration.skin *= 1 + 1e-11;
+  scene.integration.skin = largest * (1 + 1e-11);
   std::string const message = feasibility(scene);
   EXPECT_TRUE(has(message, "disks.count = 12 makes a box")) << message;
   EXPECT_TRUE(has(message, "integration.skin")) << message;
@@ -166,9 +166,10 @@ TEST(Feasible, ABoxThatIsNotSquareMustHoldThemBothWays) {
     scene.disks.count = 100;
     scene.disks.box_aspect = tall ? 4.0 : 0.25;
     double const least = tall ? scene.box_length() : scene.box_height();
-    scene.integration.skin = (least / 2 - 1.4) * (1 - 1e-12);
+    double const largest = least / 2 - 1.4;
+    scene.integration.skin = largest * (1 - 1e-12);
     EXPECT_EQ(feasibility(scene), "accepted");
-    scene.integration.skin *= 1 + 1e-11;
+    scene.integration.skin = largest * (1 + 1e-11);
     std::string const message = feasibility(scene);
     EXPECT_TRUE(has(message, "disks.count = 100 with disks.box_aspect = ")) << message;
     EXPECT_TRUE(has(message, "integration.skin") && has(message, "aspect nearer 1")) << message;

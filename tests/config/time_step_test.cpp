@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "src/config/skin.hpp"
 #include "src/config/stability.hpp"
 #include "tests/config/scenes.hpp"
 #include "tests/support/schemes.hpp"
@@ -92,10 +93,23 @@ TEST(Scheme, TwoStagesBearWhatThePapersBear) {
   EXPECT_GT(borne, 10'000);
 }
 
+TEST(Skin, IsWideForImplicitDampingWhereTheBoxHasRoom) {
+  Scene scene = minimal_scene();
+  scene.integration.scheme = "implicit-damping";
+  scene.disks.count = 1024;
+  EXPECT_EQ(skin(scene), 0.5);
+  scene.disks.count = 10;
+  EXPECT_LT(scene.box_length(), 2 * (1.4 + 0.5));
+  EXPECT_EQ(skin(scene), usual_skin);
+  scene.integration.skin = 0.2;
+  EXPECT_EQ(skin(scene), 0.2);
+}
+
 TEST(Resolved, HasNoWords) {
   Scene const scene = minimal_scene();
   EXPECT_EQ(resolved(scene).integration.scheme, two_stage_scheme);
   EXPECT_EQ(resolved(scene).integration.time_step, 0.2);
+  EXPECT_EQ(resolved(scene).integration.skin, usual_skin);
   EXPECT_EQ(write_scene(resolved(resolved(scene))), write_scene(resolved(scene)));
 }
 

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <set>
 
+#include "src/config/skin.hpp"
 #include "src/engine/ensemble/ensemble_engine.hpp"
 #include "src/measure/contacts.hpp"
 #include "src/measure/make_frames.hpp"
@@ -66,7 +67,7 @@ std::unique_ptr<Simulation> in_an_ensemble(Scene const& scene, State const& stat
   using Space = std::tuple_element_t<0, Backends>;
   auto members = members_of(std::make_shared<EnsembleEngine<CD, HarmonicRepulsion, Space, Scheme>>(
       make_law<CD>(scene.disks), make_species_table(scene.mass_by_area()), scene.shear.strain_rate,
-      time_step(scene), scene.integration.skin, std::vector{first_snapshot(state)}));
+      time_step(scene), skin(scene), std::vector{first_snapshot(state)}));
   return std::move(members.front());
 }
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "src/config/errors.hpp"
+#include "src/config/skin.hpp"
 #include "src/engine/ensemble/ensemble_engine.hpp"
 #include "tests/support/simulations.hpp"
 #include "tests/support/typed.hpp"
@@ -39,7 +40,7 @@ class EnsembleOf : public testing::Test {
                               int threads = 0) {
     return members_of(std::make_shared<Together<Repulsion>>(
         make_law<Law>(scene.disks), make_species_table(scene.mass_by_area()), strain_rates(scene),
-        time_step(scene), scene.integration.skin, from, threads));
+        time_step(scene), skin(scene), from, threads));
   }
 
   /// On the program's reference engine.

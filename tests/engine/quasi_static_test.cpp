@@ -7,6 +7,7 @@
 
 #include "src/config/errors.hpp"
 #include "src/config/laws.hpp"
+#include "src/config/skin.hpp"
 #include "src/engine/device_copy.hpp"
 #include "src/engine/observables.hpp"
 #include "src/engine/quasi_static/quasi_static_engine.hpp"
@@ -37,7 +38,7 @@ QuasiStaticEngine<rotates> solved_to(Scene const& scene, State const& state, Rea
            damping.tangential},
           scene.shear.strain_rate,
           time_step(scene),
-          scene.integration.skin,
+          skin(scene),
           first_snapshot(state),
           tolerance};
 }

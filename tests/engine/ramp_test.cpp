@@ -83,7 +83,7 @@ class RampedReference {
     if (scheme_ == papers_scheme)
       reference::step(system_);
     else if (is_implicit(scheme_))
-      reference::implicit_step(system_, ImplicitDamping::iterations, dissipative);
+      reference::implicit_step(system_, reference::rotates(system_.p) ? 5 : 4, dissipative);
     else
       reference::two_stage_step(system_, dissipative);
     auto const step = system_.step;

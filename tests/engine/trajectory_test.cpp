@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "src/config/skin.hpp"
 #include "tests/support/simulations.hpp"
 
 namespace bagnold::test {
@@ -45,7 +46,7 @@ TEST_P(Trajectory, InTheSmallestBoxes) {
     Scene scene = small_scene(0.80, count);
     scene.integration.skin = 0.35;
     State const state = shaken_start(scene);
-    if (state.box_length < 2 * (1.4 + scene.integration.skin)) continue;
+    if (state.box_length < 2 * (1.4 + skin(scene))) continue;
     auto const simulation = simulate(scene, state, backend());
     reference::System oracle(reference_parameters(scene), state);
     for (int k = 0; k < 300; ++k) reference::step(oracle);

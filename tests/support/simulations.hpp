@@ -10,6 +10,7 @@
 
 #include "kernels/physics/laws/laws.hpp"
 #include "kernels/physics/sums/sums.hpp"
+#include "src/config/skin.hpp"
 #include "src/config/time_step.hpp"
 #include "src/engine/laws.hpp"
 #include "src/engine/make_simulation.hpp"
@@ -88,7 +89,8 @@ class EverySimulation
 inline State shaken_start(Scene const& scene) {
   State state = random_start(scene).state;
   state.offset = state.box_length / 3;
-  relax_overlaps(state, scene.start.overlap, scene.start.iterations, scene.integration.skin);
+  relax_overlaps(state, scene.start.overlap, scene.start.iterations,
+                 scene.integration.skin.number.value_or(usual_skin));
   for (std::size_t i = 0; i < state.count(); ++i) {
     double const k = static_cast<double>(i);
     state.velocity[i][0] =

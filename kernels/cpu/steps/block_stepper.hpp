@@ -32,7 +32,9 @@ struct StepNeeds {
   int observed_forces;      ///< arrays of forces that measure() fills
   std::size_t force_bytes;  ///< of a disk's force
   StepCosts costs;
-  int iterations = 0;  ///< for the changes of the motions; then all disks are stepped, at all times
+  /// Of the solution for the changes of the motions, if the scheme solves for them; then all disks
+  /// are stepped, at all times.
+  int terms = 0;
   bool driven = false;  ///< by a one-body force: disks that touch nothing do not fly straight
 };
 
@@ -61,7 +63,7 @@ class BlockStepper {
   virtual BlockReport correct(BlockSystem const& system, std::uint32_t b, ShearedBox const& box,
                               void* force, bool observed, FlightDeviation* seen) const = 0;
 
-  /// Of a scheme with needs.iterations, between the halves: iteration k of the system's solve, when
+  /// Of a scheme with needs.terms, between the halves: iteration k of the system's solve, when
   /// all blocks have been through that before.
   virtual void iterate(BlockSystem const& system, std::uint32_t b, int k, void* force) const = 0;
 

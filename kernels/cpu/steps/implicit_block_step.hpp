@@ -35,7 +35,7 @@ struct BlockStep<L, R, S> {
                                    .observed_forces = observed_forces,
                                    .force_bytes = sizeof(Force),
                                    .costs = {},
-                                   .iterations = Scheme::iterations};
+                                   .terms = Scheme::terms(rotates)};
 
   Forces forces;
   Real time_step;  ///< dt, [tau_e]
@@ -79,39 +79,29 @@ struct BlockStep<L, R, S> {
     return report;
   }
 
-  /// Iteration k of the system's solve.
+  /// Iteration k of the system's solve, to ImplicitSolve::next.
   void iterate(BlockSystem const& s, std::uint32_t b, int k, Force* force) const {
     Block const& block = s.blocks.block(b);
-    auto const& solve = s.implicit;
-    auto const& now = solve.now(k, s.trial.record);
-    auto const first = block.first;
-    copy_halo(s.blocks, block, now);
-    Forces::clear(block, force);
-    add_damping(s, block, now.data() + first, force);
-    auto const by = solve.iterations.iteration[k];
-    auto const* const start = s.trial.record.data() + first;
-    auto const* const before = solve.before(k, s.trial.record).data() + first;
-    auto* const next = solve.next(k).data() + first;
-    RowBySpecies const per(s.table, by.of_coupling * weighed_time_step());
-    for (std::uint32_t i = 0; i < block.padded; ++i) {
-      Row const w = by.of_now * row(&now.data()[first + i]) + by.of_before * row(before + i);
-      put(next + i,
-          by.of_start * row(start + i) + (per.row[s.species(first + i)] * row(force + i) + w));
-    }
+    iterate(s, block, k, force, s.implicit.next(k).data() + block.first);
   }
 
-  /// Second half: the last iteration, and the state at t + dt. observed: the last iteration has
-  /// been done, as measure() needs it.
+  /// Second half: the last iteration, and the state at t + dt. observed: it has been done, as
+  /// measure() needs it.
   template <class Seen>
   BlockReport correct(BlockSystem const& s, std::uint32_t b, ShearedBox const& box, Force* force,
                       bool observed, Seen const& seen) const {
-    if (!observed) iterate(s, b, s.implicit.passes() - 1, force);
     Block const& block = s.blocks.block(b);
+    auto const* change = s.implicit.solution().data() + block.first;
+    if (!observed) {
+      auto* const in_place = reinterpret_cast<simd::Record*>(force);
+      iterate(s, block, s.implicit.passes() - 1, force, in_place);
+      change = in_place;
+    }
     SpeedBound speeds{box.strain_rate};
     for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
       auto const slot = block.first + i;
       auto r = simd::load_records(s.now.record.data() + slot);
-      auto const w = load_motions(s.implicit.solution(), slot);
+      auto const w = load_motions(change + i);
       auto const after = Scheme::velocity(r.velocity(), w.velocity);
       r = simd::make_records(Scheme::position(r.position(), after, Pack(time_step)), after);
       simd::store_records(s.now.record.data() + slot, r);
@@ -164,8 +154,8 @@ struct BlockStep<L, R, S> {
                            std::uint32_t i, simd::Mask big, simd::Records const& r, simd::Pack spin,
                            Real strain_rate) const {
     auto const slot = block.first + i;
-    auto const a = load_motions(s.trial.record, slot),
-               w = load_motions(s.implicit.solution(), slot);
+    auto const a = load_motions(s.trial.record.data() + slot),
+               w = load_motions(s.implicit.solution().data() + slot);
     auto const f = simd::load_forces(force + i);
     Kick const weighed(s.table, weighed_time_step());
     auto const left = a.velocity - w.velocity + weighed.per_mass(big) * f.force();
@@ -204,14 +194,14 @@ struct BlockStep<L, R, S> {
   };
 
   /// Of a pack of disks, from records {v_x, -, v_y, thetadot}: the order of TurningForce.
-  BAGNOLD_INLINE static Motions load_motions(ImplicitSolve::Records const& records,
-                                             std::uint32_t slot) {
-    auto const r = simd::load_records(records.data() + slot);
+  BAGNOLD_INLINE static Motions load_motions(simd::Record const* records) {
+    auto const r = simd::load_records(records);
     return {{r.x, r.vx}, r.vy};
   }
 
   /// The four numbers of a record or of a TurningForce.
   using Row [[gnu::vector_size(32), gnu::may_alias]] = double;
+  static_assert(sizeof(Force) == sizeof(simd::Record));  // w may be made where the forces are
 
   template <class T>
   BAGNOLD_INLINE static Row row(T const* at) {
@@ -233,6 +223,24 @@ struct BlockStep<L, R, S> {
       }
     }
   };
+
+  /// to: [block.padded]; may be where the forces are.
+  void iterate(BlockSystem const& s, Block const& block, int k, Force* force,
+               simd::Record* to) const {
+    auto const& solve = s.implicit;
+    auto const& now = solve.now(k, s.trial.record);
+    copy_halo(s.blocks, block, now);
+    Forces::clear(block, force);
+    add_damping(s, block, now.data() + block.first, force);
+    auto const by = solve.iterations.iteration[k];
+    auto const* const start = s.trial.record.data() + block.first;
+    auto const* const before = now.data() + block.first;
+    RowBySpecies const per(s.table, by.of_coupling * weighed_time_step());
+    for (std::uint32_t i = 0; i < block.padded; ++i) {
+      Row const kept = by.of_now * row(before + i) + by.of_start * row(start + i);
+      put(to + i, per.row[s.species(block.first + i)] * row(force + i) + kept);
+    }
+  }
 
   /// The damping of disks that move as the records say.
   void add_damping(BlockSystem const& s, Block const& block, simd::Record const* moving,

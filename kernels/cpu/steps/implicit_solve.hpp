@@ -7,7 +7,7 @@
 namespace bagnold {
 
 /// The iterations of an ImplicitScheme in a step, for the changes w of all motions: a record {v_x,
-/// v_y, thetadot, -} a disk. Iteration k makes w_k+2 from `now`, w_k+1, and `before`, w_k.
+/// v_y, thetadot, -} a disk. Iteration k makes w_k+2 from `now`, w_k+1.
 struct ImplicitSolve {
   using Records = Blocks::Array<simd::Record>;
 
@@ -17,14 +17,10 @@ struct ImplicitSolve {
 
   int passes() const { return iterations.count; }
 
-  /// start: a, which stands for w_1 and w_0.
+  /// start: a, which stands for w_1.
   Records const& now(int k, Records const& start) const {
     return k == 0 ? start : iterate[(k - 1) % 2];
   }
-  Records const& before(int k, Records const& start) const {
-    return k < 2 ? start : iterate[k % 2];
-  }
-  /// May be `before`.
   Records const& next(int k) const { return iterate[k % 2]; }
 
   Records const& solution() const { return next(passes() - 1); }

@@ -96,19 +96,17 @@ template <ContactLaw Law, class Repulsion, class Space>
 struct DampingIteration {
   DampingForces<Law, Repulsion, Space> damping;  ///< moving: u, w as far as it is known
   ChebyshevIteration iteration;
-  Real weighed_time_step;                                   ///< theta dt, [tau_e]
-  Kokkos::View<Motion<Law::rotates> const*, Space> start;   ///< a
-  Kokkos::View<Motion<Law::rotates> const*, Space> before;  ///< w_k-1
-  Kokkos::View<Motion<Law::rotates>*, Space> next;          ///< w_k+1; may be `before`
+  Real weighed_time_step;                                  ///< theta dt, [tau_e]
+  Kokkos::View<Motion<Law::rotates> const*, Space> start;  ///< a
+  Kokkos::View<Motion<Law::rotates>*, Space> next;         ///< w_k+1
 
   KOKKOS_FUNCTION void operator()(std::uint32_t i) const {
     auto const load = damping(i);
     TimePerMass const per(weighed_time_step, damping.forces.table, damping.forces.species(i));
-    auto const a = start(i), now = damping.moving(i), previous = before(i);
+    auto const a = start(i), now = damping.moving(i);
     Motion<Law::rotates> w;
-    w.velocity = iteration(a.velocity, load.force, per.mass, now.velocity, previous.velocity);
-    if constexpr (Law::rotates)
-      w.spin = iteration(a.spin, load.torque, per.inertia, now.spin, previous.spin);
+    w.velocity = iteration(a.velocity, load.force, per.mass, now.velocity);
+    if constexpr (Law::rotates) w.spin = iteration(a.spin, load.torque, per.inertia, now.spin);
     next(i) = w;
   }
 };
@@ -231,15 +229,20 @@ struct StepTables<Rotates, Scheme, Space> {
 /// The form as a SteppedSystem takes it. Trial motions hold what the forces change.
 template <ImplicitScheme Scheme>
 struct DeviceStep<Scheme> {
-  static constexpr int passes = Scheme::iterations - 1;  ///< through the contacts
-  static constexpr int solution = (passes - 1) % 2;      ///< which iterate is w
+  /// Through the contacts.
+  template <class Law>
+  static constexpr int passes = Scheme::terms(Law::rotates) - 1;
+  /// Which iterate is w.
+  template <class Law>
+  static constexpr int solution = (passes<Law> - 1) % 2;
 
   template <class Law, class Repulsion, class Space>
   KOKKOS_FUNCTION static ImplicitForces<Law, Repulsion, Space, Scheme> measured_forces(
       SteppedSystem<Law, Repulsion, Space, Scheme> const& system, ShearedBox const& box) {
     auto const& disks = system.disks;
-    return {
-        {system.forces(box), disks.step.iterate[solution]}, disks.trial_motion, system.time_step};
+    return {{system.forces(box), disks.step.iterate[solution<Law>]},
+            disks.trial_motion,
+            system.time_step};
   }
 
   template <class Law, class Repulsion, class Space, class Loops>
@@ -254,18 +257,13 @@ struct DeviceStep<Scheme> {
                  Kokkos::Max<Real>(rate));
     if (!(rate < Kokkos::reduction_identity<Real>::min())) return false;
     Real const weighed = Scheme::theta * system.time_step;
-    ChebyshevIterations const iterations(weighed * rate, Scheme::iterations);
-    auto now = disks.trial_motion, before = now;
-    for (int k = 0; k < passes; ++k) {
+    ChebyshevIterations const iterations(weighed * rate, Scheme::terms(Law::rotates));
+    auto now = disks.trial_motion;
+    for (int k = 0; k < passes<Law>; ++k) {
       auto const next = disks.step.iterate[k % 2];
       loops.for_all("dynamics::DampingIteration", disks.count(),
-                    DampingIteration<Law, Repulsion, Space>{{forces, now},
-                                                            iterations.iteration[k],
-                                                            weighed,
-                                                            disks.trial_motion,
-                                                            k < 2 ? disks.trial_motion : before,
-                                                            next});
-      before = now;
+                    DampingIteration<Law, Repulsion, Space>{
+                        {forces, now}, iterations.iteration[k], weighed, disks.trial_motion, next});
       now = next;
     }
     return true;
@@ -278,9 +276,9 @@ struct DeviceStep<Scheme> {
     auto const& disks = system.disks;
     Real largest2 = 0;
     loops.reduce("dynamics::ImplicitLeap", disks.count(),
-                 ImplicitLeap<Law, Space, Scheme>{disks.step.iterate[solution], system.time_step,
-                                                  disks.position, disks.motion, disks.at_build,
-                                                  strain, next_strain},
+                 ImplicitLeap<Law, Space, Scheme>{disks.step.iterate[solution<Law>],
+                                                  system.time_step, disks.position, disks.motion,
+                                                  disks.at_build, strain, next_strain},
                  Kokkos::Max<Real>(largest2));
     return largest2;
   }

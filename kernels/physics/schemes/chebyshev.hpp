@@ -1,37 +1,40 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
+#include <numbers>
+
 #include "kernels/physics/multiply_add.hpp"
 #include "kernels/physics/vec2.hpp"
 
 namespace bagnold {
 
-/// One iteration of (1 + B) w = a, from u = w_k and w_k-1 to w_k+1; coefficients of a, -B u, u and
-/// w_k-1. Of one component of a disk.
+/// One iteration of (1 + B) w = a, from u = w_k to w_k+1; coefficients of a, -B u and u. Of one
+/// component of a disk.
 struct ChebyshevIteration {
-  Real of_start, of_coupling, of_now, of_before;
+  Real of_start, of_coupling, of_now;
 
   /// per_mass: what makes -B u of `force`; T: a number or pack, V: Vec2<T> or T.
   template <class T, class V>
   KOKKOS_FORCEINLINE_FUNCTION V operator()(V const& start, V const& force, T const& per_mass,
-                                           V const& now, V const& before) const {
-    V const sum = multiply_add(T(of_now), now, T(of_before) * before);
-    return multiply_add(T(of_start), start, multiply_add(T(of_coupling) * per_mass, force, sum));
+                                           V const& now) const {
+    V const kept = multiply_add(T(of_now), now, T(of_start) * start);
+    return multiply_add(T(of_coupling) * per_mass, force, kept);
   }
 };
 
-/// The iterations of (1 + B) w = a for a B whose eigenvalues lie in [0, bound], Golub and Van Loan,
-/// Matrix Computations (4th ed.), Sec. 11.2.8:
+/// The iterations of (1 + B) w = a for a B whose eigenvalues lie in [0, bound], Saad, Iterative
+/// Methods (2nd ed.), Sec. 12.3.2: Richardson's, by the roots 1/g of Chebyshev's polynomial T_n,
 ///
-///     w_1 = g a,   w_k+1 = w_k-1 + omega_k [g (a - w_k - B w_k) + w_k - w_k-1],   w_0 = 0
-///     g = 2/(2 + bound),   q = bound/(2 + bound),
-///     omega_1 = 1/(1 - q^2/2),   omega_k+1 = 1/(1 - omega_k q^2/4)
+///     w_k+1 = w_k + g_k (a - w_k - B w_k),   w_0 = 0,   k = 0 .. n - 1,
+///     1/g = 1 + (bound/2) (1 - cos((2 j - 1) pi/(2 n))),   j = 1 .. n
 ///
 /// No other polynomial of a and B with as many terms is nearer to the solution for the worst of
-/// such B: an error of 1/T_k(1 + 2/bound). What B takes for zero, such as a motion of all disks, is
-/// solved exactly in the first, and its sum over disks kept by all.
+/// such B: an error of 1/T_n(1 + 2/bound). Large and small roots take turns, so that rounding does
+/// not grow. What B takes for zero is scaled by 1 less the error: the momentum of all disks, of
+/// which pair forces give none, stays.
 ///
-/// w_1 is never worked out: the first iteration takes `a` for u and both, the second for w_1.
+/// w_1 is never worked out: the first iteration takes `a` for u.
 struct ChebyshevIterations {
   static constexpr int most = 8;
   ChebyshevIteration iteration[most];  ///< that make w_2, w_3 ...
@@ -39,16 +42,18 @@ struct ChebyshevIterations {
 
   /// To w_`terms`, 2 to most + 1.
   KOKKOS_FUNCTION ChebyshevIterations(Real bound, int terms) : iteration{}, count(terms - 1) {
-    Real const g = 2 / (2 + bound), q = bound / (2 + bound), q2 = q * q;
-    Real omega = 1 / (1 - q2 / 2);
+    auto const inverse_root = [&](int k) {
+      int const j = k % 2 == 0 ? terms - k / 2 : k / 2 + 1;
+      Real const angle = (2 * j - 1) * std::numbers::pi / (2 * terms);
+      return 1 / (1 + bound / 2 * (1 - std::cos(angle)));
+    };
     for (int k = 0; k < count; ++k) {
-      iteration[k] = {omega * g, omega * g, omega - omega * g, 1 - omega};
-      omega = 1 / (1 - omega * q2 / 4);
+      Real const g = inverse_root(k + 1);
+      iteration[k] = {g, g, 1 - g};
     }
-    iteration[0].of_coupling *= g;
-    iteration[0].of_now *= g;
-    iteration[0].of_before = 0;
-    if (count > 1) iteration[1].of_before *= g;
+    Real const first = inverse_root(0);
+    iteration[0].of_coupling *= first;
+    iteration[0].of_now *= first;
   }
 };
 

@@ -54,7 +54,7 @@ concept TwoStageScheme = requires(Vec2<Real> v, Real t) {
 template <class S>
 concept ImplicitScheme = requires(Vec2<Real> v, Real t) {
   { S::theta } -> std::convertible_to<Real>;
-  { S::iterations } -> std::convertible_to<int>;
+  { S::terms(true) } -> std::same_as<int>;
   { S::change(v, t) } -> std::same_as<Vec2<Real>>;
   { S::velocity(v, v) } -> std::same_as<Vec2<Real>>;
   { S::position(v, v, t) } -> std::same_as<Vec2<Real>>;

@@ -26,7 +26,9 @@ struct ImplicitDamping {
   static constexpr std::string_view name = "implicit-damping";  ///< as in input and output
 
   static constexpr Real theta = 1;  ///< weight of the new velocities in the damping
-  static constexpr int iterations = 5;
+
+  /// Of the solution for w; with spins the eigenvalues of the damping lie twice as far apart.
+  static constexpr int terms(bool rotates) { return rotates ? 5 : 4; }
 
   /// Of the normal damping: with less along contacts inertia always has a part.
   static constexpr Real least_tangential_share = 0.3;

@@ -159,7 +159,7 @@ void BlockLists::make_trial() {
   system.trial.record = disks_.loop->zeros<simd::Record>("dynamics::trial_record", blocks.slots);
   if (needs.trial_spins)
     system.trial.spin = disks_.loop->zeros<double>("dynamics::trial_spin", blocks.slots);
-  if (needs.iterations > 0) {
+  if (needs.terms > 0) {
     for (auto& iterate : system.implicit.iterate)
       iterate = disks_.loop->zeros<simd::Record>("dynamics::iterate", blocks.slots);
     if (needs.rotates)

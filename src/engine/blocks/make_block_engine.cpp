@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "src/config/skin.hpp"
 #include "src/config/time_step.hpp"
 #include "src/engine/blocks/block_engine.hpp"
 
@@ -27,10 +28,10 @@ std::unique_ptr<Simulation> make_block_engine(Scene const& scene, Snapshot& snap
   auto loop = make_block_loop(backend);
   if (!loop) return nullptr;
   auto stepper = make(scene, drive);
-  auto const steps = stepping(scene, stepper->needs.iterations > 0);
+  auto const steps = stepping(scene, stepper->needs.terms > 0);
   return std::make_unique<BlockEngine>(
       std::move(loop), std::move(stepper), steps, make_species_table(scene.mass_by_area()),
-      strain_rates(scene), time_step(scene), scene.integration.skin, snapshot);
+      strain_rates(scene), time_step(scene), skin(scene), snapshot);
 }
 
 }  // namespace bagnold

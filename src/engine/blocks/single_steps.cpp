@@ -14,7 +14,7 @@ void SingleSteps::advance(Sampling const& sampling, OpenWindows& windows) {
   make_room();
   auto const step = disks_.system.step;
   bool const sampled = sampling.sampled(step);
-  bool const iterates = disks_.stepper->needs.iterations > 0;
+  bool const iterates = disks_.stepper->needs.terms > 0;
   if (windows.contacts || iterates) {  // in all blocks, between the halves of the step
     auto const count = disks_.system.blocks.count;
     first_half(0, count);
@@ -121,7 +121,7 @@ void SingleSteps::iterate(bool sampled) {
   auto const& stepper = *disks_.stepper;
   BlockReport total;
   for (std::uint32_t b = 0; b < system.blocks.count; ++b) total += reports_(b);
-  system.implicit.iterations = {total.coupling, stepper.needs.iterations};
+  system.implicit.iterations = {total.coupling, stepper.needs.terms};
   auto const room = system.blocks.most_local * stepper.needs.force_bytes;
   for (int k = 0; k < system.implicit.passes() - (sampled ? 0 : 1); ++k)
     disks_.loop->with_scratch<std::byte>(

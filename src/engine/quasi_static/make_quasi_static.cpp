@@ -9,6 +9,7 @@
 #include "src/config/errors.hpp"
 #include "src/config/laws.hpp"
 #include "src/config/quasi_static.hpp"
+#include "src/config/skin.hpp"
 #include "src/config/time_step.hpp"
 #include "src/engine/device_copy.hpp"
 #include "src/engine/make_simulation.hpp"
@@ -31,8 +32,7 @@ std::unique_ptr<Simulation> make_quasi_static(Scene const& scene, Snapshot const
                                   constants.tangential};
   auto const make = [&]<bool rotates>() -> std::unique_ptr<Simulation> {
     return std::make_unique<QuasiStaticEngine<rotates>>(std::move(material), strain_rates(scene),
-                                                        time_step(scene), scene.integration.skin,
-                                                        snapshot);
+                                                        time_step(scene), skin(scene), snapshot);
   };
   return scene.rotates() ? make.template operator()<true>() : make.template operator()<false>();
 }

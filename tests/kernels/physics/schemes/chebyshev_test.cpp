@@ -12,12 +12,8 @@ namespace {
 /// w of (1 + b) w = 1, one number.
 Real solved(Real b, Real bound, int terms) {
   ChebyshevIterations const plan(bound, terms);
-  Real now = 1, before = 1;  // a in the place of w_1 and w_0
-  for (int k = 0; k < plan.count; ++k) {
-    Real const next = plan.iteration[k](Real(1), -now, b, now, k < 2 ? Real(1) : before);
-    before = now;
-    now = next;
-  }
+  Real now = 1;  // a in the place of w_1
+  for (int k = 0; k < plan.count; ++k) now = plan.iteration[k](Real(1), -now, b, now);
   return now;
 }
 

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/config/skin.hpp"
+
+#include <algorithm>
+
+#include "kernels/physics/species.hpp"
+#include "src/config/names.hpp"
+#include "src/config/time_step.hpp"
+
+namespace bagnold {
+
+double skin(Scene const& scene) {
+  if (auto const& given = scene.integration.skin.number) return *given;
+  double const wide = 0.5;
+  double const least = std::min(scene.box_length(), scene.box_height());
+  bool const fits = least >= 2 * (big_diameter + wide);
+  return fits && is_implicit(scheme_of(scene)) ? wide : usual_skin;
+}
+
+}  // namespace bagnold
