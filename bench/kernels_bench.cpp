@@ -5,6 +5,7 @@
 #include "kernels/device/neighbors/verlet_list.hpp"
 #include "kernels/physics/laws/laws.hpp"
 #include "kernels/physics/schemes/modified_velocity_verlet.hpp"
+#include "src/config/skin.hpp"
 #include "src/engine/device_copy.hpp"
 #include "src/engine/laws.hpp"
 #include "src/start/start.hpp"
@@ -41,7 +42,7 @@ struct Prepared {
     species = to_device<Space>("bench::species", species_of(state.diameter));
     table = make_species_table(scene.mass_by_area());
     box = {state.box_length, 0.0, scene.shear.strain_rate, state.box_height()};
-    list.skin = scene.integration.skin;
+    list.skin = scene.integration.skin.number.value_or(usual_skin);
     list.at_build = position;
     build();
   }
