@@ -164,10 +164,10 @@ class FromState(CliTest):
 
 
 class Protocols(CliTest):
-    STEADY = {"shear__strain": 8.0, "output__sample_strain": 2.0**-4}
+    STEADY = {"shear__strain": 32.0, "output__sample_strain": 2.0**-4}
     RAMP = {"shear__protocol": "ramp", "shear__discard": None, "output__sample_strain": None,
             "shear__strain_rate": 2.0**-9, "shear__strain_rate_high": 2.0**-6,
-            "shear__ramp_rate": 2e-3, "shear__ramp_window": 8.0, "shear__strain": 2.0**-5}
+            "shear__ramp_rate": 2.5e-4, "shear__ramp_window": 64.0, "shear__strain": 2.0**-5}
 
     def test_stopped_and_resumed_ends_the_same(self):
         for name, changes in {"tall": {**TALL, **self.STEADY}, "flat": {**FLAT, **self.STEADY},

@@ -80,8 +80,9 @@ grid = { "disks.model" = ["CD", "CD_rot"], "integration.time_step" = ["auto", 0.
   ASSERT_EQ(sweep.points.size(), 4u);
   auto by_hand = parse_scene(base, "by hand", "/",
                              {"disks.model=CD_rot", "integration.time_step=0.25",
-                              "integration.scheme=two-stage-leapfrog"});
-  EXPECT_EQ(write_scene(sweep.points[3].scene), write_scene(by_hand)) << "the scheme is resolved";
+                              "integration.scheme=two-stage-leapfrog", "integration.skin=0.35"});
+  EXPECT_EQ(write_scene(sweep.points[3].scene), write_scene(by_hand))
+      << "scheme and skin are resolved";
   EXPECT_TRUE(sweep.points[0].scene.integration.time_step.number) << "resolved";
   EXPECT_EQ(text_of(sweep.points[0].values[1]), "auto");
 }
