@@ -42,7 +42,7 @@ struct Prepared {
     species = to_device<Space>("bench::species", species_of(state.diameter));
     table = make_species_table(scene.mass_by_area());
     box = {state.box_length, 0.0, scene.shear.strain_rate, state.box_height()};
-    list.skin = scene.integration.skin.number.value_or(usual_skin);
+    list.skin = skin(scene);
     list.at_build = position;
     build();
   }

@@ -93,7 +93,7 @@ std::unique_ptr<System> make_for_law(Scene const& scene, State const& state, Met
     World<Law, Repulsion, Precision> w(make_law<Law>(scene.disks),
                                        make_species_table(scene.mass_by_area()), state,
                                        scene.shear.strain_rate, method.time_step);
-    w.skin = scene.integration.skin.number.value_or(usual_skin);
+    w.skin = skin(scene);
     w.arrangement = method.arrangement;
     return w;
   };
