@@ -48,7 +48,7 @@ struct ImplicitDamping {
   static constexpr bool can_step = LinearLaw<Law>;
   static constexpr std::string_view cannot_step = "damping is not linear in the velocity";
 
-  /// The rule for dt, [tau_e]: 1.6 min{1, Q^-0.3}, 1.2 for 1.6 where disks roll, with Q over the
+  /// The rule for dt, [tau_e]: 1.6 min{1, Q^-0.3}, 1.4 for 1.6 where disks roll, with Q over the
   /// larger damping constant in units of 1/Q; 0.2 where damping leaves sliding contacts (nearly)
   /// alone, so that inertia always has a part. Biases in Newtonian flow are below 0.4%
   /// (docs/accuracy.md, "Implicit damping").
@@ -57,7 +57,7 @@ struct ImplicitDamping {
     Law const at_one = Law::make({1, input.normal, input.tangential});
     Real const normal = at_one.normal_damping(), tangential = at_one.tangential_damping();
     if (tangential < least_tangential_share * normal) return 0.2;
-    Real const longest = Law::rotates ? 1.2 : 1.6;
+    Real const longest = Law::rotates ? 1.4 : 1.6;
     return longest * std::min(1.0, std::pow(input.elasticity / std::max(normal, tangential), -0.3));
   }
 
