@@ -29,7 +29,7 @@ def case(model, packing_fraction, elasticity, rate, count=1024):
 
 
 CASES = [
-    *(case(model, 0.82, 1.0, rate) for rate in (1e-3, 1e-4, 1e-5) for model in ("CD", "CD_rot")),
+    *(case(model, 0.82, 1.0, rate) for rate in (1e-3, 1e-4, 1e-5, 1e-6) for model in ("CD", "CD_rot")),
     case("CD_nt", 0.82, 1.0, 1e-4),
     *(case(model, 0.84, 1.0, 1e-4) for model in ("CD", "CD_rot")),
     *(case("CD", 0.82, elasticity, 1e-4) for elasticity in (0.1, 10.0, 50.0, 200.0)),

@@ -41,8 +41,9 @@ def newtonian(model, rate, count=1024):
 
 
 STATES = [
-    *(newtonian(model, rate) for rate in (1e-3, 1e-4, 1e-5) for model in ("CD", "CD_rot")),
+    *(newtonian(model, rate) for rate in (1e-3, 1e-4, 1e-5, 1e-6) for model in ("CD", "CD_rot")),
     newtonian("CD_nt", 1e-4),
+    State("CD", 0.78, 1.0, 1e-4, (0.8, 1.2, 1.6)),
     *(newtonian(model, rate, 16384) for rate in (1e-3, 1e-4, 1e-5) for model in ("CD", "CD_rot")),
     *(State(model, 0.84, 1.0, 1e-4, (0.8, 1.2, 1.6)) for model in ("CD", "CD_n")),
     State("CD_rot", 0.84, 1.0, 1e-4, (0.8, 1.2, 1.4, 1.6)),
@@ -95,13 +96,13 @@ def scene(state, settings, tiny):
 
 
 def start(program, folder, state, seed, tiny):
-    """A state under way at the rate: by 1e-3 and 1e-4, if it is lower."""
-    rates = [rate for rate in (1e-3, 1e-4, 1e-5) if rate >= 0.99 * state.rate]
+    """A state under way at the rate: by the higher ones."""
+    rates = [rate for rate in (1e-3, 1e-4, 1e-5, 1e-6) if rate >= 0.99 * state.rate]
     out = os.path.abspath(os.path.join(folder, f"implicit-{state.title.replace(' ', '-')}-{seed}"))
     names = sorted(os.listdir(out)) if os.path.isdir(out) else []
     last = [name for name in names if name.startswith(f"{len(rates):04d}_")]
     if not last or not os.path.exists(os.path.join(out, last[0], "summary.json")):
-        strains = [0.1] if tiny else [1.0, 0.6, 0.3][:len(rates)]
+        strains = [0.1] if tiny else [1.0, 0.6, 0.3, 0.1][:len(rates)]
         settings = {"disks.seed": seed, "shear.discard": 0, "output.sample_strain": 0.05}
         if len(rates) == 1:
             settings |= {"shear.strain_rate": rates[0], "shear.strain": strains[0]}

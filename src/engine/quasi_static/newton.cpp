@@ -11,6 +11,11 @@ namespace {
 
 constexpr int most_iterations = 40, most_trials = 12;
 
+/// A whole step is taken as it is where it leaves no more than this share of the residual; else the
+/// slope along it is brought down to this share. With a half of both, iterations at 1e-7 cycle
+/// (docs/performance_log.md).
+constexpr Real good_share = 0.1, flat_share = 0.2;
+
 /// Trials along one direction of Newton.
 template <bool Rotates>
 class Line {
@@ -33,10 +38,10 @@ class Line {
     return equations_.residual().dot(direction_);
   }
 
-  /// From a whole step, with that slope, to where it is at most half of that at the start.
+  /// From a whole step, with that slope, to where it is flat: flat_share of that at the start.
   void search(Real at_end) {
     Real low = 0, at_low = slope_, high = 1, at_high = at_end, slope = at_end;
-    for (int k = 0; k < most_trials && std::abs(slope) > std::abs(slope_) / 2; ++k) {
+    for (int k = 0; k < most_trials && std::abs(slope) > flat_share * std::abs(slope_); ++k) {
       if (k == 0 && slope < 0) return;  // still falling: the step is not too long
       Real const share =
           low + (high - low) * std::clamp(at_low / (at_low - at_high), Real(0.1), Real(0.9));
@@ -75,7 +80,7 @@ bool solve_step(StepEquations<Rotates>& equations, NewtonMatrix<Rotates>& matrix
     Real const slope = line.go(1);
     Real const before = left;
     left = equations.relative_residual();
-    if (k > 0 && !(left <= before / 2)) {
+    if (k > 0 && !(left <= good_share * before)) {
       line.search(slope);
       left = equations.relative_residual();
     }

@@ -16,8 +16,9 @@ struct SolveCounts {
 inline constexpr Real default_tolerance = 1e-3;
 
 /// Solves the equations of a step that began, by Newton's iteration from the motion then. It is
-/// semi-smooth: contacts open and close on the way. Along each direction it goes to where the
-/// gradient is at most half of that at the start (regula falsi), without which it cycles.
+/// semi-smooth: contacts open and close on the way. Along a direction that leaves more than a
+/// tenth it goes to where the slope is at most a fifth of that at the start (regula falsi), without
+/// which it cycles.
 ///
 /// Returns whether R is within the tolerance; then `u` is the solution, and the equations are
 /// evaluated there.
