@@ -11,9 +11,9 @@ namespace {
 
 constexpr int most_iterations = 40, most_trials = 12;
 
-/// A whole step is taken as it is where it leaves no more than this share of the residual; else the
-/// slope along it is brought down to this share. With a half of both, iterations at 1e-7 cycle
-/// (docs/performance_log.md).
+/// A whole step is taken as it is where it leaves no more than `good_share` of the residual; else
+/// the slope along it is brought down to `flat_share`. With a half for the first, CD_rot at 1e-7
+/// takes nearly twice as many iterations (docs/performance_log.md).
 constexpr Real good_share = 0.1, flat_share = 0.2;
 
 /// Trials along one direction of Newton.
