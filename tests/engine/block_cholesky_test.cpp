@@ -51,7 +51,8 @@ void expect_dense_solution(std::int32_t columns, int pairs, std::mt19937& random
     factor.factorize(pattern);
     Eigen::VectorXd const b = Eigen::VectorXd::Random(unknowns * columns);
     Eigen::VectorXd x = b;
-    factor.solve(pattern, x);
+    factor.solve_lower(pattern, x);
+    factor.solve_upper(pattern, x);
     EXPECT_LT((matrix.dense * x - b).cwiseAbs().maxCoeff(), 1e-13) << columns << " " << pairs;
   }
 }
@@ -62,6 +63,17 @@ TEST(BlockCholesky, SolvesAsADenseMatrix) {
     expect_dense_solution<2>(columns, pairs, random);
     expect_dense_solution<3>(columns, pairs, random);
   }
+}
+
+/// Neighbouring columns with the same rows below are a group.
+TEST(FactorPattern, GroupsColumns) {
+  FactorPattern const dense(4, {{1, 0}, {2, 0}, {3, 0}});
+  EXPECT_EQ(dense.group_end(0), 4u);
+  FactorPattern const chain(4, {{1, 0}, {2, 1}, {3, 2}});
+  EXPECT_EQ(chain.group_end(0), 1u);
+  EXPECT_EQ(chain.group_end(2), 4u);
+  FactorPattern const apart(3, {});
+  EXPECT_EQ(apart.group_end(0), 1u);
 }
 
 /// Blocks of L that are not zero: of a chain none but its own, of a star that is eliminated from

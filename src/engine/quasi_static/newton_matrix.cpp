@@ -98,7 +98,8 @@ Eigen::VectorXd NewtonMatrix<Rotates>::solve(Eigen::VectorXd const& right) const
   for (std::size_t i = 0; i < place_.size(); ++i)
     ordered.segment<unknowns>(unknowns * place_[i]) =
         right.segment<unknowns>(unknowns * static_cast<Eigen::Index>(i));
-  factor_.solve(pattern_, ordered);
+  factor_.solve_lower(pattern_, ordered);
+  factor_.solve_upper(pattern_, ordered);
   for (std::size_t i = 0; i < place_.size(); ++i)
     u.segment<unknowns>(unknowns * static_cast<Eigen::Index>(i)) =
         ordered.segment<unknowns>(unknowns * place_[i]);
