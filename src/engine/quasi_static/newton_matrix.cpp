@@ -10,7 +10,7 @@ namespace bagnold::quasi_static {
 
 namespace {
 
-/// A new factor costs as much as about 25 columns L^-1 w.
+/// Each costs a solution; 8 and 32 take as long (docs/performance_log.md).
 constexpr std::size_t most_changes = 16;
 
 /// What the motion of each disk of a pair adds to the velocity at their contact, and its matrix:
