@@ -14,6 +14,8 @@ namespace bagnold {
 /// next pruning, and of those the ones that touch now.
 enum NearList : int { inner_list, contact_list, near_lists };
 
+enum HalfOfStep : int { first_half_of_step, second_half_of_step, halves_of_step };
+
 /// Pairs that the lists of all blocks may hold: places in them are 32-bit numbers.
 inline constexpr std::uint64_t most_pairs = std::uint64_t{1} << 32;
 
@@ -52,6 +54,8 @@ struct Blocks {
   Array<simd::LocalPair> outer;             ///< class segments, multiples of eight
   Array<simd::LocalPair> near[near_lists];  ///< the same places, filled from the front; or empty
   Array<std::uint32_t> slot_of;             ///< [N]: where a disk is, by its index at the start
+  Array<std::uint32_t>
+      next[halves_of_step];  ///< [count] the block that goes through that half after each; or empty
 
   /// Whether a step goes through more than stays in cache from one half to the next.
   bool beyond_cache() const { return slots > 100'000; }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+
 #include "kernels/cpu/blocks/prune.hpp"
 #include "kernels/cpu/steps/block_system.hpp"
 
@@ -12,7 +14,7 @@ struct ActiveDisks {
   Blocks::Array<std::uint8_t> is_active;  ///< [slots]
   Blocks::Array<std::uint32_t> count;     ///< [blocks], in `list`
 
-  /// Room for new blocks. loop: makes cleared room.
+  /// Room for new blocks, of whose disks none touches. loop: makes cleared room.
   template <class Loop>
   void resize(Loop& loop, Blocks& blocks) {
     blocks.make_room(contact_list, "steps::contacts");
@@ -24,6 +26,10 @@ struct ActiveDisks {
     }
     if (count.extent(0) < blocks.count)
       count = loop.template zeros<std::uint32_t>("steps::active_count", blocks.count);
+    loop(blocks.count, [&](std::uint32_t b) {
+      Block const& block = blocks.block(b);
+      std::fill_n(is_active.data() + block.first, block.local(), std::uint8_t{0});
+    });
   }
 
   /// Lists the pairs of block b that touch, adds their disks to the active ones and clears the
@@ -41,7 +47,7 @@ struct ActiveDisks {
       force[i] = Force{};
       active[n] = at;
       n += static_cast<std::uint32_t>(i < block.own) & (marked[i] ^ 1u);  // which branch is chance
-      marked[i] = 1;
+      marked[i] = 1;  // foreign ones too, which stay marked
     };
     for (std::uint32_t k = 0; k < count(b); ++k) simd::at(force, active[k]) = Force{};
     for (int c = 0; c < pair_classes; ++c) {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "kernels/cpu/steps/ask_ahead.hpp"
 #include "kernels/cpu/steps/block_drive.hpp"
 #include "kernels/cpu/steps/block_forces.hpp"
 #include "kernels/cpu/steps/block_stepper.hpp"
@@ -49,7 +50,9 @@ struct BlockStep<L, R, S> {
     Block const& block = s.blocks.block(b);
     refresh_halo(s.blocks, block, s.now, box);
     bring_near(s.blocks, block, s.trial);
-    forces.evaluate(s, block, s.now, force, NoPackObserver{});
+    asking_ahead(s, b, first_half_of_step, inner_list, [&](auto&& ask) {
+      forces.evaluate(s, block, s.now, force, [&](PackOfPairs const&) { ask(); });
+    });
     if (drive) drive->add(s, block, s.now, box.strain_rate, force);
     Kick const kick(s.table, time_step);
     for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
@@ -76,7 +79,12 @@ struct BlockStep<L, R, S> {
     refresh_halo(s.blocks, block, s.trial, box);
     bring_near(s.blocks, block, s.now);
     OverlapBound overlaps;
-    forces.evaluate(s, block, s.trial, force, overlaps);
+    asking_ahead(s, b, second_half_of_step, inner_list, [&](auto&& ask) {
+      forces.evaluate(s, block, s.trial, force, [&](PackOfPairs const& p) {
+        overlaps(p);
+        ask();
+      });
+    });
     if (drive) drive->add(s, block, s.trial, box.strain_rate, force);
     Kick const kick(s.table, time_step / 2);
     SpeedBound speeds{box.strain_rate};

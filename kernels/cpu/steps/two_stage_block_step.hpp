@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "kernels/cpu/steps/ask_ahead.hpp"
 #include "kernels/cpu/steps/block_drive.hpp"
 #include "kernels/cpu/steps/block_forces.hpp"
 #include "kernels/cpu/steps/block_stepper.hpp"
@@ -58,14 +59,19 @@ struct BlockStep<L, R, S> {
     bring_near(s.blocks, block, s.trial);
     Forces::clear(block, force);
     BlockReport report;
-    for (int c = 0; c < pair_classes; ++c) {
-      ContactLister lister{s.blocks.near[contact_list].data() + block.pairs[c]};
-      forces.add(c, s, block, inner_list, s.now, force, lister);
-      block.near[contact_list][c] = lister.finish(block);
-      report.touching += block.near[contact_list][c];
-      report.largest_overlap =
-          std::max(report.largest_overlap, simd::largest(lister.largest_overlap));
-    }
+    asking_ahead(s, b, first_half_of_step, inner_list, [&](auto&& ask) {
+      for (int c = 0; c < pair_classes; ++c) {
+        ContactLister lister{s.blocks.near[contact_list].data() + block.pairs[c]};
+        forces.add(c, s, block, inner_list, s.now, force, [&](PackOfPairs const& p) {
+          lister(p);
+          ask();
+        });
+        block.near[contact_list][c] = lister.finish(block);
+        report.touching += block.near[contact_list][c];
+        report.largest_overlap =
+            std::max(report.largest_overlap, simd::largest(lister.largest_overlap));
+      }
+    });
     if (drive) drive->add(s, block, s.now, box.strain_rate, force);
     Kick const kick(s.table, time_step);
     for (std::uint32_t i = 0; i < block.padded; i += simd::width) {

@@ -58,7 +58,18 @@ void BlockLists::arrange(DiskList list, std::vector<Vec2<Real>> const* listed) {
 
   make_trial();
   wavefront_ = Wavefront(blocks, at_build_, blocks_at_once());
+  if (blocks.beyond_cache()) {
+    system.blocks.next[first_half_of_step] = next_in(wavefront_.first_half);
+    system.blocks.next[second_half_of_step] = next_in(wavefront_.second_half);
+  }
   ++system.arrangement;
+}
+
+/// Of each block the one behind it in an order.
+Blocks::Array<std::uint32_t> BlockLists::next_in(std::vector<std::uint32_t> const& order) {
+  auto next = disks_.loop->zeros<std::uint32_t>("blocks::next", order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) next(order[k]) = order[(k + 1) % order.size()];
+  return next;
 }
 
 std::vector<std::array<double, 2>> BlockLists::at_build() const {

@@ -67,6 +67,7 @@ class BlockLists {
   void make_trial();
   void make_inert(Block const& block);
   std::uint32_t blocks_at_once() const;
+  Blocks::Array<std::uint32_t> next_in(std::vector<std::uint32_t> const& order);
 
   BlockDisks& disks_;
   Real skin_;
