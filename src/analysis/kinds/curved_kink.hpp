@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <vector>
 
+#include "src/analysis/fit/points.hpp"
 #include "src/analysis/outcome.hpp"
 #include "src/analysis/request.hpp"
 
