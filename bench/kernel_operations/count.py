@@ -3,9 +3,10 @@
 """count.py OBJECT: instructions and packed operations of each law's pair loop, for eight pairs.
 
 OBJECT is what pairs.cpp compiles to (target bagnold_kernel_operations), for x86-64 or AArch64. The loop is
-the innermost one of BlockForces::add_class, as objdump shows it: what runs once for eight pairs. Loads and
-stores of the disks are in it, force scatter too. Packed operations are arithmetic on vector registers: one
-of AVX-512, two of AVX2 or four of 128 bits hold a pack. On the stack: what finds no register.
+the innermost one of BlockForces::add_class, as objdump shows it: what runs once for a pack of pairs, eight
+of AVX-512, four of AVX2, two of 128 bits; numbers are those of as many packs as eight pairs are. Loads and
+stores of the disks are in it, force scatter too. Packed operations are arithmetic on whole packs. On the
+stack: what finds no register.
 """
 
 import re
@@ -14,7 +15,7 @@ import sys
 
 ARITHMETIC = re.compile(r"v?(fn?m(add|sub)|add|sub|mul|div|max|min|sqrt|rsqrt14|rcp14)\w*pd$"
                         r"|f(add|sub|mul|div|mla|mls|max|min|sqrt)$")
-PACK = re.compile(r"%[xyz]mm|v\d+[.]2d")
+PACKS = {8: re.compile(r"%zmm"), 4: re.compile(r"%ymm"), 2: re.compile(r"%xmm|v\d+[.]2d")}
 STACK = re.compile(r"\(%r[sb]p|\[sp")
 BACK = re.compile(r"j(?!mp)\w+$|b[.]\w+$|cbn?z$|tbn?z$")  # jumps that close a loop
 AARCH64 = 183  # e_machine of ELF
@@ -51,6 +52,13 @@ def largest_loop(code):
     return max(loops, key=len)
 
 
+def packed(loop):
+    """{pairs in a pack: operations}"""
+    arithmetic = [operands for _, operation, operands in loop if ARITHMETIC.match(operation)]
+    return {width: sum(bool(pack.search(operands)) for operands in arithmetic)
+            for width, pack in PACKS.items()}
+
+
 def main():
     loops = {}
     for name, code in functions(sys.argv[1]).items():
@@ -61,10 +69,11 @@ def main():
     print(f"{'law':<8} {'instructions':>12} {'packed operations':>18} {'on the stack':>13}")
     for law in sorted(loops):
         loop = max(loops[law], key=len)
-        packed = sum(bool(ARITHMETIC.match(operation) and PACK.search(operands))
-                     for _, operation, operands in loop)
+        operations = packed(loop)
+        width = max(width for width, found in operations.items() if found)
         stack = sum(bool(STACK.search(operands)) for _, _, operands in loop)
-        print(f"{law:<8} {len(loop):>12} {packed:>18} {stack:>13}")
+        numbers = (8 // width * n for n in (len(loop), operations[width], stack))
+        print("{:<8} {:>12} {:>18} {:>13}".format(law, *numbers))
 
 
 if __name__ == "__main__":

@@ -44,7 +44,7 @@ class Rows {
     for (auto& row : rows_) std::ranges::sort(row, {}, &Placed::x);
   }
 
-  /// see(one, other, distance) for each pair that may touch, once; until it says false.
+  /// see(one, other, dx, dy) for each pair that may touch, once; until it says false.
   template <class See>
   void for_each_pair(See const& see) const {
     for (std::size_t r = 0; r < rows_.size(); ++r) {
@@ -71,7 +71,7 @@ class Rows {
       double dx = next->x + x_shift - one.x;
       dx -= width_ * std::round(dx / width_);
       if (later_only ? next->disk > one.disk : next->disk != one.disk)
-        if (!see(one.disk, next->disk, std::hypot(dx, next->y + y_shift - one.y))) return false;
+        if (!see(one.disk, next->disk, dx, next->y + y_shift - one.y)) return false;
     }
     return true;
   }
@@ -80,12 +80,21 @@ class Rows {
   std::vector<std::vector<Placed>> rows_;
 };
 
+/// see(one, other, overlap) for each pair that overlaps; until it says false.
+template <class See>
+void for_each_overlap(State const& state, See const& see) {
+  Rows(state).for_each_pair([&](std::size_t i, std::size_t j, double dx, double dy) {
+    double const reach = (state.diameter[i] + state.diameter[j]) / 2;
+    if (dx * dx + dy * dy > reach * reach) return true;
+    return see(i, j, 1 - 2 * std::hypot(dx, dy) / (state.diameter[i] + state.diameter[j]));
+  });
+}
+
 }  // namespace
 
 DeepOverlaps deep_overlaps(State const& state, double limit) {
   DeepOverlaps found;
-  Rows(state).for_each_pair([&](std::size_t i, std::size_t j, double distance) {
-    double const overlap = 1 - 2 * distance / (state.diameter[i] + state.diameter[j]);
+  for_each_overlap(state, [&](std::size_t i, std::size_t j, double overlap) {
     if (!(overlap > limit)) return true;
     if (overlap > found.deepest) {
       found.deepest = overlap;
@@ -95,6 +104,15 @@ DeepOverlaps deep_overlaps(State const& state, double limit) {
     return ++found.pairs < DeepOverlaps::most_pairs;
   });
   return found;
+}
+
+double largest_overlap(State const& state) {
+  double largest = 0;
+  for_each_overlap(state, [&](std::size_t, std::size_t, double overlap) {
+    largest = std::max(largest, overlap);
+    return true;
+  });
+  return largest;
 }
 
 std::string deep_overlap_warning(State const& state, std::string const& file) {

@@ -22,6 +22,9 @@ struct DeepOverlaps {
 /// finite.
 DeepOverlaps deep_overlaps(State const& state, double limit);
 
+/// The largest relative overlap of all disks and their nearest images; 0: none overlaps.
+double largest_overlap(State const& state);
+
 /// What to say of a state file whose disks overlap so much that a run stops at once, and what to
 /// do; empty: nothing.
 std::string deep_overlap_warning(State const& state, std::string const& file);

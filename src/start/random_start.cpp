@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kernels/physics/species.hpp"
+#include "src/start/even_out.hpp"
 #include "src/start/random_pair.hpp"
 #include "src/start/relax_overlaps.hpp"
 #include "src/start/start.hpp"
@@ -30,6 +31,7 @@ StartedState random_start(Scene const& scene, std::function<bool()> const& go_on
     state.diameter[i] = i < count / 2 ? small_diameter : big_diameter;
   }
 
+  if (is_large(state) && scene.start.iterations > 0) even_out(state);
   relax_start(state, scene, "the random start", started.record, go_on);
 
   state.velocity.resize(count);

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <tuple>
+#include <vector>
 
 #include "kernels/device/dynamics/relaxation.hpp"
 #include "kernels/device/side_by_side.hpp"
@@ -138,7 +141,7 @@ using Host = Kokkos::DefaultHostExecutionSpace;
 /// Fewer disks wait for each other more than they move, and replicas have a thread each.
 bool worth_threads(State const& state) {
 #ifdef KOKKOS_ENABLE_SERIAL
-  return state.count() >= 8192 && Host().concurrency() > 1;
+  return is_large(state) && Host().concurrency() > 1;
 #else
   return true;
 #endif
@@ -177,7 +180,7 @@ bool relax_in_blocks(State& state, Relaxation& relaxed, double overlap, std::int
       relaxed.iterations += more;
     }
     State reached = simulation->state();
-    relaxed.largest_overlap = deep_overlaps(reached, 0).deepest;
+    relaxed.largest_overlap = largest_overlap(reached);
     state.position = std::move(reached.position);
   }
   return true;
@@ -185,9 +188,19 @@ bool relax_in_blocks(State& state, Relaxation& relaxed, double overlap, std::int
   return false;
 }
 
-}  // namespace
+/// The disks strip by strip, so that neighbours in the box are near in memory.
+std::vector<std::size_t> by_strips(State const& state) {
+  constexpr double height = 4;  // [d_s]
+  std::vector<std::size_t> order(state.count());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, {}, [&](std::size_t i) {
+    auto const& [x, y] = state.position[i];
+    return std::tuple(std::floor(y / height), x, i);
+  });
+  return order;
+}
 
-Relaxation relax_overlaps(State& state, double overlap, std::int64_t iterations, double skin,
+Relaxation relax_in_order(State& state, double overlap, std::int64_t iterations, double skin,
                           std::function<bool()> const& go_on) {
   Relaxation relaxed{0, 0};
   for (double limit = deep;; limit /= 2) {
@@ -197,6 +210,22 @@ Relaxation relax_overlaps(State& state, double overlap, std::int64_t iterations,
     if (relaxed.largest_overlap <= overlap || relaxed.iterations >= iterations) break;
     if (relax_in_blocks(state, relaxed, overlap, iterations, skin, go_on)) break;
   }
+  return relaxed;
+}
+
+}  // namespace
+
+Relaxation relax_overlaps(State& state, double overlap, std::int64_t iterations, double skin,
+                          std::function<bool()> const& go_on) {
+  if (!is_large(state)) return relax_in_order(state, overlap, iterations, skin, go_on);
+  auto const order = by_strips(state);
+  State sorted = state;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    sorted.position[k] = state.position[order[k]];
+    sorted.diameter[k] = state.diameter[order[k]];
+  }
+  auto const relaxed = relax_in_order(sorted, overlap, iterations, skin, go_on);
+  for (std::size_t k = 0; k < order.size(); ++k) state.position[order[k]] = sorted.position[k];
   return relaxed;
 }
 

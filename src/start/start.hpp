@@ -17,14 +17,18 @@ struct StartedState {
   std::map<std::string, double> record;
 };
 
-/// Random positions (Philox keyed by seed, counted by disk: independent of backend and threads),
-/// overlaps relaxed, then v = gammadot y x^ and thetadot = -gammadot/2. Disks 0 .. N/2 - 1 are
-/// small.
+/// Random positions (Philox keyed by seed, counted by disk: independent of backend and threads), of
+/// many disks without long waves of the density (even_out), overlaps relaxed, then v = gammadot y
+/// x^ and thetadot = -gammadot/2. Disks 0 .. N/2 - 1 are small.
 ///
 /// Above jamming overlaps remain: recorded as `start_overlap`. Throws NumericalError above 5%, and
 /// StartStopped when go_on, asked now and then, says no. Kokkos must run.
 StartedState random_start(
     Scene const& scene, std::function<bool()> const& go_on = [] { return true; });
+
+/// Whether long waves and memory are what a relaxation of disks waits for. The bits of smaller
+/// starts are those of the first version.
+inline bool is_large(State const& state) { return state.count() >= 8192; }
 
 /// Relative overlap that a relaxation may leave.
 inline constexpr double largest_start_overlap = 0.05;

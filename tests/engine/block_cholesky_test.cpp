@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <random>
 
+#include "src/engine/quasi_static/rank_changes.hpp"
+#include "src/engine/quasi_static/slope_between.hpp"
+
 namespace bagnold::quasi_static {
 namespace {
 
@@ -51,7 +54,8 @@ void expect_dense_solution(std::int32_t columns, int pairs, std::mt19937& random
     factor.factorize(pattern);
     Eigen::VectorXd const b = Eigen::VectorXd::Random(unknowns * columns);
     Eigen::VectorXd x = b;
-    factor.solve(pattern, x);
+    factor.solve_lower(pattern, x);
+    factor.solve_upper(pattern, x);
     EXPECT_LT((matrix.dense * x - b).cwiseAbs().maxCoeff(), 1e-13) << columns << " " << pairs;
   }
 }
@@ -62,6 +66,66 @@ TEST(BlockCholesky, SolvesAsADenseMatrix) {
     expect_dense_solution<2>(columns, pairs, random);
     expect_dense_solution<3>(columns, pairs, random);
   }
+}
+
+/// Some pairs of columns held together, others let go by most of what held them.
+TEST(RankChanges, SolveTheChangedMatrix) {
+  std::mt19937 random(7);
+  BlockMatrix<3> matrix(40, 80, random);
+  FactorPattern const pattern(40, matrix.entries);
+  BlockCholesky<3> factor;
+  factor.clear(pattern);
+  auto const add = [&](Entry const& entry) {
+    factor.add(pattern.find(entry),
+               matrix.dense.template block<3, 3>(3 * entry.row, 3 * entry.column));
+  };
+  for (std::int32_t k = 0; k < 40; ++k) add({k, k});
+  for (auto const& entry : matrix.entries) add(entry);
+  factor.factorize(pattern);
+
+  RankChanges changes;
+  for (std::uint32_t k = 0; k < 6; ++k) {
+    Eigen::VectorXd w = Eigen::VectorXd::Zero(120);
+    w[5 * k] = 0.6;
+    w[5 * k + 60] = -0.8;
+    double const amount = k % 2 == 0 ? 1e4 : -0.3;
+    matrix.dense += amount * w * w.transpose();
+    factor.solve_lower(pattern, w);
+    changes.changes().push_back({k, amount, w});
+  }
+  changes.factorize();
+  Eigen::VectorXd const b = Eigen::VectorXd::Random(120);
+  Eigen::VectorXd x = b;
+  factor.solve_lower(pattern, x);
+  changes.correct(x);
+  factor.solve_upper(pattern, x);
+  EXPECT_LT((matrix.dense * x - b).cwiseAbs().maxCoeff(), 1e-10);
+}
+
+/// Springs that come into contact at 0.3 and out of it at 0.6 of the way, beside a linear rest.
+TEST(SlopeBetween, FindsWhereItIsZero) {
+  std::vector<NearPair> const pairs{{0, 1, {}, 1.0}, {1, 2, {}, 1.2}, {2, 3, {}, 1.0}};
+  auto const overlaps = [](double part) {
+    return std::vector<Real>{part - 0.3, 0.6 - part, 1 + part};
+  };
+  double const from = 0.5, to = 2.5, width = to - from;
+  auto const slope = [&](double part) {
+    return -0.2 + 0.1 * part + std::max(0.0, part - 0.3) / width -
+           std::max(0.0, 0.6 - part) / (1.44 * width);
+  };
+  SlopeBetween const between({from, slope(0), overlaps(0)}, {to, slope(1), overlaps(1)}, pairs);
+  EXPECT_NEAR(slope(between.zero()), 0, 1e-12);
+}
+
+/// Neighbouring columns with the same rows below are a group.
+TEST(FactorPattern, GroupsColumns) {
+  FactorPattern const dense(4, {{1, 0}, {2, 0}, {3, 0}});
+  EXPECT_EQ(dense.group_end(0), 4u);
+  FactorPattern const chain(4, {{1, 0}, {2, 1}, {3, 2}});
+  EXPECT_EQ(chain.group_end(0), 1u);
+  EXPECT_EQ(chain.group_end(2), 4u);
+  FactorPattern const apart(3, {});
+  EXPECT_EQ(apart.group_end(0), 1u);
 }
 
 /// Blocks of L that are not zero: of a chain none but its own, of a star that is eliminated from

@@ -58,6 +58,27 @@ TEST(DeepOverlaps, AreThoseOfAllPairs) {
   EXPECT_GT(pairs, 1000);
 }
 
+/// Also where more pairs overlap than deep_overlaps counts.
+TEST(LargestOverlap, IsThatOfAllPairs) {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    State const state = some_state(60, 12.0, seed);
+    EXPECT_NEAR(largest_overlap(state), by_all_pairs(state, 0).deepest, 1e-12);
+  }
+  State apart;
+  apart.box_length = 10;
+  apart.position = {{1, 1}, {5, 5}};
+  apart.diameter = {1, 1.4};
+  EXPECT_EQ(largest_overlap(apart), 0);
+  State row;
+  row.box_length = 6000;
+  row.box_aspect = 1e-3;
+  for (int i = 0; i < 2000; ++i) row.position.push_back({10 + 1e-7 * i, 3.0});
+  row.position.insert(row.position.end(), 2, {5000.0, 3.0});
+  row.diameter.assign(row.count(), 1.0);
+  ASSERT_EQ(deep_overlaps(row, 0).pairs, DeepOverlaps::most_pairs);
+  EXPECT_EQ(largest_overlap(row), 1);
+}
+
 TEST(DeepOverlaps, NeitherHeapsNorWildNumbersHoldItUp) {
   State state = some_state(200'000, 700.0, 1);
   for (auto& position : state.position) position = {1.0, 2.0};

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "src/config/errors.hpp"
+#include "src/start/deep_overlaps.hpp"
 #include "src/start/relax_overlaps.hpp"
 #include "src/start/start.hpp"
 #include "tests/reference/reference.hpp"
@@ -157,6 +158,33 @@ TEST(RandomStart, OverlapsAreRelaxedBelowTheThreshold) {
       EXPECT_NEAR(started.record.at("start_overlap"), left, 1e-12);
       EXPECT_GT(started.record.at("start_iterations"), 0) << phi;
       EXPECT_LE(started.record.at("start_iterations"), 20000) << phi;
+    }
+}
+
+/// Long waves would take iterations as the side of the box: 1461 with 65536 disks, were they not
+/// taken out before.
+TEST(RandomStart, LargeSystemsRelaxAsSmallOnesDo) {
+  auto const started = random_start(scene_of(32768, 0.82));
+  EXPECT_LE(started.record.at("start_iterations"), 900);
+  EXPECT_LE(started.record.at("start_overlap"), 1e-4);
+  EXPECT_EQ(started.record.at("start_overlap"), largest_overlap(started.state));
+  auto const again = random_start(scene_of(32768, 0.82));
+  EXPECT_EQ(started.state.position, again.state.position);
+}
+
+/// Positions as drawn, to some diameters: a disk keeps its number.
+TEST(RandomStart, DisksOfLargeSystemsKeepTheirNumbers) {
+  Scene scene = scene_of(8192, 0.78);
+  State const relaxed = random_start(scene).state;
+  scene.start.iterations = 0;
+  scene.disks.packing_fraction = 1e-6;
+  State const as_drawn = random_start(scene).state;
+  double const shrunk = relaxed.box_length / as_drawn.box_length;
+  for (std::size_t i = 0; i < relaxed.count(); ++i)
+    for (int a : {0, 1}) {
+      double d = relaxed.position[i][a] - shrunk * as_drawn.position[i][a];
+      d -= relaxed.box_length * std::round(d / relaxed.box_length);
+      ASSERT_LT(std::abs(d), 8.0) << i;
     }
 }
 

@@ -55,15 +55,42 @@ struct Forecast {
   }
 };
 
-/// Appends the pairs of a block that touch on straight flights of `duration`, [tau_e], or would if
-/// each disk deviated by up to `allowance`, or by the `usual`, [d_s]. records: the block's, halo
-/// included.
-inline void predict_contacts(Blocks const& blocks, Block const& block, simd::Record const* records,
-                             Real duration, Real allowance, Real usual, Forecast& forecast) {
+/// Pairs of a block by class, each class filled up to a multiple of eight.
+struct ListedPairs {
+  simd::LocalPair const* first[pair_classes];
+  std::uint32_t count[pair_classes];
+
+  std::uint32_t size() const { return count[0] + count[1] + count[2]; }
+};
+
+inline ListedPairs outer_pairs(Blocks const& blocks, Block const& block) {
+  ListedPairs list;
+  for (int c = 0; c < pair_classes; ++c) {
+    list.first[c] = blocks.outer.data() + block.pairs[c];
+    list.count[c] = block.pairs[c + 1] - block.pairs[c];
+  }
+  return list;
+}
+
+inline ListedPairs near_pairs(Blocks const& blocks, Block const& block, NearList near) {
+  ListedPairs list;
+  for (int c = 0; c < pair_classes; ++c) {
+    list.first[c] = blocks.near[near].data() + block.pairs[c];
+    list.count[c] = block.near[near][c];
+  }
+  return list;
+}
+
+/// Appends the pairs of a list of a block that touch on straight flights of `duration`, [tau_e], or
+/// would if each disk deviated by up to `allowance`, or by the `usual`, [d_s]. records: the
+/// block's, halo included.
+inline void predict_contacts(Blocks const& blocks, Block const& block, ListedPairs const& list,
+                             simd::Record const* records, Real duration, Real allowance, Real usual,
+                             Forecast& forecast) {
   for (int c = 0; c < pair_classes; ++c) {
     Real const touch = class_distance(c);
-    for (auto k = block.pairs[c]; k < block.pairs[c + 1]; k += simd::width) {
-      auto const* pairs = blocks.outer.data() + k;
+    for (std::uint32_t k = 0; k < list.count[c]; k += simd::width) {
+      auto const* pairs = list.first[c] + k;
       auto const d = simd::load_differences(records, pairs);
       auto const mask = may_meet(d, touch + 2 * allowance, duration);
       if (!mask.any()) continue;

@@ -40,9 +40,8 @@ struct ActiveDisks {
       auto const i = at / 4u;
       force[i] = Force{};
       active[n] = at;
-      bool const fresh = i < block.own && marked[i] == 0;
-      n += fresh;
-      if (fresh) marked[i] = 1;
+      n += static_cast<std::uint32_t>(i < block.own) & (marked[i] ^ 1u);  // which branch is chance
+      marked[i] = 1;
     };
     for (std::uint32_t k = 0; k < count(b); ++k) simd::at(force, active[k]) = Force{};
     for (int c = 0; c < pair_classes; ++c) {

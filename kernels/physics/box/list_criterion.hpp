@@ -7,7 +7,8 @@
 
 namespace bagnold {
 
-/// When a list built with reach d_ij + skin still holds every pair in contact, under shear.
+/// Skin with which a list, of pairs within d_ij + skin, still holds every pair in contact under
+/// shear, [d_s].
 ///
 /// Since the build the box has sheared by Delta gamma and a disk has moved to
 ///     r = r_0 + Delta gamma y_0 x^ + w
@@ -16,13 +17,18 @@ namespace bagnold {
 ///     r_ij = S r_0,ij + w_i - w_j,   S = [[1, Delta gamma], [0, 1]].
 /// If |r_ij| < d_ij then |r_0,ij| <= |S^-1| (d_ij + 2 max|w|), and the norm of S^-1 is
 ///     s = |Delta gamma|/2 + sqrt(1 + Delta gamma^2/4).
-/// The pair is in the list if that is below d_ij + skin:
-///     2 s max|w| + (s - 1) d_max < skin.
-KOKKOS_INLINE_FUNCTION bool list_holds(Real strain_since_build, Real largest_nonaffine2,
-                                       Real skin) {
+/// The pair is in the list if that is below d_ij + skin, so the skin must be above
+///     2 s max|w| + (s - 1) d_max.
+KOKKOS_INLINE_FUNCTION Real list_margin(Real strain_since_build, Real largest_nonaffine) {
   Real const half = math::sqrt(strain_since_build * strain_since_build) / 2;
   Real const s = half + math::sqrt(1 + half * half);
-  return 2 * s * math::sqrt(largest_nonaffine2) + (s - 1) * big_diameter < skin;
+  return 2 * s * largest_nonaffine + (s - 1) * big_diameter;
+}
+
+/// Whether a list still holds every pair in contact.
+KOKKOS_INLINE_FUNCTION bool list_holds(Real strain_since_build, Real largest_nonaffine2,
+                                       Real skin) {
+  return list_margin(strain_since_build, math::sqrt(largest_nonaffine2)) < skin;
 }
 
 /// The |w| up to which that is so, [d_s]; negative if the shear alone is too much.

@@ -30,7 +30,7 @@ BlockEngine::BlockEngine(std::unique_ptr<BlockLoop> loop, std::unique_ptr<BlockS
              .system = {}},
       lists_(disks_, skin),
       single_(disks_, lists_, detector_, stepping),
-      lookahead_(disks_, detector_) {
+      lookahead_(disks_, detector_, skin) {
   disks_.system.step = snapshot.step;
   disks_.system.table = table;
   disks_.system.rotates = disks_.stepper->needs.rotates;
@@ -111,6 +111,7 @@ void BlockEngine::for_each_counter(Visit const& visit) {
   visit("lookaheads", lookahead_.counters.lookaheads);
   visit("lookahead_steps", lookahead_.counters.steps);
   visit("lookaheads_refused", lookaheads_refused_);
+  visit("pairs_forecast", lookahead_.counters.forecast);
   visit("pairs_missed_and_added", lookahead_.counters.again);
   visit("binary_islands", lookahead_.counters.binary);
   visit("binary_steps", lookahead_.counters.binary_steps);

@@ -18,6 +18,7 @@ bool LookaheadSteps::run(Lookahead& lookahead, Sampling const& sampling, OpenWin
   scratch_.start = disks_.box_at(lookahead.begin);
   scratch_.contacts.begin(detector_, disks_.system, scratch_.start, lookahead.begin, sampling,
                           windows);
+  list_.renew(lookahead, scratch_.start, duration, allowance);
   predict(duration);
   Real const most = most_active * static_cast<Real>(disks_.count());
   while (!todo_.empty()) {
@@ -81,9 +82,11 @@ void LookaheadSteps::predict(Real duration) {
     Block const& block = all.blocks.block(b);
     forecast_[b].clear();
     refresh_halo(all.blocks, block, all.now, scratch_.start);
-    predict_contacts(all.blocks, block, all.now.record.data() + block.first, duration, allowance,
-                     usual, forecast_[b]);
+    predict_contacts(all.blocks, block, list_.of(block), all.now.record.data() + block.first,
+                     duration, allowance, usual, forecast_[b]);
   });
+  for (std::uint32_t b = 0; b < all.blocks.count; ++b)
+    counters.forecast += list_.of(all.blocks.block(b)).size();
   todo_.clear();
   for (auto const& of_block : forecast_)
     todo_.insert(todo_.end(), of_block.meeting.begin(), of_block.meeting.end());

@@ -5,6 +5,7 @@
 #include "kernels/cpu/islands/predict_contacts.hpp"
 #include "src/engine/blocks/batch_islands.hpp"
 #include "src/engine/blocks/block_disks.hpp"
+#include "src/engine/blocks/forecast_list.hpp"
 #include "src/engine/blocks/lookahead.hpp"
 #include "src/engine/blocks/pair_islands.hpp"
 #include "src/engine/sampling.hpp"
@@ -23,6 +24,7 @@ class LookaheadSteps {
   /// What lookaheads cost and find; none of it is time, so it is the same on every machine.
   struct Counters {
     std::int64_t lookaheads = 0, steps = 0;
+    std::int64_t forecast = 0;      ///< pairs looked at for it
     std::int64_t again = 0;         ///< pairs found to have been missed, and added
     std::int64_t binary = 0;        ///< islands of two disks
     std::int64_t binary_steps = 0;  ///< of a pair
@@ -35,8 +37,9 @@ class LookaheadSteps {
   Real usual = 0;         ///< deviation that one disk in a hundred exceeds, [d_s]
   bool cautious = false;  ///< near pairs of disks that meet others are stepped from the first
 
-  LookaheadSteps(BlockDisks& disks, ContactDetector& detector)
-      : disks_(disks), detector_(detector) {}
+  /// skin: of the outer list, [d_s].
+  LookaheadSteps(BlockDisks& disks, ContactDetector& detector, Real skin)
+      : disks_(disks), detector_(detector), list_(disks, skin) {}
 
   /// How long the flights of a lookahead from here to `end` are, at the rate it begins at, [tau_e]:
   /// that of the next lookahead.
@@ -63,6 +66,7 @@ class LookaheadSteps {
 
   BlockDisks& disks_;
   ContactDetector& detector_;
+  ForecastList list_;
   std::int64_t arrangement_ = 0;  ///< of the system, that there is room for
   IslandFinder finder_;
   Islands islands_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/engine/quasi_static/block_cholesky.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace bagnold::quasi_static {
@@ -20,36 +21,59 @@ void BlockCholesky<unknowns>::clear(FactorPattern const& pattern) {
   work_.resize(count);
   waiting_.assign(count, last);
   next_.assign(count, last);
-  reached_.resize(count);
+  left_.resize(count);
 }
 
 template <int unknowns>
 void BlockCholesky<unknowns>::factorize(FactorPattern const& pattern) {
+  std::size_t begin = 0;  // of the group
   for (std::size_t column = 0; column < work_.size(); ++column) {
-    auto const begin = at(pattern.first[column]), end = at(pattern.first[column + 1]);
-    for (auto q = begin; q < end; ++q) work_[at(pattern.row[q])] = factor_[q];
-    add_updates(pattern, column);
+    auto const from = at(pattern.first[column]), to = at(pattern.first[column + 1]);
+    for (auto q = from; q < to; ++q) work_[at(pattern.row[q])] = factor_[q];
+    for (auto k = waiting_[column]; k != last;) {
+      auto const group = at(k);
+      k = next_[group];
+      take_off(pattern, group, pattern.group_end(group), left_[group]);
+      queue(pattern, group, left_[group] - 1);
+    }
+    take_off(pattern, begin, column, to - from);
     eliminate(pattern, column);
-    reached_[column] = pattern.first[column];
-    queue(pattern, column);
+    if (pattern.last_of_group[column]) {
+      queue(pattern, begin, to - from - 1);
+      begin = column + 1;
+    }
   }
 }
 
-/// Takes off what the columns before take off this one.
+/// Takes off the column at work what columns of a group before it do, whose last `rows` rows begin
+/// with its own.
 template <int unknowns>
-void BlockCholesky<unknowns>::add_updates(FactorPattern const& pattern, std::size_t column) {
-  for (auto k = waiting_[column]; k != last;) {
-    auto const other = at(k);
-    k = next_[other];
-    auto const begin = at(reached_[other]), end = at(pattern.first[other + 1]);
-    Square const across = factor_[begin].template topRows<unknowns>();
-    for (auto q = begin; q < end; ++q) {
-      Block const& below = factor_[q];
-      Block& to = work_[at(pattern.row[q])];
-      for (int c = 0; c < unknowns; ++c)
-        for (int a = 0; a < unknowns; ++a) to.col(c) -= across(c, a) * below.col(a);
+void BlockCholesky<unknowns>::take_off(FactorPattern const& pattern, std::size_t begin,
+                                       std::size_t end, std::size_t rows) {
+  for (; end - begin >= 3; begin += 3) take_off<3>(pattern, begin, rows);
+  if (end - begin == 2) take_off<2>(pattern, begin, rows);
+  if (end - begin == 1) take_off<1>(pattern, begin, rows);
+}
+
+template <int unknowns>
+template <int columns>
+void BlockCholesky<unknowns>::take_off(FactorPattern const& pattern, std::size_t column,
+                                       std::size_t count) {
+  Block const* below[columns];
+  Square across[columns];
+  for (int k = 0; k < columns; ++k) {
+    below[k] = factor_.data() + at(pattern.first[column + k + 1]) - count;
+    across[k] = below[k]->template topRows<unknowns>();
+  }
+  auto const* row = pattern.row.data() + at(pattern.first[column + 1]) - count;
+  for (std::size_t q = 0; q < count; ++q) {
+    Block& to = work_[at(row[q])];
+    for (int c = 0; c < unknowns; ++c) {
+      Eigen::Matrix<double, rows, 1> rest = to.col(c);
+      for (int k = 0; k < columns; ++k)
+        for (int a = 0; a < unknowns; ++a) rest -= across[k](c, a) * below[k][q].col(a);
+      to.col(c) = rest;
     }
-    queue(pattern, other);
   }
 }
 
@@ -78,23 +102,25 @@ void BlockCholesky<unknowns>::eliminate(FactorPattern const& pattern, std::size_
   }
 }
 
-/// The column is next looked at for its next row.
+/// A group is next looked at for the first of its last `rows` rows.
 template <int unknowns>
-void BlockCholesky<unknowns>::queue(FactorPattern const& pattern, std::size_t column) {
-  auto const place = ++reached_[column];
-  if (place == pattern.first[column + 1]) return;
-  auto const row = at(pattern.row[at(place)]);
-  next_[column] = waiting_[row];
-  waiting_[row] = static_cast<std::int32_t>(column);
+void BlockCholesky<unknowns>::queue(FactorPattern const& pattern, std::size_t group,
+                                    std::size_t rows) {
+  left_[group] = rows;
+  if (rows == 0) return;
+  auto const row = at(pattern.row[at(pattern.first[group + 1]) - rows]);
+  next_[group] = waiting_[row];
+  waiting_[row] = static_cast<std::int32_t>(group);
 }
 
 template <int unknowns>
-void BlockCholesky<unknowns>::solve(FactorPattern const& pattern, Eigen::VectorXd& b) const {
+void BlockCholesky<unknowns>::solve_lower(FactorPattern const& pattern, Eigen::VectorXd& b) const {
   auto const count = static_cast<std::int32_t>(work_.size());
   auto const part = [&](std::int32_t k) { return b.data() + unknowns * k; };
   for (std::int32_t k = 0; k < count; ++k) {
     auto const begin = at(pattern.first[at(k)]), end = at(pattern.first[at(k) + 1]);
     double* const x = part(k);
+    if (std::all_of(x, x + unknowns, [](double c) { return c == 0; })) continue;
     for (int c = 0; c < unknowns; ++c) {
       x[c] /= factor_[begin](c, c);
       for (int r = c + 1; r < unknowns; ++r) x[r] -= factor_[begin](r, c) * x[c];
@@ -105,7 +131,12 @@ void BlockCholesky<unknowns>::solve(FactorPattern const& pattern, Eigen::VectorX
         for (int r = 0; r < unknowns; ++r) y[r] -= factor_[q](r, c) * x[c];
     }
   }
-  for (std::int32_t k = count; k-- > 0;) {
+}
+
+template <int unknowns>
+void BlockCholesky<unknowns>::solve_upper(FactorPattern const& pattern, Eigen::VectorXd& b) const {
+  auto const part = [&](std::int32_t k) { return b.data() + unknowns * k; };
+  for (auto k = static_cast<std::int32_t>(work_.size()); k-- > 0;) {
     auto const begin = at(pattern.first[at(k)]), end = at(pattern.first[at(k) + 1]);
     double* const x = part(k);
     for (auto q = begin + 1; q < end; ++q) {

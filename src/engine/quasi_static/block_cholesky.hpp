@@ -10,7 +10,8 @@ namespace bagnold::quasi_static {
 
 /// The factor L of a positive definite matrix L L^T of `unknowns` x `unknowns` blocks, one for each
 /// disk and each pair that acts: column after column, each from those before it that reach into
-/// its row. Blocks of 3 have a row of zeros below, so that a column fills a register.
+/// its row, three of a group at a time, so that what they are taken off is read and written once
+/// for all of them. Blocks of 3 have a row of zeros below, so that a column fills a register.
 template <int unknowns>
 class BlockCholesky {
  public:
@@ -29,19 +30,22 @@ class BlockCholesky {
   /// Puts L in the place of the matrix.
   void factorize(FactorPattern const& pattern);
 
-  /// Puts the x of L L^T x = b in the place of b.
-  void solve(FactorPattern const& pattern, Eigen::VectorXd& b) const;
+  /// Puts the x of L x = b, or of L^T x = b, in the place of b.
+  void solve_lower(FactorPattern const& pattern, Eigen::VectorXd& b) const;
+  void solve_upper(FactorPattern const& pattern, Eigen::VectorXd& b) const;
 
  private:
   void eliminate(FactorPattern const& pattern, std::size_t column);
-  void add_updates(FactorPattern const& pattern, std::size_t column);
-  void queue(FactorPattern const& pattern, std::size_t column);
+  void take_off(FactorPattern const& pattern, std::size_t begin, std::size_t end, std::size_t rows);
+  template <int columns>
+  void take_off(FactorPattern const& pattern, std::size_t column, std::size_t count);
+  void queue(FactorPattern const& pattern, std::size_t group, std::size_t rows);
 
   std::vector<Block> factor_;          ///< by pattern.row
   std::vector<Block> work_;            ///< [N] the column at work, by row
-  std::vector<std::int32_t> waiting_;  ///< [N] first of the columns whose next row is this one
+  std::vector<std::int32_t> waiting_;  ///< [N] first of the groups whose next row is this one
   std::vector<std::int32_t> next_;     ///< [N] the next one of them
-  std::vector<std::int32_t> reached_;  ///< [N] place of a column's next row
+  std::vector<std::size_t> left_;      ///< [N] rows of a group from its next one on
 };
 
 }  // namespace bagnold::quasi_static

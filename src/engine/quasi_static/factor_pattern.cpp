@@ -58,6 +58,11 @@ FactorPattern::FactorPattern(std::int32_t columns, std::vector<Entry> const& ent
   }
   each_block(rows, parent,
              [&](std::size_t k, std::int32_t i) { row[static_cast<std::size_t>(at[k]++)] = i; });
+  last_of_group.assign(count, 1);
+  auto const rows_of = [&](std::size_t k) { return first[k + 1] - first[k]; };
+  for (std::size_t k = 0; k + 1 < count; ++k)  // all below a column are below its parent too
+    last_of_group[k] =
+        parent[k] != static_cast<std::int32_t>(k + 1) || rows_of(k) != rows_of(k + 1) + 1;
 }
 
 std::size_t FactorPattern::find(Entry const& entry) const {

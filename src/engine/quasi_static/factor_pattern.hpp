@@ -19,9 +19,16 @@ struct Entry {
 struct FactorPattern {
   std::vector<std::int32_t> first;  ///< [N + 1] of each column in `row`
   std::vector<std::int32_t> row;    ///< of column k: k, then those below, rising
+  std::vector<char> last_of_group;  ///< [N] of neighbouring columns with the same rows below them
 
   FactorPattern() = default;
   FactorPattern(std::int32_t columns, std::vector<Entry> const& entries);
+
+  /// One past the last column of the group that begins with this one.
+  std::size_t group_end(std::size_t column) const {
+    while (!last_of_group[column]) ++column;
+    return column + 1;
+  }
 
   /// Where a block is in `row`; it has to be there.
   std::size_t find(Entry const& entry) const;

@@ -5,11 +5,17 @@
 #include <cmath>
 #include <utility>
 
+#include "src/engine/quasi_static/slope_between.hpp"
+
 namespace bagnold::quasi_static {
 
 namespace {
 
-constexpr int most_iterations = 40, most_trials = 12;
+constexpr int most_iterations = 80, most_trials = 12;
+
+/// Farthest that disks go while normals stay those of the factor, [d_s]: softest motions are
+/// resisted by inertia alone, 1e-8 of what resists overlaps at a rate of 1e-7.
+constexpr Real near = 1e-5;
 
 /// A whole step is taken as it is where it leaves no more than `good_share` of the residual; else
 /// the slope along it is brought down to `flat_share`. With a half for the first, CD_rot at 1e-7
@@ -27,7 +33,7 @@ class Line {
         u_(u),
         from_(u),
         direction_(std::move(direction)),
-        slope_(equations.residual().dot(direction_)) {}
+        start_{0, equations.residual().dot(direction_), equations.overlap()} {}
 
   /// Goes to `from + share direction`; the slope there.
   Real go(Real share) {
@@ -38,21 +44,17 @@ class Line {
     return equations_.residual().dot(direction_);
   }
 
-  /// From a whole step, with that slope, to where it is flat: flat_share of that at the start.
+  /// From a whole step, with that slope, to where it is flat: flat_share of that at the start. Most
+  /// ways end where contacts close, which are known from the overlaps at both ends.
   void search(Real at_end) {
-    Real low = 0, at_low = slope_, high = 1, at_high = at_end, slope = at_end;
-    for (int k = 0; k < most_trials && std::abs(slope) > flat_share * std::abs(slope_); ++k) {
+    Trial low = start_, high{1, at_end, equations_.overlap()};
+    Real slope = at_end;
+    for (int k = 0; k < most_trials && std::abs(slope) > flat_share * std::abs(start_.slope); ++k) {
       if (k == 0 && slope < 0) return;  // still falling: the step is not too long
-      Real const share =
-          low + (high - low) * std::clamp(at_low / (at_low - at_high), Real(0.1), Real(0.9));
+      Real const part = SlopeBetween(low, high, equations_.pairs()).zero();
+      Real const share = low.share + part * (high.share - low.share);
       slope = go(share);
-      if (slope > 0) {
-        high = share;
-        at_high = slope;
-      } else {
-        low = share;
-        at_low = slope;
-      }
+      (slope > 0 ? high : low) = Trial{share, slope, equations_.overlap()};
     }
   }
 
@@ -61,7 +63,7 @@ class Line {
   SolveCounts& counts_;
   Eigen::VectorXd& u_;
   Eigen::VectorXd const from_, direction_;
-  Real const slope_;
+  Trial const start_;
 };
 
 }  // namespace
@@ -73,9 +75,17 @@ bool solve_step(StepEquations<Rotates>& equations, NewtonMatrix<Rotates>& matrix
   equations.evaluate(u, true);
   ++counts.evaluations;
   Real left = equations.relative_residual();
+  Eigen::VectorXd of_factor;  // the u that it belongs to
+  auto const is_near = [&] {
+    return (u - of_factor).cwiseAbs().maxCoeff() * equations.start().duration < near;
+  };
   for (int k = 0; k < most_iterations && (k == 0 || left > tolerance); ++k) {
-    matrix.factorize(equations.inertia(), equations.active());
     ++counts.iterations;
+    if (k == 0 || !is_near() || !matrix.update(equations.active())) {
+      matrix.factorize(equations.inertia(), equations.active());
+      ++counts.factorizations;
+      of_factor = u;
+    }
     Line<Rotates> line(equations, counts, u, matrix.solve(-equations.residual()));
     Real const slope = line.go(1);
     Real const before = left;

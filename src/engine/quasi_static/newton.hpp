@@ -7,8 +7,9 @@ namespace bagnold::quasi_static {
 
 /// What solving took.
 struct SolveCounts {
-  std::int64_t iterations = 0;   ///< of Newton: factorizations
-  std::int64_t evaluations = 0;  ///< of all forces
+  std::int64_t iterations = 0;      ///< of Newton
+  std::int64_t factorizations = 0;  ///< of its matrix
+  std::int64_t evaluations = 0;     ///< of all forces
 };
 
 /// Largest force or torque left over, in units of the mean force in contacts: it changes p by

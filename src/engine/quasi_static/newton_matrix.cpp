@@ -10,6 +10,9 @@ namespace bagnold::quasi_static {
 
 namespace {
 
+/// Each costs a solution; 8 and 32 take as long (docs/performance_log.md).
+constexpr std::size_t most_changes = 16;
+
 /// What the motion of each disk of a pair adds to the velocity at their contact, and its matrix:
 /// of disk i G_i = (1, q d_i/(d_i + d_j)), of j (-1, q d_j/(d_i + d_j)), q = -z^ x r_ij of the
 /// spins, along the tangent.
@@ -32,6 +35,20 @@ struct PairBlocks {
               (pair.normal - pair.tangential) * n * n.transpose();
   }
 };
+
+/// visit(then, now) for each pair of two lists, by number; null where one has it not.
+template <class Visit>
+void each_of_both(std::vector<ActivePair> const& then, std::vector<ActivePair> const& now,
+                  Visit const& visit) {
+  auto a = then.begin(), b = now.begin();
+  while (a != then.end() || b != now.end()) {
+    bool const in_a = b == now.end() || (a != then.end() && a->number <= b->number);
+    bool const in_b = a == then.end() || (b != now.end() && b->number <= a->number);
+    visit(in_a ? &*a : nullptr, in_b ? &*b : nullptr);
+    if (in_a) ++a;
+    if (in_b) ++b;
+  }
+}
 
 }  // namespace
 
@@ -90,6 +107,41 @@ void NewtonMatrix<Rotates>::factorize(Eigen::VectorXd const& inertia,
       factor_.add(place, of.of_j.transpose() * of.contact * of.of_i);
   }
   factor_.factorize(pattern_);
+  factorized_ = active;
+  since_.clear();
+}
+
+template <bool Rotates>
+bool NewtonMatrix<Rotates>::update(std::vector<ActivePair> const& active) {
+  std::vector<RankChange> changes;
+  std::vector<ActivePair const*> pairs;
+  each_of_both(factorized_, active, [&](ActivePair const* then, ActivePair const* now) {
+    Real const amount = (now ? now->normal : 0) - (then ? then->normal : 0);
+    if (amount == 0) return;
+    pairs.push_back(then ? then : now);
+    changes.push_back({pairs.back()->number, amount, {}});
+  });
+  if (changes.size() > most_changes) return false;
+  auto& known = since_.changes();
+  for (std::size_t k = 0; k < changes.size(); ++k) {
+    auto const same = std::ranges::find(known, changes[k].pair, &RankChange::pair);
+    changes[k].column = same == known.end() ? column_of(*pairs[k]) : std::move(same->column);
+  }
+  known = std::move(changes);
+  since_.factorize();
+  return true;
+}
+
+/// L^-1 w
+template <bool Rotates>
+Eigen::VectorXd NewtonMatrix<Rotates>::column_of(ActivePair const& pair) const {
+  auto const& r = pair.force.separation;
+  Eigen::Vector2d const n = Eigen::Vector2d(r.x, r.y).normalized();
+  Eigen::VectorXd w = Eigen::VectorXd::Zero(unknowns * static_cast<Eigen::Index>(place_.size()));
+  w.template segment<2>(unknowns * place_[pair.i]) = n;
+  w.template segment<2>(unknowns * place_[pair.j]) = -n;
+  factor_.solve_lower(pattern_, w);
+  return w;
 }
 
 template <bool Rotates>
@@ -98,7 +150,9 @@ Eigen::VectorXd NewtonMatrix<Rotates>::solve(Eigen::VectorXd const& right) const
   for (std::size_t i = 0; i < place_.size(); ++i)
     ordered.segment<unknowns>(unknowns * place_[i]) =
         right.segment<unknowns>(unknowns * static_cast<Eigen::Index>(i));
-  factor_.solve(pattern_, ordered);
+  factor_.solve_lower(pattern_, ordered);
+  since_.correct(ordered);
+  factor_.solve_upper(pattern_, ordered);
   for (std::size_t i = 0; i < place_.size(); ++i)
     u.segment<unknowns>(unknowns * static_cast<Eigen::Index>(i)) =
         ordered.segment<unknowns>(unknowns * place_[i]);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "src/engine/quasi_static/block_cholesky.hpp"
+#include "src/engine/quasi_static/rank_changes.hpp"
 #include "src/engine/quasi_static/step_equations.hpp"
 
 namespace bagnold::quasi_static {
@@ -23,16 +24,27 @@ class NewtonMatrix {
 
   void factorize(Eigen::VectorXd const& inertia, std::vector<ActivePair> const& active);
 
+  /// Takes in the contacts that opened and closed in the step since then, without a new factor; all
+  /// else stays as it was, normals too. A contact ij changes the matrix by
+  ///
+  ///     +-(h^2 k + h k_n) w w^T,   w = n of disk i, -n of disk j
+  ///
+  /// Returns whether they are few enough for that; else nothing is done.
+  bool update(std::vector<ActivePair> const& active);
+
   /// The u of matrix u = right.
   Eigen::VectorXd solve(Eigen::VectorXd const& right) const;
 
  private:
   void lay_out(std::vector<ActivePair> const& active);
+  Eigen::VectorXd column_of(ActivePair const& pair) const;
 
   std::vector<std::int32_t> place_;  ///< of each disk in the order
   std::vector<Entry> entries_;       ///< of each pair that acts
   FactorPattern pattern_;            ///< of these, kept where they are the same again
   BlockCholesky<unknowns> factor_;
+  std::vector<ActivePair> factorized_;  ///< the pairs it was made of
+  RankChanges since_;                   ///< what changed since
 };
 
 }  // namespace bagnold::quasi_static

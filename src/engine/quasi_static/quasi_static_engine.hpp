@@ -40,6 +40,7 @@ class QuasiStaticEngine final : public Simulation {
   template <class Self, class Visit>
   static void visit_counters(Self& self, Visit const& visit) {
     visit("newton_iterations", self.counts_.iterations);
+    visit("factorizations", self.counts_.factorizations);
     visit("force_evaluations", self.counts_.evaluations);
     visit("halved_steps", self.halved_);
   }

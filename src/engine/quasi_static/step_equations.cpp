@@ -30,6 +30,7 @@ void StepEquations<Rotates>::begin(StepStart start, std::vector<NearPair> const&
   pairs_ = &pairs;
   position_.resize(start_.position.size());
   overlap_before_.resize(pairs.size());
+  overlap_.resize(pairs.size());
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     auto const r = pairs[k].separation(start_.position, start_.before);
     overlap_before_[k] = pairs[k].distance - std::sqrt(dot(r, r));
@@ -45,20 +46,22 @@ void StepEquations<Rotates>::evaluate(Eigen::VectorXd const& u, bool glued) {
     position_[i] = start_.position[i] + h * Vec2<Real>{u[at], u[at + 1]};
   }
   active_.clear();
-  for (std::size_t k = 0; k < pairs_->size(); ++k)
-    add((*pairs_)[k], overlap_before_[k], u, glued && overlap_before_[k] > 0);
+  for (std::uint32_t k = 0; k < pairs_->size(); ++k) add(k, u, glued);
 }
 
 template <bool Rotates>
-void StepEquations<Rotates>::add(NearPair const& pair, Real overlap_before,
-                                 Eigen::VectorXd const& u, bool glued) {
+void StepEquations<Rotates>::add(std::uint32_t number, Eigen::VectorXd const& u, bool glue) {
+  NearPair const& pair = (*pairs_)[number];
+  Real const overlap_before = overlap_before_[number];
   auto const r = pair.separation(position_, start_.after);
   Real const distance2 = dot(r, r), h = start_.duration;
+  bool const touched = overlap_before > 0, glued = glue && touched;
   bool const touches = glued || distance2 < pair.distance * pair.distance;
-  bool const touched = overlap_before > 0;
-  if (!touches && !touched) return;
-
-  Real const overlap = pair.distance - std::sqrt(distance2);
+  if (!touches && !touched) {
+    overlap_[number] = (pair.distance * pair.distance - distance2) / (2 * pair.distance);
+    return;
+  }
+  Real const overlap = overlap_[number] = pair.distance - std::sqrt(distance2);
   Real const path = glued ? 1 : path_in_contact(overlap_before, overlap);
   StepDamping<Rotates> const damping{path * material_.normal_damping,
                                      touched ? material_.tangential_damping : 0};
@@ -86,7 +89,7 @@ void StepEquations<Rotates>::add(NearPair const& pair, Real overlap_before,
   }
   Real const stiffness =
       repulsion.stiffness(force.relative_overlap) * inverse_distance * inverse_distance;
-  active_.push_back({pair.i, pair.j, force, touches, diameter_i / (diameter_i + diameter_j),
+  active_.push_back({number, pair.i, pair.j, force, touches, diameter_i / (diameter_i + diameter_j),
                      diameter_j / (diameter_i + diameter_j),
                      touches ? h * h * stiffness + h * material_.normal_damping : 0,
                      h * damping.tangential});

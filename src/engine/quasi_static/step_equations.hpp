@@ -28,6 +28,7 @@ struct StepStart {
 
 /// A pair that acts on its disks in a step.
 struct ActivePair {
+  std::uint32_t number;  ///< among the pairs of the list
   std::uint32_t i, j;
   PairForce<Real> force;  ///< where the step ends
   bool touches;           ///< there
@@ -61,6 +62,11 @@ class StepEquations {
   std::vector<Vec2<Real>> const& position() const { return position_; }  ///< r + h u
   std::vector<ActivePair> const& active() const { return active_; }
 
+  std::vector<NearPair> const& pairs() const { return *pairs_; }
+
+  /// Of each pair d_ij - r_ij where the step ends; where they are apart, to first order in that.
+  std::vector<Real> const& overlap() const { return overlap_; }
+
   /// What a solution is judged by: max |R|/h of forces and torques over the mean elastic force in
   /// contacts, or where that is less, over (k_n + k_t) gammadot d_s.
   Real relative_residual() const;
@@ -71,7 +77,7 @@ class StepEquations {
   void keep_momentum(Eigen::VectorXd& u) const;
 
  private:
-  void add(NearPair const& pair, Real overlap_before, Eigen::VectorXd const& u, bool glued);
+  void add(std::uint32_t number, Eigen::VectorXd const& u, bool glue);
 
   Material material_;
   Eigen::VectorXd inertia_;
@@ -79,6 +85,7 @@ class StepEquations {
   StepStart start_;
   std::vector<NearPair> const* pairs_ = nullptr;
   std::vector<Real> overlap_before_;  ///< d_ij - r_ij of each pair, [d_s]
+  std::vector<Real> overlap_;
   std::vector<Vec2<Real>> position_;
   std::vector<ActivePair> active_;
   Eigen::VectorXd residual_;
