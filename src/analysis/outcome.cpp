@@ -33,7 +33,7 @@ Outcome carry_out(Task const& task, Request const& request) {
     out.failure = error.what();
     return out;
   }
-  if (out.found.misfit == 0.0 && beyond_chance(out.found))
+  if (out.found.misfit == 0.0 && !out.found.step && beyond_chance(out.found))
     for (double& error : out.found.error)
       error *= std::sqrt(out.found.chi2 / static_cast<double>(out.found.freedom));
   auto const parameters = out.found.value.size();

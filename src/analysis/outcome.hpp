@@ -25,6 +25,7 @@ struct FitResult {
   std::vector<Line> lines = {};
   bool weighted = true;  ///< the points had errors
   double misfit = 0.0;   ///< of the law, relative: added to errors of points, see fit_all
+  bool step = false;     ///< the place is known to lie between two points, its error is theirs
 };
 
 /// Something to find, on the measured points (replica 0) or on resampled ones.

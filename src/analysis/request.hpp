@@ -24,7 +24,8 @@ struct Request {
   Fixed fixed;                                     ///< other parameters
   bool log_x = false, log_y = false;               ///< kinks, transitions: lines in these axes
   std::size_t kinks = 1;
-  std::string direction = "both";  ///< jump: up, down, both
+  bool curved = false;             ///< kink: branches beyond the kinks bend
+  std::string direction = "both";  ///< jump, curved kinks: up, down, both
   double least_factor = 2.0;       ///< jump
   std::vector<double> rates;       ///< transition: two; empty: the smallest two
   std::optional<double> split;     ///< transition

@@ -35,7 +35,9 @@ void add_fit(Words command, analysis::Request& request) {
       .one_value_each();
   command.option("--of", request.of, "divergence: crossover, jump, transition or value");
   command.option("--kinks", request.kinks, "kink: 1 or 2 [1]");
-  command.option("--direction", request.direction, "jump: up, down or both [both]");
+  command.flag("--curved", request.curved, "kink: between curved branches, which make none");
+  command.option("--direction", request.direction,
+                 "jump, kink --curved (the first): up, down or both [both]");
   command.option("--least-factor", request.least_factor, "jump: by which y changes at least [2]")
       .between(1.0, 1e12);
   command.option("--rates", request.rates, "transition: two strain rates [the smallest two]")

@@ -148,6 +148,20 @@ class AnalyseTest(CliTest):
         self.near(rows[0], "Q_c", 14.0)
         self.near(rows[1], "Q_c", 21.3)
 
+    def test_a_transition_between_two_points(self):
+        points = grid(shear__strain_rate=[1e-6, 1e-5], disks__packing_fraction=[0.81, 0.82],
+                      disks__elasticity=[10.0, 15.0, 20.0, 30.0, 50.0, 70.0, 100.0, 200.0])
+        rate, phi = points["shear.strain_rate"], points["disks.packing_fraction"]
+        newtonian = points["disks.elasticity"] < np.where(phi == 0.81, 25.0, 60.0)
+        self.sweep(points, 0.01, Z=np.where(newtonian, 3.0 - 1e-4 * points["disks.elasticity"], 400 * rate))
+        rows = self.analyse("transition", "--log-x")
+        for row, (low, high) in zip(rows, ((20, 30), (50, 70))):
+            self.assertAlmostEqual(float(row["Q_c"]), math.sqrt(low * high), 6)
+            error = math.sqrt(low * high) * math.log(high / low) / math.sqrt(12)
+            self.assertAlmostEqual(float(row["Q_c_error"]), error, 6)
+            self.assertLess(abs(float(row["Q_c_bootstrap"]) / error - 1), 0.15)
+        self.assertIn("steps between two points", self.result.stdout + self.result.stderr)
+
     def bands(self):
         points = grid(shear__strain_rate=list(np.geomspace(1e-6, 1e-4, 7)),
                       disks__packing_fraction=list(np.round(np.linspace(0.77, 0.82, 26), 4)))
@@ -165,6 +179,26 @@ class AnalyseTest(CliTest):
         for row in rows:
             self.near(row, "phi_1", low)
             self.near(row, "phi_2", high)
+
+    def test_kinks_between_curved_branches(self):
+        """The branch below rises ever more steeply; at the large rate all is smooth."""
+        points = grid(shear__strain_rate=[1e-5, 1e-4, 1e-3], disks__packing_fraction=list(
+            np.round(np.linspace(0.75, 0.83, 33), 4)))
+        rate, phi = points["shear.strain_rate"], points["disks.packing_fraction"]
+        low, high = np.where(rate == 1e-5, 0.7961, 0.7881), np.where(rate == 1e-5, 0.8071, 0.8013)
+        branch = 60 * (phi - 0.75) + 700 * np.maximum(0, phi - 0.75) ** 2
+        kinks = np.where(rate < 1e-3, 200 * np.clip(phi - low, 0, high - low), 0)
+        self.sweep(points, 0.01, p_el=1e-5 * np.exp(branch + kinks))
+        rows = self.analyse("kink", "--kinks", 2, "--log-y", "--curved", "--direction", "up", "--resamples", 50)
+        for row, places in zip(rows, ((0.7961, 0.8071), (0.7881, 0.8013))):
+            for name, truth in zip(("phi_1", "phi_2"), places):
+                self.assertLess(abs(float(row[name]) - truth), 0.001, (row, name))
+                self.assertLess(float(row[f"{name}_error"]), 0.001)
+        for name in ("phi_1", "phi_2", "p_el_1"):
+            self.assertEqual(rows[2][name], "")
+        self.assertIn("no kink 1", self.result.stdout + self.result.stderr)
+        rows = self.analyse("kink", "--kinks", 2, "--log-y", "--curved", "--direction", "down", "--resamples", 0)
+        self.assertEqual({row["phi_1"] for row in rows}, {""})
 
     def test_jumps(self):
         low, high = self.bands()

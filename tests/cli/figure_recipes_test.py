@@ -173,8 +173,9 @@ class RecipesTest(CliTest):
         figure = figure_page.draw(recipe, str(folder))
         axes = [a for a in figure.axes if a.axison and a.get_label() != "<colorbar>"]
         for one in axes:
-            self.assertNotIn("no data", one.get_xlabel(), name)
-            self.assertNotIn("nothing found", one.get_xlabel(), name)
+            for text in one.texts:
+                self.assertNotIn("no data", text.get_text(), name)
+                self.assertNotIn("nothing found", text.get_text(), name)
         states = [state for panel in recipe["panel"] for data in panel["data"] for state in self.made[data]]
         # N L_y/L_x goes as L_y^2, the length that bands feel
         sizes = {state["disks.count"] * state.get("disks.box_aspect", 1) for state in states}
@@ -231,7 +232,15 @@ class RecipesTest(CliTest):
         (kinks,), _ = self.draw("P2-22")
         for (x, _), truth in zip(black(kinks), (made.LOW, made.HIGH), strict=True):
             np.testing.assert_allclose(x, truth, atol=1e-3)
+        for name, rates in (("P2-22", 5), ("P2-23", 5)):
+            (axes,), _ = self.draw(name)
+            marks = [line.get_xdata()[0] for line in axes.lines if line.get_markersize() == 9]
+            self.assertGreaterEqual(len(marks), 2 * rates)
+            np.testing.assert_allclose(sorted(marks), [made.LOW] * (len(marks) // 2) + [made.HIGH] * (len(marks) // 2),
+                                       atol=1e-3)
         (phases,), _ = self.draw("P2-25")
+        names = [name.split(", ")[-1] for name in phases.get_legend_handles_labels()[1]]
+        self.assertEqual(set(names[:-1]), {"$\\phi$$_{B}$", "$\\phi$$_{N}$"})
         ((x,), (y,)), = [line.get_data() for line in phases.lines if line.get_marker() == "*"]
         self.assertAlmostEqual(x, (made.LOW + made.HIGH) / 2, 2)
         self.assertAlmostEqual(y, 1.4e-3)

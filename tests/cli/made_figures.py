@@ -13,6 +13,7 @@ from sweep_table import crossover, q_star
 
 PHI_J = 0.8433
 LOW, HIGH = 0.7891, 0.8053  # the coexistence region of the bands, at any rate
+ERRORS = {"mu": 0.001}  # relative; 0.01 where none is named
 FIT_SHARPNESS, FIT_POWER = 3.0, 1.3
 
 
@@ -93,7 +94,7 @@ def cd_rot(phi, q, rate):
 def bands(phi, q, rate):
     out = {}
     p = 3e3 * rate**2 * np.exp(20 * (phi - 0.77) + 120 * np.clip(phi - LOW, 0, HIGH - LOW))
-    mu = 0.4 + 0.5 * (phi - 0.77) - 4 * np.clip(phi - LOW, 0, HIGH - LOW) - 0.002 * np.log(rate)
+    mu = 0.4 - 2.7 * (phi - 0.77) + 5.7 * np.clip(phi - LOW, 0, HIGH - LOW) - 0.002 * np.log(rate)
     stresses(out, rate, q, p_el=p, sigma_el=0.85 * mu * p, sigma_dis=0.15 * mu * p)
     out["R_v"] = 20.0 if LOW < phi < HIGH else 1.1
     return out
@@ -187,6 +188,6 @@ def write_tables(figures, target):
             table.writerow(list(keys) + [n + e for n in names for e in ("", "_error")])
             for row in rows:
                 table.writerow([row[k] for k in keys] +
-                               [v for n in names for v in (repr(float(row[n])), abs(row[n]) * 0.01)])
+                               [v for n in names for v in (repr(float(row[n])), abs(row[n]) * ERRORS.get(n, 0.01))])
         (target / f"{path.stem}.json").write_text(json.dumps({"points": stored}))
     return made

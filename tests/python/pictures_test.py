@@ -2,7 +2,9 @@
 """Pictures by what they draw: lines, labels with units, the scene on each, no text upon another."""
 
 import itertools
+import pathlib
 import shutil
+import tempfile
 import unittest
 import warnings
 
@@ -293,6 +295,115 @@ class Sweeps(Pictures):
         self.has_scene(figure, "model CD_rot", "$N = 64$", "$Q = 1$", "4 of 4 points", f"bagnold {bagnold.__version__}")
         self.assertEqual({axes.get_xlabel() for axes in figure.axes}, {r"$\phi$"})
         self.assertEqual(len(figure.axes), 6)
+
+
+class Analyses(unittest.TestCase):
+    def setUp(self):
+        self.figure, self.axes = plt.subplots()
+        self.addCleanup(plt.close, "all")
+
+    def rows(self, y, what="data", curve="", x=None):
+        x = range(1, len(y) + 1) if x is None else x
+        return [{"curve": curve, "what": what, "x": float(at), "x_error": np.nan, "y": float(value), "y_error": np.nan,
+                 "x_scale": "log", "y_scale": "log", "x_name": "Q", "y_name": "mu"} for at, value in zip(x, y)]
+
+    def test_limits_are_those_of_the_axes_not_of_the_table(self):
+        from bagnold.plots.analysis_page import keep_in_view
+        rows = self.rows([-2.0, -1.0, 0.5, 4.0])
+        keep_in_view(self.axes, rows)
+        low, high = self.axes.get_ylim()
+        self.assertTrue(-2.5 < low < -2 and 4 < high < 4.5, (low, high))
+        self.axes.set_yscale("log")
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            keep_in_view(self.axes, [row | {"y_scale": "linear"} for row in rows])
+        low, high = self.axes.get_ylim()
+        self.assertTrue(0.4 < low < 0.5 and 4 < high < 5, (low, high))
+
+    def test_marks_are_in_view(self):
+        from bagnold.plots.analysis_page import keep_in_view
+        keep_in_view(self.axes, self.rows([1.0, 2.0, 3.0]) + self.rows([3.5, 400.0], "mark"))
+        self.assertTrue(3.5 < self.axes.get_ylim()[1] < 6)
+
+    def test_two_points_are_no_curve(self):
+        from bagnold.plots.analysis_page import draw_curve
+        styles = []
+        for count, joined in ((3, None), (2, None), (2, True), (3, False)):
+            draw_curve(self.axes, self.rows(range(1, count + 1)), "black", "o", None, joined=joined)
+            styles.append(self.axes.lines[-1].get_linestyle())
+        self.assertEqual(styles, ["-", "None", "-", "None"])
+
+
+class PaperFigures(unittest.TestCase):
+    """What bagnold.plots.figure_page does of its own."""
+
+    def rows(self, names, what="data"):
+        return [{"curve": name, "what": what, "x": float(x), "x_error": np.nan, "y": float(y), "y_error": np.nan,
+                 "x_scale": "log", "y_scale": "log", "x_name": "Q", "y_name": "mu"}
+                for name in names for x, y in ((1, 1), (10, 0.1), (100, 0.01))]
+
+    def drawn(self, panel, rows, before=()):
+        from bagnold.plots import figure_page
+        figure, axes = plt.subplots()
+        self.addCleanup(plt.close, figure)
+        figure_page.draw_analysis(axes, {"rows": rows, "number": 1 if before else 0, "before": list(before)} | panel, [])
+        return axes
+
+    def test_curves_stand_by_their_numbers(self):
+        from bagnold.plots.figure_page import curves_in
+        rows = self.rows(["phi = 0.78", "phi = 0.6", "phi = 0.835", "phi = 0.7"])
+        self.assertEqual(curves_in(rows), ["phi = 0.6", "phi = 0.7", "phi = 0.78", "phi = 0.835"])
+        falling = ["gammadot = 0.001", "gammadot = 1e-05"]
+        self.assertEqual(curves_in(self.rows(falling)), falling)
+        mixed = ["phi_up", "N = 3", "N = 1"]
+        self.assertEqual(curves_in(self.rows(mixed)), mixed)
+
+    def test_one_curve_has_one_colour(self):
+        before = self.rows(["phi = 0.6", "phi = 0.7", "phi = 0.8"])
+        colours = [line.get_color() for line in self.drawn({}, before).lines if line.get_marker() == "D"]
+        other = self.drawn({"over": True}, self.rows(["phi = 0.6", "phi = 0.8"]), before)
+        self.assertIn(colours[0], [line.get_color() for line in other.lines])
+
+    def test_boundaries_have_the_names_of_the_papers(self):
+        names = {self.drawn({}, self.rows([name])).get_legend_handles_labels()[1][0]
+                 for name in ("phi_up", "phi_1")}
+        self.assertEqual(names, {r"$\phi$$_{B}$"})
+        axes = self.drawn({"name": "1e-6"}, self.rows(["Q_down"]))
+        self.assertEqual(axes.get_legend_handles_labels()[1], ["1e-6"])
+
+    def test_slopes_are_written(self):
+        axes = self.drawn({"only": ["fit"], "slope": "above", "dashed": True}, self.rows([""], "fit"))
+        self.assertEqual([text.get_text() for text in axes.texts], ["1.0"])
+        self.assertTrue(axes.lines[0].is_dashed())
+
+    def test_a_panel_without_data_says_so(self):
+        from bagnold.plots import figure_page
+        with tempfile.TemporaryDirectory() as folder:
+            pathlib.Path(folder, "none.csv").write_text("")
+            figure = figure_page.draw({"name": "P", "panel": [
+                {"series": "sigma", "folder": ["nowhere"]}, {"analyse": "kink", "drawn": "none.csv"}]}, folder)
+        self.addCleanup(plt.close, figure)
+        self.assertEqual([[text.get_text() for text in axes.texts] for axes in figure.axes],
+                         [["no data yet"], ["nothing found: kink"]])
+
+    def test_marks_are_joined_kink_by_kink(self):
+        from bagnold.plots.figure_page import join_marks
+        rows = [{"what": "mark", "curve": curve, "x": x, "y": y} for curve, places in
+                (("a", ((1, 1), (2, 2))), ("b", ((np.nan, np.nan), (2.5, 3)))) for x, y in places]
+        figure, axes = plt.subplots()
+        self.addCleanup(plt.close, figure)
+        join_marks(axes, rows)
+        self.assertEqual([list(line.get_xdata()) for line in axes.lines], [[1], [2, 2.5]])
+
+    def test_edges_of_bands(self):
+        from bagnold.plots.figure_data import band_edges
+        y = np.arange(0.5, 300, 1.5)
+        fast = np.abs(y - 150) < 60
+        noise = 0.4 * np.sin(1.7 * y) + np.where(np.abs(y - 20) < 4, 0.4, 0)
+        for sign in (1, -1):
+            edges = band_edges(y, sign * (np.where(fast, 1.5, -0.6) + noise), 0.0)
+            np.testing.assert_allclose(edges, [90, 210], atol=6)
+        self.assertEqual(len(band_edges(y, np.ones_like(y), 0.0)), 0)
 
 
 class Ticks(unittest.TestCase):

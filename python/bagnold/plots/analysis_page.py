@@ -82,20 +82,22 @@ def bars(values):
     return np.nan_to_num(values) if (values > 0).any() else None
 
 
-def draw_curve(axes, rows, colour, marker, name, solid=False, joined=True):
-    """Points, lines and marks of one curve."""
+def draw_curve(axes, rows, colour, marker, name, solid=False, joined=None, size=4.2, line="-"):
+    """Points, lines and marks of one curve. joined: a thin line through points without a fit; None: through
+    three or more, as two far apart make no curve. line: of a fit."""
     of = {what: [row for row in rows if row["what"] == what] for what in ("data", "fit", "mark")}
+    joined = len(of["data"]) > 2 if joined is None else joined
     if of["data"]:
         axes.errorbar(column(of["data"], "x"), column(of["data"], "y"),
                       xerr=bars(column(of["data"], "x_error")),
-                      yerr=bars(column(of["data"], "y_error")), fmt=marker, ms=4.2,
+                      yerr=bars(column(of["data"], "y_error")), fmt=marker, ms=size,
                       mfc=colour if solid else "white",
                       color=colour, ls="none" if of["fit"] or not joined else "-", lw=0.5, elinewidth=0.9,
                       capsize=1.5, label=name, zorder=3)
     if of["fit"]:
         x, y = column(of["fit"], "x"), column(of["fit"], "y")
         for piece in np.split(np.arange(len(x)), np.nonzero(np.diff(x) < 0)[0] + 1):
-            axes.plot(x[piece], y[piece], color=colour, lw=1.2, zorder=2)
+            axes.plot(x[piece], y[piece], color=colour, lw=1.2, ls=line, zorder=2)
     for row in of["mark"]:
         if np.isfinite(row["y"]):
             axes.plot(row["x"], row["y"], "s", ms=9, mfc="none", color=colour, zorder=4)
@@ -104,10 +106,12 @@ def draw_curve(axes, rows, colour, marker, name, solid=False, joined=True):
 
 
 def keep_in_view(axes, rows):
-    """Limits from the points and their error bars, but from no bar longer than all points together."""
+    """Limits from the points and their error bars, but from no bar longer than all points together, and from
+    marks that are no further away than that."""
     data = [row for row in rows if row["what"] == "data"]
+    marks = [row for row in rows if row["what"] == "mark"]
     for name in ("x", "y"):
-        log = rows[0][f"{name}_scale"] == "log"
+        log = getattr(axes, f"get_{name}scale")() == "log"
         values, errors = column(data, name), np.nan_to_num(column(data, f"{name}_error"))
         good = np.isfinite(values) & ((values > 0) | (not log))
         if not good.any():
@@ -116,7 +120,8 @@ def keep_in_view(axes, rows):
         scale, back = (np.log10, lambda v: 10.0**v) if log else ((lambda v: v), (lambda v: v))
         low, high = scale(values.min()), scale(values.max())
         width = high - low or 0.1 * abs(high) or 0.1
-        ends = np.concatenate([values - errors, values + errors])
+        places = column(marks, name)
+        ends = np.concatenate([values - errors, values + errors, places[np.isfinite(places)]])
         ends = scale(ends[(ends > 0) | (not log)])
         low = max(low - width, min(low, ends.min()))
         high = min(high + width, max(high, ends.max()))

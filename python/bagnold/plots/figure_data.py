@@ -105,6 +105,36 @@ def profile(points, name):
     return parts[0]["y"], mean, parts[0]["error"] if len(parts) == 1 else error
 
 
+def smoothed(value):
+    """The mean of a profile, periodic in y, over a twentieth of the box."""
+    width = max(1, len(value) // 20)
+    around = np.concatenate([value[len(value) - width:], value, value[:width]])
+    return np.convolve(around, np.ones(width) / width, "same")[width:-width]
+
+
+def band_edges(y, value, level):
+    """Where the profile of a sheared box, periodic in y, crosses `level` between bands: of the mean over a
+    twentieth of the box, and of no excursion below a quarter of the largest on its side, which is noise."""
+    mean = smoothed(value) - level
+    sides = np.sign(mean)
+    for side in (1, -1):
+        for run in runs_of(sides == side):
+            if abs(mean[run]).max() < abs(mean[sides == side]).max() / 4:
+                mean[run] = -1e-300 * side
+    sides = np.where(mean < 0, -1, 1)
+    return y[np.nonzero(np.diff(sides))[0]] + (y[1] - y[0]) / 2
+
+
+def runs_of(chosen):
+    """Indices of neighbours that are chosen, the last and the first being neighbours."""
+    if chosen.all():
+        return [np.arange(len(chosen))]
+    start = int(np.argmin(chosen))  # not chosen: no run goes across
+    order = (np.arange(len(chosen)) + start) % len(chosen)
+    pieces = np.split(order, np.nonzero(np.diff(chosen[order]))[0] + 1)
+    return [piece for piece in pieces if chosen[piece[0]]]
+
+
 def histogram(points, name):
     """Edges, mean density and its error over seeds."""
     parts = [point.read(f"histograms/{name}") for point in points]

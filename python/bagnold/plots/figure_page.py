@@ -13,13 +13,15 @@ import textwrap
 import numpy as np
 
 from .analysis_page import LABELS, draw_curve, keep_in_view, label, pretty, read
-from .figure_data import histogram, points_of, principal_axes, profile, together
+from .figure_data import band_edges, histogram, points_of, principal_axes, profile, smoothed, together
 from .style import BLUE, COLOURS, DASHED, GREY, MARKERS, VERMILION, plt, save
 
 from matplotlib.collections import EllipseCollection
 
 SHORT = {"disks.elasticity": "Q", "disks.packing_fraction": "phi", "shear.strain_rate": "gammadot",
          "disks.count": "N", "disks.model": "disks.model"}
+NAMES = {  # of curves of places that an analysis finds, as the papers call them
+    "phi_up": "phi_B", "phi_1": "phi_B", "phi_down": "phi_N", "phi_2": "phi_N", "Q_down": ""}
 MAPS = {  # what may be done to y, and its derivative
     "abs": (np.abs, np.sign),
     "minus": (np.negative, lambda y: -np.ones_like(y)),
@@ -34,6 +36,33 @@ def curve_name(keys, values):
     return pretty(text) if text else None
 
 
+def name_of(curve):
+    """The name of a curve of an analysis, for a legend."""
+    first, comma, rest = curve.partition(", ")
+    return pretty(NAMES[first] + comma + rest) if first in NAMES else pretty(curve)
+
+
+def curves_in(rows):
+    """Names of curves in their order, that of their numbers where these go neither up nor down: data of several
+    sweeps."""
+    names = list(dict.fromkeys(row["curve"] for row in rows))
+    parts = [name.rpartition(" = ") for name in names]
+    try:
+        numbers = [float(number) for _, _, number in parts]
+    except ValueError:
+        return names
+    steps = np.diff(numbers)
+    if len({start for start, _, _ in parts}) > 1 or (steps > 0).all() or (steps < 0).all():
+        return names
+    return [name for _, name in sorted(zip(numbers, names))]
+
+
+def say(axes, text):
+    """A panel without anything to draw says so."""
+    axes.text(0.5, 0.5, text, transform=axes.transAxes, ha="center", va="center", color=GREY)
+    axes.set(xticks=[], yticks=[])
+
+
 def colour_of(k, count):
     """Few curves: colours told apart by all; many: in order."""
     return COLOURS[k] if count <= len(COLOURS) else plt.cm.viridis(0.92 * k / (count - 1))
@@ -46,8 +75,6 @@ def draw_analysis(axes, panel, _):
     """What `bagnold analyse` drew: points with errors, fits, marks."""
     rows = panel["rows"]
     if not rows:
-        if not panel.get("over"):
-            axes.set_xlabel(f"nothing found: {panel['analyse'].split()[0]}")
         return
     change, slope = MAPS[panel["map"]] if "map" in panel else (None, None)
     for row in rows if change else []:
@@ -58,19 +85,24 @@ def draw_analysis(axes, panel, _):
         if name in panel.get("log", "".join(n for n in "xy" if rows[0][f"{n}_scale"] == "log")):
             getattr(axes, f"set_{name}scale")("log", nonpositive="mask")
     rows = [row for row in rows if row["what"] in panel.get("only", row["what"])]
-    names = list(dict.fromkeys(row["curve"] for row in rows))
+    names, before = curves_in(rows), curves_in(panel["before"])
+    alike = len(names) > 1 and set(names) <= set(before)  # the curves of the panel before, of another quantity
     for k, name in enumerate(names):
         curve = [row | ({"y": np.nan} if panel.get("upright") and row["what"] == "mark" else {})
                  for row in rows if row["curve"] == name]
         if name == "phi_J":
             continue
-        text = (panel.get("name", "") + (", " if panel.get("name") and name else "") + pretty(name))
+        text = ", ".join(filter(None, (panel.get("name"), name_of(name))))
         place = k if len(names) > 1 else panel["number"]  # single curves over others are told apart
-        colour = colour_of(place, max(len(names), place + 1))
+        place = before.index(name) if alike else place
+        colour = colour_of(place, max(len(before if alike else names), place + 1))
         if panel.get("only") == ["fit"]:
             colour = "black"
         draw_curve(axes, curve, colour, panel.get("marker", MARKERS[place % len(MARKERS)]),
-                   text or None, solid=panel.get("over", False), joined=panel.get("joined", True))
+                   text or None, solid=panel.get("over", False), joined=panel.get("joined"),
+                   size=panel.get("size", 4.2), line=DASHED if panel.get("dashed") else "-")
+        if panel.get("slope"):
+            write_slope(axes, curve, panel["slope"])
     if panel.get("join"):
         join_marks(axes, rows)
     if panel.get("end_point"):
@@ -80,14 +112,28 @@ def draw_analysis(axes, panel, _):
         axes.set_ylabel(label(rows[0]["y_name"]))
 
 
+def write_slope(axes, rows, where):
+    """The size of the slope of a fitted power law, "above" or "below" the middle of its line."""
+    fit = [(row["x"], row["y"]) for row in rows if row["what"] == "fit"]
+    if fit:
+        slope = np.polyfit(*np.log(fit).T, 1)[0]
+        up = 1 if where == "above" else -1
+        right = up if slope < 0 else -up
+        axes.annotate(f"{abs(slope):.1f}", fit[len(fit) // 2], (4 * right, 4 * up), textcoords="offset points",
+                      fontsize=9, ha="left" if right > 0 else "right", va="bottom" if up > 0 else "top")
+
+
 def join_marks(axes, rows):
-    """Dashed lines through the first marks of all curves, through the second, ...: P2 Fig. 22."""
+    """Dashed lines through the first marks of all curves, through the second, ...: P2 Fig. 22. A mark that was
+    not found has its row too."""
     marks = {}
     for row in rows:
-        if row["what"] == "mark" and np.isfinite(row["x"]):
+        if row["what"] == "mark":
             marks.setdefault(row["curve"], []).append((row["x"], row["y"]))
     for places in zip(*marks.values()):
-        axes.plot(*np.transpose(places), color="black", ls=DASHED, lw=0.9, zorder=2)
+        places = [place for place in places if np.isfinite(place[0])]
+        if places:
+            axes.plot(*np.transpose(places), color="black", ls=DASHED, lw=0.9, zorder=2)
 
 
 def places_of(rows, endings):
@@ -112,7 +158,7 @@ def mark_end_point(axes, rows):
 def draw_arrows(axes, panel, _):
     """Arrows on the axis at the places (Q*, as `y`) that an analysis found for the curves of the panel
     before, in their colours: P1 Fig. 13b."""
-    names = list(dict.fromkeys(row["curve"] for row in panel["before"]))
+    names = curves_in(panel["before"])
     for row in panel["rows"]:
         name = f"phi = {row['x']:g}"
         if name in names:
@@ -171,8 +217,7 @@ def draw_profile(axes, panel, points):
         if "level" in panel:
             level = group[0].scene[panel["level"]]
             axes.axhline(level, color=GREY, lw=0.9, ls=DASHED)
-            above = np.nonzero(np.diff(np.sign(value - level)))[0]
-            for place in (y[above[0]], y[above[-1]]) if len(above) else ():
+            for place in band_edges(y, value, level):
                 axes.axvline(place, color=GREY, lw=0.9, ls=DASHED)
     axes.set_xlabel("$y/d_s$")
     axes.set_ylabel({"v_x": r"$v_x\tau_e/d_s$", "gammadot": r"$\dot\gamma(y)\tau_e$",
@@ -209,9 +254,8 @@ def draw_scatter(axes, panel, points):
                   color="black", lw=1.1)
     axes.plot(x0, y0, "o", ms=5, mfc="white", mec="black", mew=0.8, zorder=4)
     (_, (dx, dy)), _ = directions
-    axes.annotate(f"major axis: slope {dy / dx:.2f}\ncorrelation {np.corrcoef(x, y)[0, 1]:.2f}",
-                  (0.98, 0.98), xycoords="axes fraction", ha="right", va="top", fontsize=7,
-                  bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 1})
+    axes.set_title(f"major axis: slope {dy / dx:.2f}\ncorrelation {np.corrcoef(x, y)[0, 1]:.2f}", fontsize=7,
+                   loc="right")
     axes.set(xlim=(x0 - half, x0 + half), ylim=(y0 - half, y0 + half), aspect="equal",
              xlabel=VELOCITIES.get(panel["x"], panel["x"]),
              ylabel=VELOCITIES.get(panel["y"], panel["y"]))
@@ -269,17 +313,13 @@ def draw_boundary(axes, panel, _):
 
 
 def draw_bands(axes, panel, points):
-    """Local gammadot against local phi in the middle of either band, from profiles_aligned, whose
-    fastest band is at L/2: P2 Fig. 35."""
-    for k, (text, middle) in enumerate(((r"$\phi_B^*$", 0.5), (r"$\phi_N^*$", 0.0))):
+    """Local gammadot against local phi in the middle of either band, where gammadot is largest and least: P2
+    Fig. 35."""
+    for k, (text, extreme) in enumerate(((r"$\phi_B^*$", np.argmax), (r"$\phi_N^*$", np.argmin))):
         found = []
         for point in points:
-            pair = []
-            for name in ("phi", "gammadot"):
-                _, value, _ = profile([point], f"{name}_aligned")
-                at = int(round(middle * len(value)))
-                pair.append(np.take(value, range(at - 2, at + 3), mode="wrap").mean())
-            found.append(pair)
+            phi, rate = (smoothed(profile([point], f"{name}_aligned")[1]) for name in ("phi", "gammadot"))
+            found.append((phi[extreme(rate)], rate[extreme(rate)]))
         axes.plot(*np.array(found).T, MARKERS[k], color=(BLUE, VERMILION)[k], label=text)
     axes.set_yscale("log")
     axes.set_xlabel(r"$\phi$")
@@ -405,10 +445,12 @@ def draw(recipe, folder):
         if points or kind in ("analyse", "at", "arrows"):
             PANELS[kind](axes, panel, points)
         else:
-            axes.set_xlabel("no data")
+            group["nothing"] = "no data yet"
         if kind == "analyse":
             shown = shown + [row for row in panel["rows"] if row["what"] in panel.get("only", row["what"])]
         if k + 1 == len(recipe["panel"]) or not recipe["panel"][k + 1].get("over"):
+            if not axes.has_data():
+                say(axes, group.get("nothing") or f"nothing found: {group['analyse'].split()[0]}")
             finish(axes, group, shown)
             groups[axes] = group
     for axes in places:

@@ -48,6 +48,40 @@ Points part(Points const& points, std::size_t first, std::size_t last) {
   return {cut(points.x), cut(points.y), cut(points.error)};
 }
 
+namespace {
+
+TwoLines best_split(Points const& points, std::size_t first, std::size_t last) {
+  std::optional<TwoLines> best;
+  for (auto split = first; split <= last; ++split) {
+    TwoLines now{
+        fit_line(part(points, 0, split)), fit_line(part(points, split, points.size())), split, {}};
+    if (!best || now.first.chi2 + now.second.chi2 < best->first.chi2 + best->second.chi2)
+      best = std::move(now);
+  }
+  best->meeting = intersection(best->first, best->second);
+  auto const low = best->split - 2, high = std::min(best->split + 1, points.size() - 1);
+  best->step = !(best->meeting.x >= points.x[low] && best->meeting.x <= points.x[high]);
+  return *best;
+}
+
+/// Value of a line at x and its error.
+Meeting line_at(Fit const& line, double x) {
+  Eigen::Vector2d const slope(1.0, x);
+  auto const covariance = Eigen::Map<Eigen::MatrixXd const>(line.covariance.data(), 2, 2);
+  return {line.value[0] + line.value[1] * x, std::sqrt(slope.dot(covariance * slope))};
+}
+
+/// Are the lines more than three of their errors apart at x? Errors that nothing tells (of two
+/// points without errors) count as none.
+bool are_apart(TwoLines const& lines, double x) {
+  constexpr double clear = 3.0;
+  auto const first = line_at(lines.first, x), second = line_at(lines.second, x);
+  auto const known = [](double error) { return std::isfinite(error) ? error : 0.0; };
+  return std::abs(first.x - second.x) > clear * std::hypot(known(first.error), known(second.error));
+}
+
+}  // namespace
+
 TwoLines fit_two_lines(Points const& points, double const* at) {
   check_points(points, 4, "two lines");
   auto const n = points.size();
@@ -59,17 +93,16 @@ TwoLines fit_two_lines(Points const& points, double const* at) {
     if (first < 2 || n - first < 2)
       throw InputError(fmt::format("--split {} leaves a line with fewer than 2 points", *at));
   }
-  std::optional<TwoLines> best;
-  for (auto split = first; split <= last; ++split) {
-    TwoLines now{fit_line(part(points, 0, split)), fit_line(part(points, split, n)), split, {}};
-    if (!best || now.first.chi2 + now.second.chi2 < best->first.chi2 + best->second.chi2)
-      best = std::move(now);
-  }
-  best->meeting = intersection(best->first, best->second);
-  if (!std::isfinite(best->meeting.x))
+  auto best = best_split(points, first, last);
+  if (best.step && at == nullptr) best = best_split(points, 2, n - 2);
+  if (!best.step) return best;
+  double const before = points.x[best.split - 1], beyond = points.x[best.split];
+  double const middle = (before + beyond) / 2.0;
+  if (std::isnan(best.meeting.x) || !are_apart(best, middle))
     throw InputError(
-        "two lines: they are parallel and do not meet; narrow --range or give --split");
-  return *best;
+        "two lines: they do not meet near where they part; narrow --range or give --split");
+  best.meeting = {middle, (beyond - before) / std::sqrt(12.0)};
+  return best;
 }
 
 }  // namespace bagnold::analysis

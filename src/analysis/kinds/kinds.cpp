@@ -29,7 +29,7 @@ constexpr std::array all{
          "--rates G1 G2, --split X, --log-x, --log-y",
          transition},
     Kind{"kink", "y = a + b x + sum_k c_k max(0, x - x_k)", "P2 Figs. 22, 23, 30",
-         "--x [disks.packing_fraction] --y [p_el], --kinks 1|2, --log-x, --log-y", kink},
+         "--x [disks.packing_fraction] --y [p_el], --kinks 1|2, --log-x, --log-y, --curved", kink},
     Kind{"jump", "middle of the steepest change of ln y", "P2 Fig. 24 (R_v); Figs. 1, 3 (Q_c)",
          "--x [disks.packing_fraction] --y [R_v], --direction up|down|both, --least-factor F",
          jump},

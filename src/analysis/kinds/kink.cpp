@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "src/analysis/fit/piecewise_linear.hpp"
+#include "src/analysis/kinds/curved_kink.hpp"
 #include "src/analysis/kinds/kinds.hpp"
 
 namespace bagnold::analysis {
@@ -31,6 +32,19 @@ FitResult kinks_of(Points const& measured, Request const& request) {
   return out;
 }
 
+/// Which kinks of curved branches are not given.
+void note_none(Report& report, std::vector<Outcome> const& outcomes, Request const& request) {
+  for (std::size_t k = 0; k < request.kinks; ++k) {
+    std::string list;
+    for (auto const& one : outcomes)
+      if (one.failure.empty() && !std::isfinite(one.found.value[2 * k]))
+        list += fmt::format("{}{}", list.empty() ? "" : "; ", caption(one.labels));
+    if (!list.empty())
+      report.notes.push_back(
+          fmt::format("no kink {} that smooth branches would not make as well: {}", k + 1, list));
+  }
+}
+
 }  // namespace
 
 Report kink(SweepTable const& table, Request const& request) {
@@ -39,8 +53,10 @@ Report kink(SweepTable const& table, Request const& request) {
   auto const series = make_series(table, request, x, y);
   std::vector<Task> tasks;
   for (auto const& one : series)
-    tasks.push_back({one.labels, [=, points = one.points](std::uint32_t replica) {
-                       return kinks_of(points(replica), request);
+    tasks.push_back({one.labels, [=, points = one.points,
+                                  curved = CurvedKinks(request)](std::uint32_t replica) {
+                       return request.curved ? curved(points(replica), replica)
+                                             : kinks_of(points(replica), request);
                      }});
   auto const outcomes = carry_out(tasks, request);
   std::vector<std::string> names;
@@ -51,6 +67,7 @@ Report kink(SweepTable const& table, Request const& request) {
   report.results = tabulate(outcomes, names);
   note_fits(report, outcomes, names);
   note_left_out(report, table, series);
+  note_none(report, outcomes, request);
   Panel panel(report, x, y, request.log_x, request.log_y);
   for (std::size_t k = 0; k < series.size(); ++k) {
     auto const curve = caption(series[k].labels);

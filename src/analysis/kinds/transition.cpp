@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "src/analysis/fit/line.hpp"
 #include "src/analysis/kinds/kinds.hpp"
+#include "src/analysis/random.hpp"
 
 namespace bagnold::analysis {
 namespace {
@@ -12,11 +15,15 @@ std::string own_y(std::string const& x) {
   return x == "disks.elasticity" ? "Z/shear.strain_rate" : "B_p_el";
 }
 
-/// value = {place where the lines meet}; lines from their outer ends to a little beyond it.
-FitResult meet(Points const& measured, Request const& request) {
+/// value = {place where the lines meet}; lines from their outer ends to a little beyond it, those
+/// that pass each other as far as their points. A place between two points is drawn from where it
+/// may lie as points are resampled: that alone does not move it.
+FitResult meet(Points const& measured, Request const& request, Draw const& draw) {
   auto const points = with_logarithms(measured, request.log_x, request.log_y);
   double const at = request.split ? (request.log_x ? std::log(*request.split) : *request.split) : 0;
-  auto const lines = fit_two_lines(points, request.split ? &at : nullptr);
+  auto lines = fit_two_lines(points, request.split ? &at : nullptr);
+  if (lines.step && draw.replica != 0)
+    lines.meeting.x += std::sqrt(12.0) * lines.meeting.error * random_offset(draw, "step");
   auto const back = [](double value, bool logarithm) {
     return logarithm ? std::exp(value) : value;
   };
@@ -27,18 +34,22 @@ FitResult meet(Points const& measured, Request const& request) {
                 lines.first.freedom + lines.second.freedom,
                 points.size()};
   out.weighted = points.weighted();
+  out.step = lines.step;
   double const beyond = 0.05 * (points.x.back() - points.x.front());
   auto const add = [&](Fit const& fit, double low, double high) {
-    low = std::min(low, lines.meeting.x - beyond);
-    high = std::max(high, lines.meeting.x + beyond);
+    if (!lines.step) {
+      low = std::min(low, lines.meeting.x - beyond);
+      high = std::max(high, lines.meeting.x + beyond);
+    }
     auto line =
         sample_line(low, high, false, [&](double x) { return fit.value[0] + fit.value[1] * x; });
     for (double& x : line.x) x = back(x, request.log_x);
     for (double& y : line.y) y = back(y, request.log_y);
     out.lines.push_back(std::move(line));
   };
-  add(lines.first, points.x.front(), points.x[lines.split - 1]);
+  // the right one first: lines one after another to the right are drawn as one
   add(lines.second, points.x[lines.split], points.x.back());
+  add(lines.first, points.x.front(), points.x[lines.split - 1]);
   return out;
 }
 
@@ -49,10 +60,11 @@ std::vector<Outcome> find_transitions(SweepTable const& table, Request const& re
   auto const x = or_else(request.x, "disks.elasticity");
   series = make_differences(table, request, x, or_else(request.y, own_y(x)));
   std::vector<Task> tasks;
-  for (auto const& one : series)
-    tasks.push_back({one.labels, [=, points = one.points](std::uint32_t replica) {
-                       return meet(points(replica), request);
-                     }});
+  for (std::uint32_t curve = 0; curve < series.size(); ++curve)
+    tasks.push_back(
+        {series[curve].labels, [=, points = series[curve].points](std::uint32_t replica) {
+           return meet(points(replica), request, {request.seed, replica, curve});
+         }});
   return carry_out(tasks, request);
 }
 
@@ -65,11 +77,17 @@ Report transition(SweepTable const& table, Request const& request) {
   report.results = tabulate(outcomes, {name});
   note_fits(report, outcomes, {name});
   note_left_out(report, table, series);
-  for (std::size_t k = 0; k < series.size(); ++k)
-    if (auto const points = series[k].points(0);
-        outcomes[k].failure.empty() && (outcomes[k].found.value[0] < points.x.front() ||
-                                        outcomes[k].found.value[0] > points.x.back()))
-      report.notes.push_back(caption(series[k].labels) + ": the lines meet outside the points");
+  for (auto const& one : outcomes) {
+    auto const curve = caption(one.labels);
+    if (one.failure.empty() && one.found.step)
+      report.notes.push_back(fmt::format(
+          "{}{}the two lines do not meet where they part: it steps between two points, {} is "
+          "their middle, {:.4g}, its error their distance over 12^(1/2)",
+          curve, curve.empty() ? "" : ": ", name, one.found.value[0]));
+    if (!one.failure.empty())
+      report.notes.push_back(
+          fmt::format("{}{}no {}: {}", curve, curve.empty() ? "" : ": ", name, one.failure));
+  }
   Panel panel(report, x, "difference of " + or_else(request.y, own_y(x)), request.log_x,
               request.log_y);
   for (std::size_t k = 0; k < series.size(); ++k) {

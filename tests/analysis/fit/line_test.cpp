@@ -67,6 +67,38 @@ TEST(Line, TheSplitCanBeGiven) {
   EXPECT_THROW(fit_two_lines(points, &nowhere), InputError);
 }
 
+/// Z/gammadot at two rates part at once: lines through either side meet far outside.
+TEST(Line, AStepIsTheMiddleOfItsGap) {
+  auto const step = [](double q) { return q < 18.0 ? 3e6 - 1e3 * q : 2.0; };
+  auto const error = [](double y) { return 0.1 * std::abs(y); };
+  auto const points = sampled(evenly(5, 40, 15), step, error, nullptr);  // 17.5, 20
+  auto const found = fit_two_lines(points);
+  EXPECT_TRUE(found.step);
+  EXPECT_NEAR(found.meeting.x, 18.75, 1e-9);
+  EXPECT_NEAR(found.meeting.error, 2.5 / std::sqrt(12.0), 1e-9);
+  // two points are enough on either side
+  auto const end = fit_two_lines(sampled(evenly(4, 20, 9), step, error, nullptr));  // 16, 18
+  EXPECT_TRUE(end.step);
+  EXPECT_NEAR(end.meeting.x, 17.0, 1e-9);
+}
+
+TEST(Line, WhatNeitherMeetsNorStepsIsNoTransition) {
+  std::mt19937_64 random(41);
+  int refused = 0, sets = 200;
+  for (int set = 0; set < sets; ++set) {
+    auto const points = sampled(
+        evenly(0, 10, 12), [](double) { return 1.0; }, [](double) { return 0.1; }, &random);
+    try {
+      auto const found = fit_two_lines(points);
+      EXPECT_GE(found.meeting.x, 0.0);
+      EXPECT_LE(found.meeting.x, 10.0);
+    } catch (InputError const&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 0);
+}
+
 TEST(Line, BadInput) {
   EXPECT_THROW(fit_line({{1}, {1}, {}}), InputError);
   EXPECT_THROW(fit_line({{1, 1}, {1, 2}, {}}), InputError);
