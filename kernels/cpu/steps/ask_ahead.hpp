@@ -28,7 +28,9 @@ class AskAhead {
   }
 
  private:
-  static constexpr int line = 64, lines = simd::width;  ///< [bytes], and in a pack
+  static constexpr int line = 64,
+                       lines = 6 * simd::width /
+                               8;  ///< [bytes], and in a pack: 8 and 4 of 8 pairs cost more
 
   struct Stretch {
     char const *at, *end;
