@@ -28,9 +28,9 @@ class AskAhead {
   }
 
  private:
-  static constexpr int line = 64,
-                       lines = 6 * simd::width /
-                               8;  ///< [bytes], and in a pack: 8 and 4 of 8 pairs cost more
+  static constexpr int line = 64;  ///< [bytes]
+  /// In a pack; of eight pairs: 8 and 4 cost more.
+  static constexpr int lines = 6 * simd::width / 8;
 
   struct Stretch {
     char const *at, *end;
