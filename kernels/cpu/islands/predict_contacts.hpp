@@ -59,8 +59,6 @@ struct Forecast {
 struct ListedPairs {
   simd::LocalPair const* first[pair_classes];
   std::uint32_t count[pair_classes];
-
-  std::uint32_t size() const { return count[0] + count[1] + count[2]; }
 };
 
 inline ListedPairs outer_pairs(Blocks const& blocks, Block const& block) {

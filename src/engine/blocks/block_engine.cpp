@@ -111,7 +111,6 @@ void BlockEngine::for_each_counter(Visit const& visit) {
   visit("lookaheads", lookahead_.counters.lookaheads);
   visit("lookahead_steps", lookahead_.counters.steps);
   visit("lookaheads_refused", lookaheads_refused_);
-  visit("pairs_forecast", lookahead_.counters.forecast);
   visit("pairs_missed_and_added", lookahead_.counters.again);
   visit("binary_islands", lookahead_.counters.binary);
   visit("binary_steps", lookahead_.counters.binary_steps);

@@ -85,8 +85,6 @@ void LookaheadSteps::predict(Real duration) {
     predict_contacts(all.blocks, block, list_.of(block), all.now.record.data() + block.first,
                      duration, allowance, usual, forecast_[b]);
   });
-  for (std::uint32_t b = 0; b < all.blocks.count; ++b)
-    counters.forecast += list_.of(all.blocks.block(b)).size();
   todo_.clear();
   for (auto const& of_block : forecast_)
     todo_.insert(todo_.end(), of_block.meeting.begin(), of_block.meeting.end());

@@ -24,7 +24,6 @@ class LookaheadSteps {
   /// What lookaheads cost and find; none of it is time, so it is the same on every machine.
   struct Counters {
     std::int64_t lookaheads = 0, steps = 0;
-    std::int64_t forecast = 0;      ///< pairs looked at for it
     std::int64_t again = 0;         ///< pairs found to have been missed, and added
     std::int64_t binary = 0;        ///< islands of two disks
     std::int64_t binary_steps = 0;  ///< of a pair
