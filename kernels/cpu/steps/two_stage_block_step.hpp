@@ -92,7 +92,8 @@ struct BlockStep<L, R, S> {
       force += s.blocks.most_local;
     } else {
       Forces::clear(block, force);
-      add_second(s, block, force);
+      asking_ahead(s, b, second_half_of_step, contact_list,
+                   [&](auto&& ask) { add_second(s, block, force, ask); });
       if (drive) drive->add_second(s, block, force);
     }
     Kick const kick(s.table, time_step);
@@ -146,7 +147,7 @@ struct BlockStep<L, R, S> {
       force += s.blocks.most_local;
     } else {
       clear_touching(s, block, force);
-      add_second(s, block, force);
+      add_second(s, block, force, [] {});
     }
     Kick const kick(s.table, time_step);
     SpeedBound speeds{box.strain_rate};
@@ -179,7 +180,7 @@ struct BlockStep<L, R, S> {
     copy_halo(s.blocks, block, s.trial.record);
     Forces::clear(block, force);
     Forces::clear(block, force + s.blocks.most_local);
-    add_stage<true>(s, block, force, observer);
+    add_stage<true>(s, block, force, [] {}, observer);
     if (drive) drive->add_second(s, block, force + s.blocks.most_local);
   }
 
@@ -228,10 +229,12 @@ struct BlockStep<L, R, S> {
     return Scheme::velocity(spin, change.vx, second.torque_per_diameter, per_inertia);
   }
 
-  /// Adds what the second stage exerts to force, which is cleared where pairs touch.
-  void add_second(BlockSystem const& s, Block const& block, Force* force) const {
+  /// Adds what the second stage exerts to force, which is cleared where pairs touch. ask(): called
+  /// for each pack of pairs.
+  template <class Ask>
+  void add_second(BlockSystem const& s, Block const& block, Force* force, Ask&& ask) const {
     copy_halo(s.blocks, block, s.trial.record);
-    add_stage<false>(s, block, force, NoPackObserver{});
+    add_stage<false>(s, block, force, ask, NoPackObserver{});
   }
 
   static void clear_touching(BlockSystem const& s, Block const& block, Force* force) {
@@ -242,11 +245,12 @@ struct BlockStep<L, R, S> {
     }
   }
 
-  template <bool Whole, class Observer>
-  void add_stage(BlockSystem const& s, Block const& block, Force* force, Observer&& observe) const {
+  template <bool Whole, class Ask, class Observer>
+  void add_stage(BlockSystem const& s, Block const& block, Force* force, Ask&& ask,
+                 Observer&& observe) const {
     for (int c = 0; c < pair_classes; ++c)
       add_class<Whole>(c, s, block, s.blocks.near[contact_list].data() + block.pairs[c],
-                       block.near[contact_list][c], force, observe);
+                       block.near[contact_list][c], force, ask, observe);
   }
 
   /// What a pack of pairs needs of memory, loaded before the pack before it is worked on.
@@ -269,9 +273,9 @@ struct BlockStep<L, R, S> {
   }
 
   /// Adds the forces of the second stage, or shows those of both stages together and adds both.
-  template <bool Whole, class Observer>
+  template <bool Whole, class Ask, class Observer>
   void add_class(int pair_class, BlockSystem const& s, Block const& block,
-                 simd::LocalPair const* pairs, std::uint32_t count, Force* force,
+                 simd::LocalPair const* pairs, std::uint32_t count, Force* force, Ask& ask,
                  Observer& observe) const {
     simd::EightByNumber const share_normal(shares.normal[pair_class]);
     simd::EightByNumber const share_tangential(shares.tangential[pair_class]);
@@ -316,6 +320,7 @@ struct BlockStep<L, R, S> {
         observe(PackOfPairs{pairs + k, touching, f});
       } else {
         scatter(force, pairs + k, touching, f, inverse_distance);
+        ask();
       }
     }
   }
