@@ -5,42 +5,73 @@
 
 namespace bagnold {
 
-/// Asks for what the next block's half of a step goes through, some lines for each pack of pairs of
-/// the block at work, so that memory and processor work at once.
+/// Asks for what the next block goes through, some lines for each pack of pairs of the block at
+/// work, so that memory and processor work at once. lines: of cache, for a pack of eight pairs.
+template <int lines>
 class AskAhead {
  public:
-  /// near: the list of pairs that this half goes through.
-  AskAhead(BlockSystem const& s, Block const& next, NearList near) {
+  /// For its half of a step. near: the list of pairs that this half goes through.
+  AskAhead(BlockSystem const& s, Block const& next, NearList near, BlockState const& halo)
+      : AskAhead(s, next, halo.record, halo.spin) {
     add(s.now.record, next);
     add(s.trial.record, next);
     add(s.now.spin, next);
     add(s.trial.spin, next);
-    for (int c = 0; c < pair_classes; ++c)
-      add(s.blocks.near[near].data() + next.pairs[c], next.near[near][c]);
+    add_pairs(s, next, near);
+  }
+
+  /// For iteration k of the system's solve.
+  AskAhead(BlockSystem const& s, Block const& next, int k)
+      : AskAhead(s, next, s.implicit.now(k, s.trial.record), {}) {
+    add(s.trial.record, next);
+    if (k != 0) add(s.implicit.now(k, s.trial.record), next);
+    add(s.implicit.next(k), next);
+    add_pairs(s, next, contact_list);
   }
 
   BAGNOLD_INLINE void operator()() {
+    if (halo_ != halo_end_) {
+      __builtin_prefetch(halo_record_ + halo_->index(), 0, 2);
+      if (halo_spin_ != nullptr) __builtin_prefetch(halo_spin_ + halo_->index(), 0, 2);
+      ++halo_;
+    }
     if (current_ == count_) return;
     auto& stretch = stretches_[current_];
-    for (int k = 0; k < lines; ++k) __builtin_prefetch(stretch.at + line * k, 0, 2);
-    stretch.at += line * lines;
+    for (int k = 0; k < now; ++k) __builtin_prefetch(stretch.at + line * k, 0, 2);
+    stretch.at += line * now;
     current_ += stretch.at >= stretch.end;
   }
 
  private:
   static constexpr int line = 64;  ///< [bytes]
-  /// In a pack; of eight pairs: 8 and 4 cost more.
-  static constexpr int lines = 6 * simd::width / 8;
+  static constexpr int now = lines * simd::width / 8;
+
+  AskAhead(BlockSystem const& s, Block const& next, Blocks::Array<simd::Record> const& record,
+           Blocks::Array<double> const& spin)
+      : halo_(s.blocks.halo.data() + next.halo_first),
+        halo_end_(halo_ + next.halo),
+        halo_record_(record.data()),
+        halo_spin_(spin.extent(0) != 0 ? spin.data() : nullptr) {}
 
   struct Stretch {
     char const *at, *end;
   };
-  Stretch stretches_[4 + pair_classes];
+  Stretch stretches_[4 + 2 * pair_classes];
   int count_ = 0, current_ = 0;
+  Neighbor const *halo_, *halo_end_;  ///< disks that its halo copies
+  simd::Record const* halo_record_;
+  double const* halo_spin_;
 
   template <class T>
   void add(Blocks::Array<T> const& of_slots, Block const& block) {
     if (of_slots.extent(0) != 0) add(of_slots.data() + block.first, block.padded);
+  }
+  void add_pairs(BlockSystem const& s, Block const& block, NearList near) {
+    for (int c = 0; c < pair_classes; ++c) {
+      add(s.blocks.near[near].data() + block.pairs[c], block.near[near][c]);
+      if (s.implicit.separation.extent(0) != 0)
+        add(s.implicit.separation.data() + 2 * block.pairs[c], 2 * block.near[contact_list][c]);
+    }
   }
   template <class T>
   void add(T const* first, std::uint32_t size) {
@@ -55,7 +86,17 @@ template <class Body>
 BAGNOLD_INLINE void asking_ahead(BlockSystem const& s, std::uint32_t b, HalfOfStep half,
                                  NearList near, Body const& body) {
   if (s.blocks.beyond_cache())
-    body(AskAhead(s, s.blocks.block(s.blocks.next[half](b)), near));
+    body(AskAhead<6>(s, s.blocks.block(s.blocks.next[half](b)), near,
+                     half == first_half_of_step ? s.now : s.trial));
+  else
+    body([] {});
+}
+
+/// The same in iteration k of a solve, which goes through blocks as they are numbered.
+template <class Body>
+BAGNOLD_INLINE void asking_ahead(BlockSystem const& s, std::uint32_t b, int k, Body const& body) {
+  if (s.blocks.beyond_cache())
+    body(AskAhead<10>(s, s.blocks.block((b + 1) % s.blocks.count), k));
   else
     body([] {});
 }

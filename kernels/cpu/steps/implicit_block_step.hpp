@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "kernels/cpu/steps/ask_ahead.hpp"
 #include "kernels/cpu/steps/block_drive.hpp"
 #include "kernels/cpu/steps/block_forces.hpp"
 #include "kernels/cpu/steps/block_stepper.hpp"
@@ -50,16 +51,22 @@ struct BlockStep<L, R, S> {
                       Force* force) const {
     Block& block = s.blocks.block(b);
     refresh_halo(s.blocks, block, s.now, box);
+    bring_near(s.blocks, block, s.trial);
     Forces::clear(block, force);
     BlockReport report;
-    for (int c = 0; c < pair_classes; ++c) {
-      ContactLister lister{s.blocks.near[contact_list].data() + block.pairs[c]};
-      forces.add(c, s, block, inner_list, s.now, force, lister);
-      block.near[contact_list][c] = lister.finish(block);
-      report.touching += block.near[contact_list][c];
-      report.largest_overlap =
-          std::max(report.largest_overlap, simd::largest(lister.largest_overlap));
-    }
+    asking_ahead(s, b, first_half_of_step, inner_list, [&](auto&& ask) {
+      for (int c = 0; c < pair_classes; ++c) {
+        ContactLister lister{s.blocks.near[contact_list].data() + block.pairs[c]};
+        forces.add(c, s, block, inner_list, s.now, force, [&](PackOfPairs const& p) {
+          lister(p);
+          ask();
+        });
+        block.near[contact_list][c] = lister.finish(block);
+        report.touching += block.near[contact_list][c];
+        report.largest_overlap =
+            std::max(report.largest_overlap, simd::largest(lister.largest_overlap));
+      }
+    });
     Kick const kick(s.table, time_step);
     Pack most_small = 0.0, most_big = 0.0;
     for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
@@ -82,7 +89,9 @@ struct BlockStep<L, R, S> {
   /// Iteration k of the system's solve, to ImplicitSolve::next.
   void iterate(BlockSystem const& s, std::uint32_t b, int k, Force* force) const {
     Block const& block = s.blocks.block(b);
-    iterate(s, block, k, force, s.implicit.next(k).data() + block.first);
+    asking_ahead(s, b, k, [&](auto&& ask) {
+      iterate(s, block, k, force, s.implicit.next(k).data() + block.first, ask);
+    });
   }
 
   /// Second half: the last iteration, and the state at t + dt. observed: it has been done, as
@@ -94,7 +103,9 @@ struct BlockStep<L, R, S> {
     auto const* change = s.implicit.solution().data() + block.first;
     if (!observed) {
       auto* const in_place = reinterpret_cast<simd::Record*>(force);
-      iterate(s, block, s.implicit.passes() - 1, force, in_place);
+      asking_ahead(s, b, second_half_of_step, contact_list, [&](auto&& ask) {
+        iterate(s, block, s.implicit.passes() - 1, force, in_place, ask);
+      });
       change = in_place;
     }
     SpeedBound speeds{box.strain_rate};
@@ -224,14 +235,15 @@ struct BlockStep<L, R, S> {
     }
   };
 
-  /// to: [block.padded]; may be where the forces are.
-  void iterate(BlockSystem const& s, Block const& block, int k, Force* force,
-               simd::Record* to) const {
+  /// to: [block.padded]; may be where the forces are. ask(): called for each pack of pairs.
+  template <class Ask>
+  void iterate(BlockSystem const& s, Block const& block, int k, Force* force, simd::Record* to,
+               Ask&& ask) const {
     auto const& solve = s.implicit;
     auto const& now = solve.now(k, s.trial.record);
     copy_halo(s.blocks, block, now);
     Forces::clear(block, force);
-    add_damping(s, block, now.data() + block.first, force);
+    add_damping(s, block, now.data() + block.first, force, ask);
     auto const by = solve.iterations.iteration[k];
     auto const* const start = s.trial.record.data() + block.first;
     auto const* const before = now.data() + block.first;
@@ -243,8 +255,9 @@ struct BlockStep<L, R, S> {
   }
 
   /// The damping of disks that move as the records say.
+  template <class Ask>
   void add_damping(BlockSystem const& s, Block const& block, simd::Record const* moving,
-                   Force* force) const {
+                   Force* force, Ask&& ask) const {
     auto const* const records = s.now.record.data() + block.first;
     Law const law = forces.law;
     for (int c = 0; c < pair_classes; ++c) {
@@ -266,6 +279,7 @@ struct BlockStep<L, R, S> {
             velocity_at_contact<Law>({u.x, u.vx}, separation, inverse_distance, diameter * u.vy);
         PairForce<Pack> const f{separation, {}, law.dissipative_force(contact), {}, {}};
         scatter(force, pairs + k, simd::first_lanes(count - k), f, inverse_distance);
+        ask();
       }
     }
   }
