@@ -180,7 +180,8 @@ struct BlockStep<L, R, S> {
     copy_halo(s.blocks, block, s.trial.record);
     Forces::clear(block, force);
     Forces::clear(block, force + s.blocks.most_local);
-    add_stage<true>(s, block, force, [] {}, observer);
+    add_stage<true>(
+        s, block, force, [] {}, observer);
     if (drive) drive->add_second(s, block, force + s.blocks.most_local);
   }
 
