@@ -37,14 +37,14 @@ class AskAhead {
     }
     if (current_ == count_) return;
     auto& stretch = stretches_[current_];
-    for (int k = 0; k < now; ++k) __builtin_prefetch(stretch.at + line * k, 0, 2);
-    stretch.at += line * now;
+    for (int k = 0; k < at_a_time; ++k) __builtin_prefetch(stretch.at + line * k, 0, 2);
+    stretch.at += line * at_a_time;
     current_ += stretch.at >= stretch.end;
   }
 
  private:
   static constexpr int line = 64;  ///< [bytes]
-  static constexpr int now = lines * simd::width / 8;
+  static constexpr int at_a_time = lines * simd::width / 8;
 
   AskAhead(BlockSystem const& s, Block const& next, Blocks::Array<simd::Record> const& record,
            Blocks::Array<double> const& spin)

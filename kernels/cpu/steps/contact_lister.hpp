@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+
+#include "kernels/cpu/steps/ask_ahead.hpp"
 #include "kernels/cpu/steps/block_forces.hpp"
 
 namespace bagnold {
@@ -23,6 +26,29 @@ struct ContactLister {
     return count;
   }
 };
+
+/// Adds the forces of the near pairs to force, [most_local], and lists those that touch for what
+/// follows in the step. Returns how many, and their largest overlap.
+template <class Forces>
+BAGNOLD_INLINE BlockReport add_and_list(Forces const& forces, BlockSystem const& s, std::uint32_t b,
+                                        typename Forces::Force* force) {
+  Block& block = s.blocks.block(b);
+  BlockReport report;
+  asking_ahead(s, b, first_half_of_step, inner_list, [&](auto&& ask) {
+    for (int c = 0; c < pair_classes; ++c) {
+      ContactLister lister{s.blocks.near[contact_list].data() + block.pairs[c]};
+      forces.add(c, s, block, inner_list, s.now, force, [&](PackOfPairs const& p) {
+        lister(p);
+        ask();
+      });
+      block.near[contact_list][c] = lister.finish(block);
+      report.touching += block.near[contact_list][c];
+      report.largest_overlap =
+          std::max(report.largest_overlap, simd::largest(lister.largest_overlap));
+    }
+  });
+  return report;
+}
 
 /// Copies records of disks of other blocks, and images, into a block's halo as they are: changes of
 /// motion are the same for all images.

@@ -54,24 +54,11 @@ struct BlockStep<L, R, S> {
   /// First half: what the forces at t change. force: scratch, [most_local].
   BlockReport predict(BlockSystem const& s, std::uint32_t b, ShearedBox const& box,
                       Force* force) const {
-    Block& block = s.blocks.block(b);
+    Block const& block = s.blocks.block(b);
     refresh_halo(s.blocks, block, s.now, box);
     bring_near(s.blocks, block, s.trial);
     Forces::clear(block, force);
-    BlockReport report;
-    asking_ahead(s, b, first_half_of_step, inner_list, [&](auto&& ask) {
-      for (int c = 0; c < pair_classes; ++c) {
-        ContactLister lister{s.blocks.near[contact_list].data() + block.pairs[c]};
-        forces.add(c, s, block, inner_list, s.now, force, [&](PackOfPairs const& p) {
-          lister(p);
-          ask();
-        });
-        block.near[contact_list][c] = lister.finish(block);
-        report.touching += block.near[contact_list][c];
-        report.largest_overlap =
-            std::max(report.largest_overlap, simd::largest(lister.largest_overlap));
-      }
-    });
+    BlockReport const report = add_and_list(forces, s, b, force);
     if (drive) drive->add(s, block, s.now, box.strain_rate, force);
     Kick const kick(s.table, time_step);
     for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
