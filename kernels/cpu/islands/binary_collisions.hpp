@@ -42,6 +42,7 @@ struct BinaryCollisions {
                     SampleTimes const& times, BlockSums* sums, Detector&& detector) const {
     Lanes p(*this, a, count), q(*this, b, count);
     PairConstants const pair(*this, a, b, count);
+    PairDeviation deviation(relative(p, q));
     BinaryOutcome outcome;
     Pack const end = static_cast<Real>(steps);
     bool const at_one_rate = flights.at_one_rate();
@@ -55,44 +56,45 @@ struct BinaryCollisions {
     Pack due;
     for (int k = 0; k < width; ++k) {
       sample[k] = times.from(static_cast<std::int64_t>(step.v[k]));
-      due.v[k] = due_step(times, sample[k]);
+      due.v[k] = due_after(times, sample[k]);
     }
-    Pack overlap = 0.0;
-    unsigned busy = (1u << count) - 1u;
+    Relative pq = relative(p, q);
+    Pack overlap = 0.0, touching = 0.0;  // touching: steps
+    Pack const first = step;
+    auto busy = simd::first_lanes(static_cast<std::uint32_t>(count));
     while (true) {
-      auto const active = simd::Mask::of(busy) & (step < end);
+      auto const active = busy & (step < end);
       if (!active.any()) break;
       Pack const dt = simd::zero_unless(active, time_step);
-      auto f = evaluate(p, q, pair);
+      auto f = evaluate(pq, p.spin, q.spin, pair);
       if constexpr (two_stage) add_second_stage(f, p, q, dt, pair);
-      Vec2<Pack> const velocity{p.vx - q.vx, p.vy - q.vy};
-      detector.detect(active, f.touching, step, f.force.separation, velocity, {p.spin, q.spin});
-      auto const sampled = active & (due < step + 0.5);
+      detector.detect(active, f.touching, step, pq.separation, pq.velocity, {p.spin, q.spin});
+      auto const sampled = active & (due < step);
       if (sampled.any())
         for (auto lanes = sampled.lanes(); lanes != 0; lanes &= lanes - 1) {
           int const k = __builtin_ctz(lanes);
           add_sample(sums[static_cast<std::size_t>(k) * times.bins() + times.bin(sample[k])], f, p,
                      q, pair, k, time.v[k], scale.v[k]);
-          detector.sample(k, times.bin(sample[k]), times.step(sample[k]), f.force.separation,
-                          velocity, {p.spin, q.spin});
-          due.v[k] = due_step(times, ++sample[k]);
+          detector.sample(k, times.bin(sample[k]), times.step(sample[k]), pq.separation,
+                          pq.velocity, {p.spin, q.spin});
+          due.v[k] = due_after(times, ++sample[k]);
         }
       auto const g = take_step(p, q, f, dt, pair);
       step += simd::zero_unless(active, 1.0);
       overlap = max(overlap, simd::zero_unless(active & g.touching, g.force.relative_overlap));
+      touching += simd::zero_unless(active & g.touching, 1.0);
       if (at_one_rate) {
         time = time_step * step;
       } else {
         time = times_of(flights, step);
         grow(p, q, scale, scales_of(flights, step));
       }
-      p.keep_deviation(time, scale, time_step);
-      q.keep_deviation(time, scale, time_step);
-      auto const approach = approaching(p, q);
-      busy &= f.touching.lanes() | g.touching.lanes() | approach.lanes();
-      outcome.touching += __builtin_popcount((active & g.touching).lanes());
-      outcome.steps += __builtin_popcount(active.lanes());
+      pq = relative(p, q);
+      deviation.keep(pq, time, scale, time_step);
+      busy = busy & (f.touching | g.touching | approaching(pq));
     }
+    outcome.touching = static_cast<std::int64_t>(simd::sum(touching));
+    outcome.steps = static_cast<std::int64_t>(simd::sum(step - first));
     if (!at_one_rate) grow(p, q, scale, 1.0);
     for (int k = 0; k < count; ++k)
       times.rest(sample[k], [&](std::size_t bin, SampleTimes::Powers const& powers) {
@@ -105,10 +107,9 @@ struct BinaryCollisions {
     p.fly(left);
     q.fly(left);
     if (!at_one_rate) grow(p, q, scale, flights.scale(steps));
-    p.keep_deviation(last, scale, time_step);
-    q.keep_deviation(last, scale, time_step);
-    p.store(a, count);
-    q.store(b, count);
+    deviation.keep(relative(p, q), last, scale, time_step);
+    p.store(a, count, deviation.of_disk(p.inverse_mass, q.inverse_mass));
+    q.store(b, count, deviation.of_disk(q.inverse_mass, p.inverse_mass));
     outcome.bad = !(simd::largest(overlap) <= largest_relative_overlap) ||
                   !(simd::sum(simd::zero_unless(simd::Mask::of((1u << count) - 1u),
                                                 0.0 * (p.x + q.x + p.vx + q.vx))) == 0);
@@ -146,6 +147,38 @@ struct BinaryCollisions {
     PairForce<Pack> force;
   };
 
+  /// The first disk of each pair against the second one.
+  struct Relative {
+    Vec2<Pack> separation, velocity;
+  };
+
+  /// How far the pairs get from where straight flights would have them. The centre of mass stays
+  /// on its own, so each disk deviates by its share.
+  class PairDeviation {
+   public:
+    explicit PairDeviation(Relative const& start) : start_(start) {}
+
+    /// scale: of velocities, over what they were at the start for the rate.
+    void keep(Relative const& now, Pack time, Pack scale, Real time_step) {
+      auto const& [r, v] = now;
+      auto const& [r0, v0] = start_;
+      Pack const dx = r.x - fma(time, v0.x, r0.x), dy = r.y - fma(time, v0.y, r0.y);
+      Pack const ex = fma(time_step, fnma(scale, v0.x, v.x), dx),
+                 ey = fma(time_step, fnma(scale, v0.y, v.y), dy);
+      largest2_ = max(largest2_, max(fma(dx, dx, dy * dy), fma(ex, ex, ey * ey)));
+    }
+
+    /// The largest of the disk that has this inverse mass, squared, [d_s^2].
+    Pack of_disk(Pack inverse_mass, Pack of_other) const {
+      Pack const share = inverse_mass / (inverse_mass + of_other);
+      return share * share * largest2_;
+    }
+
+   private:
+    Relative start_;
+    Pack largest2_ = 0.0;
+  };
+
   /// One disk of each pair: what a step changes.
   struct Motion {
     Pack x, y, vx, vy, spin;
@@ -161,7 +194,6 @@ struct BinaryCollisions {
     using Motion::x, Motion::y, Motion::vx, Motion::vy, Motion::spin;
     Pack x0, y0, vx0, vy0, spin0;       ///< at the start of the lookahead
     Pack inverse_mass, torque_to_spin;  ///< 1/m, d/I
-    Pack flight_deviation2 = 0.0;
 
     Lanes(BinaryCollisions const& c, Disk const* disks, int count) {
       for (int k = 0; k < width; ++k) {
@@ -210,19 +242,11 @@ struct BinaryCollisions {
         spin = Scheme::velocity_of_pair(spin, f.torque_per_diameter, dt * torque_to_spin);
     }
 
-    /// scale: of velocities, over what they were at the start for the rate.
-    void keep_deviation(Pack time, Pack scale, Real time_step) {
-      Pack const dx = x - fma(time, vx0, x0), dy = y - fma(time, vy0, y0);
-      Pack const ex = fma(time_step, fnma(scale, vx0, vx), dx),
-                 ey = fma(time_step, fnma(scale, vy0, vy), dy);
-      flight_deviation2 = max(flight_deviation2, max(fma(dx, dx, dy * dy), fma(ex, ex, ey * ey)));
-    }
-
-    void store(Disk* disks, int count) const {
+    void store(Disk* disks, int count, Pack deviation2) const {
       for (int k = 0; k < count; ++k) {
         disks[k].record = {x.v[k], y.v[k], vx.v[k], vy.v[k]};
         disks[k].spin = spin.v[k];
-        disks[k].flight_deviation2 = flight_deviation2.v[k];
+        disks[k].flight_deviation2 = deviation2.v[k];
       }
     }
 
@@ -255,8 +279,9 @@ struct BinaryCollisions {
     }
   };
 
-  static Real due_step(SampleTimes const& times, std::size_t sample) {
-    return sample < times.size() ? static_cast<Real>(times.step(sample)) : 1e300;
+  /// Half a step before a sample.
+  static Real due_after(SampleTimes const& times, std::size_t sample) {
+    return sample < times.size() ? static_cast<Real>(times.step(sample)) - 0.5 : 1e300;
   }
 
   static Pack times_of(FlightTimes const& flights, Pack const& step) {
@@ -279,8 +304,12 @@ struct BinaryCollisions {
     scale = to;
   }
 
-  static simd::Mask approaching(Lanes const& p, Lanes const& q) {
-    return fma(p.x - q.x, p.vx - q.vx, (p.y - q.y) * (p.vy - q.vy)) < Pack(0.0);
+  static Relative relative(Motion const& p, Motion const& q) {
+    return {p.position() - q.position(), p.velocity() - q.velocity()};
+  }
+
+  static simd::Mask approaching(Relative const& pq) {
+    return fma(pq.separation.x, pq.velocity.x, pq.separation.y * pq.velocity.y) < Pack(0.0);
   }
 
   /// The step before the one in which straight flights first touch; the end if they do not.
@@ -308,16 +337,16 @@ struct BinaryCollisions {
     return {simd::zero_unless(mask, v.x), simd::zero_unless(mask, v.y)};
   }
 
-  PairContact evaluate(Motion const& p, Motion const& q, PairConstants const& pair) const {
+  PairContact evaluate(Relative const& pq, Pack spin_a, Pack spin_b,
+                       PairConstants const& pair) const {
     PairContact f;
-    Vec2<Pack> const separation = p.position() - q.position();
+    auto const& separation = pq.separation;
     Pack const distance2 = fma(separation.x, separation.x, separation.y * separation.y);
     Pack spins = 0.0;
-    if constexpr (rotates) spins = fma(pair.diameter_a, p.spin, pair.diameter_b * q.spin);
+    if constexpr (rotates) spins = fma(pair.diameter_a, spin_a, pair.diameter_b * spin_b);
     f.touching = distance2 < pair.reach2;
-    f.force =
-        pair_force<Law, Repulsion, Pack>(law, repulsion, separation, distance2,
-                                         p.velocity() - q.velocity(), pair.inverse_distance, spins);
+    f.force = pair_force<Law, Repulsion, Pack>(law, repulsion, separation, distance2, pq.velocity,
+                                               pair.inverse_distance, spins);
     f.total = zero_unless(f.touching, f.force.elastic + f.force.dissipative);
     if constexpr (rotates)
       f.torque_per_diameter =
@@ -334,7 +363,7 @@ struct BinaryCollisions {
       return f;
     } else {
       Motion const p1 = p.predicted(f, dt, 1.0), q1 = q.predicted(f, dt, -1.0);
-      auto const g = evaluate(p1, q1, pair);
+      auto const g = evaluate(relative(p1, q1), p1.spin, q1.spin, pair);
       p.correct(p1, g, dt, 1.0);
       q.correct(q1, g, dt, -1.0);
       return g;
