@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """scripts/bench: times every row of docs/performance.md and writes its table.
 
-Rows start from steady states, which `scripts/bench states` makes once. Only a run of all rows, at full
-length, writes into docs/performance.md; others print what they find.
+Rows start from steady states, which `scripts/bench states` makes once. `scripts/bench levels` times half
+of each row with each level of instructions that one program has. Only a run of all rows, at full length, writes
+into docs/performance.md; others print what they find.
 """
 import argparse
 import os
@@ -10,6 +11,7 @@ import re
 import shutil
 import sys
 
+import levels
 import machine
 import measure
 import report
@@ -23,7 +25,8 @@ QUICK_SHORTER = 1000
 def arguments():
     parser = argparse.ArgumentParser(prog="scripts/bench", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("command", nargs="?", choices=["states"], help="make the states, time nothing")
+    parser.add_argument("command", nargs="?", choices=["states", "levels"],
+                        help="states: make these, time nothing; levels: of instructions, one over the other")
     parser.add_argument("--quick", action="store_true",
                         help="small systems, a thousandth of the strain: does it work? no times worth having")
     parser.add_argument("--repeats", type=int, default=5, metavar="K", help="rounds (default: %(default)s)")
@@ -35,8 +38,8 @@ def arguments():
                         help="of auto, reference, few-contacts, many-contacts, lookahead; the first is held against "
                              "the targets (default: %(default)s)")
     parser.add_argument("--lammps", default="lmp", metavar="PROGRAM", help="left out where there is none")
-    parser.add_argument("--build", default=os.path.join(ROOT, "build/openmp"), metavar="DIR",
-                        help="use the programs there as they are")
+    parser.add_argument("--build", metavar="DIR", help="use the programs there as they are (default: build/openmp, "
+                                                       "with levels build/package)")
     parser.add_argument("--into", metavar="FILE", help="write the table between the markers of this file")
     parser.add_argument("--list", action="store_true", help="the rows")
     options = parser.parse_args()
@@ -51,6 +54,8 @@ def arguments():
         parser.error(f"--rows = {options.rows} (is no regular expression: {error})")
     if not options.chosen:
         parser.error(f"--rows = {options.rows} matches no row; see --list")
+    options.build = os.path.abspath(
+        options.build or os.path.join(ROOT, "build", "package" if options.command == "levels" else "openmp"))
     quick = "-quick" if options.quick else ""
     options.states = os.path.abspath(options.states or os.path.join(ROOT, "results/bench-states" + quick))
     if not options.into and not options.quick and options.chosen == targets.ROWS:
@@ -63,8 +68,7 @@ def main():
     if options.list:
         print("\n".join(options.chosen))
         return
-    programs = os.path.abspath(options.build)
-    bagnold, benchmark = (os.path.join(programs, name) for name in ("bagnold", "bagnold_bench"))
+    bagnold, benchmark = (os.path.join(options.build, name) for name in ("bagnold", "bagnold_bench"))
     for program in (bagnold, benchmark):
         if not os.path.exists(program):
             sys.exit(f"error: {program} is missing; run scripts/bench without --build, which builds it")
@@ -73,23 +77,27 @@ def main():
         states.make(bagnold, options.states, names, options.quick, measure.say)
     if options.command == "states":
         return
-    lammps = shutil.which(options.lammps) or ""
-    if not lammps:
+    by_level = options.command == "levels"
+    lammps = "" if by_level else shutil.which(options.lammps) or ""
+    if not lammps and not by_level:
         measure.say(f"skipped: LAMMPS: there is no program {options.lammps}; apt-get install lammps")
-    setup = measure.Setup(benchmark, options.states, os.path.join(options.states, "lammps"),
-                          QUICK_SHORTER if options.quick else 1, lammps)
-    engines = options.engines.split(",")
+    shorter = QUICK_SHORTER if options.quick else levels.SHORTER if by_level else 1
+    setup = measure.Setup(benchmark, options.states, os.path.join(options.states, "lammps"), shorter, lammps)
+    engines = levels.of_program(bagnold) if by_level else options.engines.split(",")
     runs = measure.runs_of(setup, options.chosen, engines)
     if not runs:
         sys.exit("error: no row can be timed (see above)")
     rounds = measure.rounds(setup, runs, options.repeats)
-    command = ["--repeats", str(options.repeats), "--engines", options.engines]
+    command = ["levels"] if by_level else []
+    command += ["--repeats", str(options.repeats)]
+    command += [] if by_level else ["--engines", options.engines]
     command += ["--rows", options.rows] if options.rows else []
     preamble = machine.preamble(bagnold, lammps, rounds, options.quick, command)
-    found = report.text(rounds, options.chosen, engines, preamble)
+    write = levels.text if by_level else report.text
+    found = write(rounds, options.chosen, engines, preamble)
     print(found)
     if options.into:
-        report.put_into(options.into, found)
+        report.put_into(options.into, levels.TABLE if by_level else report.TABLE, found)
         measure.say(f"written into {options.into}")
 
 

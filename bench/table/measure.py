@@ -7,6 +7,7 @@ import subprocess
 import sys
 from dataclasses import dataclass
 
+import levels
 import states
 import targets
 
@@ -59,7 +60,8 @@ def rounds(setup, runs, repeats):
 def once(setup, row, engine, clock):
     if engine in (targets.LAMMPS, targets.LAMMPS_LONGEST):
         return peer(setup, row, engine == targets.LAMMPS_LONGEST)
-    times = ask(setup, targets.benchmark_of(row, engine), targets.threads_of(row))
+    level = engine if engine in levels.NAMES else ""
+    times = ask(setup, targets.benchmark_of(row, "auto" if level else engine), targets.threads_of(row), level)
     speed = times[targets.SPEED]
     times[targets.WALL] = speed * times["real_time"] / times["wall_seconds"]
     times[targets.CYCLES] = clock / speed
@@ -67,11 +69,12 @@ def once(setup, row, engine, clock):
     return times
 
 
-def ask(setup, name, threads):
-    """The counters of one benchmark, run by itself."""
+def ask(setup, name, threads, level=""):
+    """The counters of one benchmark, run by itself, at a level of instructions if one is named."""
     command = [setup.benchmark, f"--benchmark_filter=^{name}/iterations:", "--benchmark_format=json",
                "--states", setup.states, "--shorter", str(setup.shorter), "--threads", str(threads)]
-    done = subprocess.run(command, capture_output=True, text=True)
+    environment = {**os.environ, levels.VARIABLE: level} if level else None
+    done = subprocess.run(command, capture_output=True, text=True, env=environment)
     if done.returncode != 0 or not done.stdout.strip():
         raise SystemExit(f"error: {' '.join(command)} failed:\n{done.stderr}")
     found = json.loads(done.stdout)["benchmarks"]

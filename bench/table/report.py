@@ -7,7 +7,7 @@ import targets
 from measure import lammps
 from targets import CYCLES, DEFAULT, LAMMPS, LAMMPS_LONGEST, SECONDS, SPEED
 
-BEGIN, END = "<!-- table: scripts/bench -->", "<!-- end of table: scripts/bench -->"
+TABLE = "scripts/bench"
 COUNTERS = {"pairs_per_disk_step": "pairs evaluated a disk-step", "prunings_per_strain": "prunings a strain",
             "builds_per_strain": "builds a strain", "share_in_lookahead": "share of steps done ahead"}
 
@@ -104,13 +104,18 @@ def text(rounds, rows, engines, preamble):
     return "\n\n".join(parts)
 
 
-def put_into(path, content):
-    """Replaces what stands between the two markers of the file; all else stays."""
+def markers(table):
+    return f"<!-- table: {table} -->", f"<!-- end of table: {table} -->"
+
+
+def put_into(path, table, content):
+    """Replaces what stands between the table's two markers in the file; all else stays."""
+    begin, end = markers(table)
     with open(path) as file:
         old = file.read()
-    if old.count(BEGIN) != 1 or old.count(END) != 1 or old.index(END) < old.index(BEGIN):
-        raise SystemExit(f"error: {path} needs one line `{BEGIN}` and after it one `{END}`")
-    new = f"{old[:old.index(BEGIN)]}{BEGIN}\n{content}\n{old[old.index(END):]}"
+    if old.count(begin) != 1 or old.count(end) != 1 or old.index(end) < old.index(begin):
+        raise SystemExit(f"error: {path} needs one line `{begin}` and after it one `{end}`")
+    new = f"{old[:old.index(begin)]}{begin}\n{content}\n{old[old.index(end):]}"
     with open(path + ".tmp", "w") as file:
         file.write(new)
     os.replace(path + ".tmp", path)

@@ -17,6 +17,7 @@ SOURCE = pathlib.Path(os.environ["BAGNOLD_SOURCE"])
 BUILD = pathlib.Path(os.environ["BAGNOLD_BUILD"])
 sys.path.insert(0, str(SOURCE / "bench/table"))
 
+import levels  # noqa: E402
 import report  # noqa: E402
 import states  # noqa: E402
 import targets  # noqa: E402
@@ -58,7 +59,8 @@ class Rows(unittest.TestCase):
         cls.addClassCleanup(cls.temporary.cleanup)
         cls.folder = pathlib.Path(cls.temporary.name)
         cls.page = cls.folder / "page.md"
-        cls.page.write_text(f"before\n{report.BEGIN}\nobsolete\n{report.END}\nafter\n")
+        cls.begin, cls.end = report.markers(report.TABLE)
+        cls.page.write_text(f"before\n{cls.begin}\nobsolete\n{cls.end}\nafter\n")
         cls.done = bench("--quick", "--repeats", 1, "--states", cls.folder / "states", "--into", cls.page)
 
     def test_runs(self):
@@ -66,8 +68,8 @@ class Rows(unittest.TestCase):
 
     def test_writes_between_the_markers_only(self):
         text = self.page.read_text()
-        self.assertTrue(text.startswith(f"before\n{report.BEGIN}\n"), text)
-        self.assertTrue(text.endswith(f"\n{report.END}\nafter\n"), text)
+        self.assertTrue(text.startswith(f"before\n{self.begin}\n"), text)
+        self.assertTrue(text.endswith(f"\n{self.end}\nafter\n"), text)
         self.assertNotIn("obsolete", text)
         self.assertIn(self.done.stdout.strip(), text)
         self.assertNotIn(str(self.folder), text)
@@ -144,6 +146,23 @@ class Table(unittest.TestCase):
                          ["| cd_rot82-1e-4-1024 | 20 | 0.1 | 20 (10-30) | 2 | 10 (5-15) |"])
         self.assertEqual(report.peer_table([{}], targets.ROWS), "")
 
+    def test_levels_are_held_against_the_best_one(self):
+        rounds = [{(row, level): {targets.SECONDS: seconds * k} for row, times in (("a", (1.0, 1.2, 2.0)),
+                                                                                   ("b", (2.0, 3.0, 5.0)))
+                   for level, seconds in zip(levels.NAMES, times)} for k in (1, 2)]
+        found = levels.text(rounds, ["a", "b", "not timed"], levels.NAMES, "").splitlines()
+        self.assertEqual([line.split(" | ")[1:] for line in found if " over avx512, " in line],
+                         [["at most 1.35", "1.5: b", "**no** |"], ["at most 3", "2.5: b", "yes |"]])
+        self.assertEqual(found[-2:], ["| a | 1.5 (1-2) | 1.2 | 2 |", "| b | 3 (2-4) | 1.5 | 2.5 |"])
+
+    def test_a_program_of_one_level_is_refused(self):
+        info = subprocess.run([BUILD / "bagnold", "info"], capture_output=True, text=True, check=True).stdout
+        if "also" in info:
+            self.skipTest("this build has several levels")
+        done = bench("levels", "--quick", "--rows", "cd_rot76")
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("BAGNOLD_NATIVE=OFF", done.stderr)
+
     def test_a_peer_looks_at_its_list_as_often_in_time(self):
         scene = lammps.peer.Scene("CD_n", 1.0, 1e-4, "area")
         case = lammps.Case("", "", 1, 0.8, scene, lammps.peer.Tuning(every=10))
@@ -163,7 +182,7 @@ class Table(unittest.TestCase):
             page = pathlib.Path(folder, "page.md")
             page.write_text("nothing\n")
             with self.assertRaises(SystemExit):
-                report.put_into(str(page), "new")
+                report.put_into(str(page), report.TABLE, "new")
             self.assertEqual(page.read_text(), "nothing\n")
 
 
