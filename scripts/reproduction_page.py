@@ -1,29 +1,32 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes the table of docs/reproduction.md: what the papers state in numbers, and ours.
+"""Writes the table of docs/reproduction.md, what the papers state in numbers and ours, and its pictures.
 
-Draws every figure from the tables in docs/data/figures (nothing is run) and puts what it prints of
-stated numbers between the marks of the page; the text around them stays.
+Draws every figure from the tables in docs/data/figures (nothing is run), puts what it prints of stated
+numbers between the marks of the page and the pictures into docs/figures; the text around them stays.
 """
 
 import argparse
 import csv
 import pathlib
+import shutil
 import subprocess
 import tomllib
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGE = ROOT / "docs/reproduction.md"
+PICTURES = ROOT / "docs/figures"
 BEGIN, END = "<!-- table: scripts/reproduction_page.py -->\n", "<!-- end of the table -->\n"
 NOT_FOUND = "not found"  # ours, where no data are there
 
 
 def stated(figure, program, out):
     """Rows of stated.csv of a figure, drawn into the folder `out`; none where it has none."""
-    drawn = subprocess.run([program, "figure", figure, "--data", ROOT / "docs/data/figures", "--out", out],
-                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    subprocess.run([program, "figure", figure, "--data", ROOT / "docs/data/figures", "--out", out],
+                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=True)
+    shutil.copy(out / f"{figure}.png", PICTURES)
     file = out / figure / "stated.csv"
-    if drawn.returncode != 0 or not file.exists():
+    if not file.exists():
         return []
     with open(file, newline="") as rows:
         return list(csv.DictReader(rows))
@@ -48,7 +51,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", default=ROOT / "build/openmp/bagnold")
     parser.add_argument("--out", type=pathlib.Path, default=ROOT / "results/reproduction",
-                        help="for the pictures; default: %(default)s")
+                        help="what is drawn, whole; default: %(default)s")
     given = parser.parse_args()
     before, rest = PAGE.read_text().split(BEGIN)
     _, after = rest.split(END)

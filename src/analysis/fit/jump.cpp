@@ -7,6 +7,9 @@
 namespace bagnold::analysis {
 namespace {
 
+/// An interval this many times less steep than the steepest one is outside the jump.
+constexpr double several = 3.0;
+
 /// Is the change between two points more than three of its errors?
 bool is_clear(Points const& points, std::size_t low, std::size_t high, double change) {
   constexpr double clear = 3.0;
@@ -15,12 +18,11 @@ bool is_clear(Points const& points, std::size_t low, std::size_t high, double ch
          clear * std::hypot(points.error[low] / points.y[low], points.error[high] / points.y[high]);
 }
 
-/// Is the steepest interval three times as steep as the intervals outside the jump, by their
+/// Is the steepest interval `several` times as steep as the intervals outside the jump, by their
 /// median? A power law is steep everywhere, and has no jump. Of two points nothing tells.
 template <class Steepness>
 bool stands_out(double steepest, std::size_t low, std::size_t high, std::size_t points,
                 Steepness const& steepness) {
-  constexpr double several = 3.0;
   std::vector<double> outside;
   for (std::size_t i = 0; i + 1 < points; ++i)
     if (i < low || i >= high) outside.push_back(std::abs(steepness(i)));
@@ -45,12 +47,12 @@ std::optional<Jump> find_jump(Points const& points, Direction direction, double 
   std::size_t low = 0;
   for (std::size_t i = 1; i + 1 < points.size(); ++i)
     if (steepness(i) > steepness(low)) low = i;
-  double const half = steepness(low) / 2.0;
-  if (!(half > 0.0)) return std::nullopt;
+  double const steepest = steepness(low);
+  if (!(steepest > 0.0)) return std::nullopt;
   std::size_t high = low + 1;
-  while (low > 0 && steepness(low - 1) >= half) --low;
-  while (high + 1 < points.size() && steepness(high) >= half) ++high;
-  if (!stands_out(2.0 * half, low, high, points.size(), steepness)) return std::nullopt;
+  while (low > 0 && several * steepness(low - 1) >= steepest) --low;
+  while (high + 1 < points.size() && several * steepness(high) >= steepest) ++high;
+  if (!stands_out(steepest, low, high, points.size(), steepness)) return std::nullopt;
   if (change(low, high) < std::log(least_factor) || !is_clear(points, low, high, change(low, high)))
     return std::nullopt;
 

@@ -19,12 +19,12 @@ enum class Direction { up, down };
 /// 24 (R_v jumps up at phi_B and down at phi_N), P2 Fig. 1 (the drop of P_el at Q_c, whose middle
 /// is taken: P2 Sec. III A 2).
 ///
-/// The steepest interval is widened on both sides while ln y changes on at least half as steeply;
-/// the middle is where ln y, interpolated, is half-way between its ends. None if y changes by less
-/// than `least_factor` or, with errors, by less than three of them, or if the steepest interval is
-/// less than three times as steep as those outside the jump (their median): a power law, in ln x,
-/// has no jump. A jump may lie anywhere between
-/// two points: that spread, uniform, is the error.
+/// The steepest interval is widened on both sides while ln y changes on at least a third as
+/// steeply; the middle is where ln y, interpolated, is half-way between its ends. None if y changes
+/// by less than `least_factor` or, with errors, by less than three of them, or if the steepest
+/// interval is less than three times as steep as those outside the jump (their median): a power
+/// law, in ln x, has no jump. A jump may lie anywhere between two points: that spread, uniform, is
+/// the error.
 std::optional<Jump> find_jump(Points const& points, Direction direction, double least_factor);
 
 }  // namespace bagnold::analysis

@@ -52,6 +52,18 @@ TEST(Jump, MiddleOfABroadDrop) {
   EXPECT_DOUBLE_EQ(found->after, 0.125e-2);
 }
 
+/// R_v at 3e-5 over steps of 0.004 and 0.002: a narrow step in the rise does not cut it short.
+TEST(Jump, WidensOverStepsOfSeveralWidths) {
+  Points const points{{0.784, 0.788, 0.792, 0.796, 0.798, 0.800, 0.802, 0.804},
+                      {1.4, 1.4, 4.9, 20.0, 92.0, 64.0, 6.6, 5.0},
+                      {}};
+  auto const found = find_jump(points, Direction::up, 2.0);
+  ASSERT_TRUE(found);
+  EXPECT_DOUBLE_EQ(found->before, 1.4);
+  EXPECT_DOUBLE_EQ(found->after, 92.0);
+  EXPECT_NEAR(found->x, 0.7944, 1e-4);
+}
+
 TEST(Jump, NoneWhereThereIsNone) {
   std::mt19937_64 random(13);
   auto const noise = [](double y) { return 0.1 * y; };
