@@ -88,7 +88,7 @@ Comparison compared(json const& entry, Row const& row) {
     if (off != 0 && std::isfinite(off / own))
       out.deviation += fmt::format(" ({:+.1f} of our errors)", off / own);
   } else if (off == 0 && is_range) {
-    out.deviation = "inside";
+    out.deviation = own > (high - low) / 2 ? "inside, our error is wider" : "inside";
   } else if (std::isfinite(off / error)) {
     out.deviation = fmt::format("{:+.1f} standard errors", off / error);
   }

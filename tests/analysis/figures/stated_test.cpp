@@ -31,6 +31,7 @@ TEST(Stated, DeviatesInStandardErrorsOfBoth) {
 TEST(Stated, RangesAreMissedByTheDistanceToThem) {
   nlohmann::json const first{{"disks.elasticity", 1}};
   EXPECT_EQ(deviations({{"row", first}, {"stated", {1.0, 2.0}}})[0], "inside");
+  EXPECT_EQ(deviations({{"row", first}, {"stated", {1.3, 1.6}}})[0], "inside, our error is wider");
   EXPECT_EQ(deviations({{"row", first}, {"stated", {1.8, 2.0}}})[0], "-1.0 standard errors");
   EXPECT_EQ(deviations({{"row", first}, {"stated", {0.6, 0.9}}})[0], "+2.0 standard errors");
 }
