@@ -14,6 +14,7 @@ Scene stage_of(Scene const& cascade, std::size_t stage, std::string const& befor
   if (stage > 0) {
     scene.start.kind = "state";
     scene.start.file = before;
+    scene.start.copies = false;
     scene.start.rescale = true;
   }
   return scene;

@@ -94,6 +94,11 @@ void look_at_others(Scene const& scene, Refusals const& refuse) {
     refuse({"start.kind", "start.relax"},
            "start.relax = true is for start.kind = \"state\" (a random start is always relaxed); "
            "leave it out");
+  if (scene.start.kind == "random" && scene.start.copies)
+    refuse(
+        {"start.kind", "start.copies"},
+        "start.copies = true is for start.kind = \"state\" (a random start has nothing to copy); "
+        "leave it out");
   if (scene.start.kind == "random" && !scene.start.file.empty())
     refuse({"start.kind", "start.file"},
            fmt::format("start.file = \"{}\" is not used by start.kind = \"random\"; set "

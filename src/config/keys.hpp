@@ -99,6 +99,10 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
             {"random", "state"}},
         start.kind);
   visit(Key{"start.file", "", "state file, relative to the scene file", optional}, start.file);
+  visit(Key{"start.copies", "",
+            "set copies of the state side by side until they fill disks.count and box_aspect",
+            optional},
+        start.copies);
   visit(Key{"start.rescale", "",
             "scale velocities and spins of a state made at another strain rate (P2 Eqs. 40-41)",
             optional},

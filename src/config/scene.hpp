@@ -37,6 +37,7 @@ struct Scene {
   struct Start {
     std::string kind = "random";  ///< or "state"
     std::string file;             ///< relative to the scene file; absolute once read
+    bool copies = false;          ///< of a state, as many as fill the box
     bool rescale = true;
     bool relax = false;
     double overlap = 1e-4;

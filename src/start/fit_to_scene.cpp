@@ -6,6 +6,7 @@
 
 #include "kernels/physics/species.hpp"
 #include "src/config/errors.hpp"
+#include "src/start/copies.hpp"
 #include "src/start/start.hpp"
 
 namespace bagnold {
@@ -17,8 +18,11 @@ void refuse_disagreement(State const& state, Scene const& scene) {
     throw InputError(fmt::format("{}: {}", scene.start.file, what));
   };
   if (state.count() != static_cast<std::size_t>(scene.disks.count))
-    refuse(fmt::format("holds {} disks, disks.count = {} (must agree); set disks.count = {}",
-                       state.count(), scene.disks.count, state.count()));
+    refuse(fmt::format("holds {0} disks, disks.count = {1} (must agree); set disks.count = {0}{2}",
+                       state.count(), scene.disks.count,
+                       scene.disks.count % std::ssize(state.position) == 0
+                           ? ", or start.copies = true for copies of it side by side"
+                           : ""));
   std::size_t small = 0;
   for (std::size_t i = 0; i < state.count(); ++i) {
     double const d = state.diameter[i];
@@ -65,8 +69,13 @@ void refuse_other_number(std::vector<State> const& states, Scene const& scene) {
 }
 
 StartedState fit_one(State state, Scene const& scene) {
-  refuse_disagreement(state, scene);
   StartedState started;
+  if (scene.start.copies) {
+    auto const one = static_cast<double>(state.count());
+    state = copies(state, scene);
+    started.record["start_copies"] = static_cast<double>(state.count()) / one;
+  }
+  refuse_disagreement(state, scene);
   double const made_at = state.strain_rate.value_or(scene.shear.strain_rate);
   if (!scene.rotates()) {
     state.spin.clear();

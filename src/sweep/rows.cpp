@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <string>
+#include <variant>
 
 #include "src/config/errors.hpp"
 
@@ -19,6 +21,17 @@ double count_of(SweepTable const& table) {
   return count;
 }
 
+/// Whether a row itself says start.kind = "random".
+bool starts_at_random(SweepTable const& table, Row const& row) {
+  std::size_t place = 0;
+  for (auto const* keys : {&table.zip, &table.grid})
+    for (auto const& key : *keys) {
+      auto const* text = std::get_if<std::string>(&row.values[place++]->value);
+      if (key.name == "start.kind" && text && *text == "random") return true;
+    }
+  return false;
+}
+
 }  // namespace
 
 std::vector<Row> rows(SweepTable const& table, std::string const& origin) {
@@ -29,7 +42,7 @@ std::vector<Row> rows(SweepTable const& table, std::string const& origin) {
                     "shorter, or several sweeps",
                     origin, count, most_points));
   std::vector<Row> all;
-  std::map<std::vector<std::size_t>, std::size_t> chains;
+  std::map<std::vector<std::size_t>, std::size_t> chains, begun;
   for (std::size_t point = 0; point < static_cast<std::size_t>(count); ++point) {
     Row row;
     std::vector<std::size_t> place;  // in the lists of the keys that a chain has in common
@@ -49,6 +62,8 @@ std::vector<Row> rows(SweepTable const& table, std::string const& origin) {
       place = {point};
     else if (!along_zip)
       place.push_back(rest);
+    if (starts_at_random(table, row)) ++begun[place];
+    place.push_back(begun[place]);
     row.chain = chains.try_emplace(place, chains.size()).first->second;
     all.push_back(std::move(row));
   }

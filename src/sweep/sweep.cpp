@@ -11,6 +11,7 @@
 #include "src/config/scene_file.hpp"
 #include "src/config/time_step.hpp"
 #include "src/config/toml_text.hpp"
+#include "src/start/copies.hpp"
 #include "src/sweep/rows.hpp"
 
 namespace bagnold::sweep {
@@ -50,13 +51,20 @@ std::string message_name(std::size_t number, std::size_t count,
   return fmt::format("point {} of {} ({})", number, count, values);
 }
 
-/// The state of another box or another number of disks is none to go on from.
+/// The state of another box or another number of disks is none to go on from, but for copies of it.
 void check_step(Point const& from, Point const& to) {
-  if (from.scene.disks.count != to.scene.disks.count ||
-      from.scene.disks.packing_fraction != to.scene.disks.packing_fraction)
+  auto const &before = from.scene.disks, &after = to.scene.disks;
+  if (to.scene.start.copies)
+    copies_that_fit("sweep.chain: the point before", before.count, before.box_aspect, to.scene);
+  else if (before.count != after.count || before.box_aspect != after.box_aspect)
     throw InputError(
-        "sweep.chain: a point starts from the state of the one before, so disks.count "
-        "and disks.packing_fraction cannot change along a chain; vary them outside it");
+        "sweep.chain: a point starts from the state of the one before, so disks.count and "
+        "disks.box_aspect cannot change along a chain; vary them outside it, or set "
+        "start.copies = true");
+  if (before.packing_fraction != after.packing_fraction)
+    throw InputError(
+        "sweep.chain: a point starts from the state of the one before, so disks.packing_fraction "
+        "cannot change along a chain; vary it outside it");
 }
 
 /// Expands the rows of one file: a row is a run or, of a cascade, a run for each of its rates.

@@ -169,6 +169,46 @@ class Rescaled(CliTest):
         self.expect(self.final("on", 4 * RATE, start__rescale=True), 0.25)
 
 
+class Copies(CliTest):
+    """start.copies: side by side, the flow of copies is that of the state until rounding errors have grown."""
+
+    def setUp(self):
+        super().setUp()
+        made = self.run_new("made", disks__count=64, disks__box_aspect=2.0, disks__model="CD_rot",
+                            shear__strain=0.4)
+        (self.folder / "start.h5").write_bytes((made / "state.h5").read_bytes())
+
+    def go_on(self, name, count, aspect, **changes):
+        return self.run_new(name, disks__count=count, disks__box_aspect=aspect, disks__model="CD_rot",
+                            start__kind="state", start__file="start.h5", **changes)
+
+    def test_the_flow_is_that_of_one(self):
+        one = self.go_on("one", 64, 2.0)
+        for count, aspect in ((128, 1.0), (128, 4.0), (256, 2.0), (384, 3.0)):
+            with self.subTest(count=count, aspect=aspect):
+                many = self.go_on(f"{count}-{aspect}", count, aspect, start__copies=True)
+                expected, found = read_series(one), read_series(many)
+                for name in ("p", "sigma", "p_dis", "p_kin", "Z"):
+                    scale = np.abs(expected[name]).max()
+                    self.assertGreater(scale, 0, name)
+                    np.testing.assert_allclose(found[name], expected[name], rtol=0, atol=1e-9 * scale)
+                with h5py.File(many / "result.h5") as file:
+                    self.assertEqual(file.attrs["start_copies"], count / 64)
+
+    def test_copies_part(self):
+        """As far as independent disks, without a push: rounding errors grow."""
+        many = read_state(self.go_on("many", 128, 1.0, start__copies=True, shear__strain=8.0,
+                                     shear__strain_rate=2.0**-10))
+        one, other = many["velocity"][:64, 1], many["velocity"][64:, 1]
+        self.assertGreater(np.std(one - other), np.std(one))
+
+    def test_refusals(self):
+        self.refused(self.scene(disks__count=64, start__copies=True), "start.copies", "random start")
+        self.refused(self.scene(disks__count=100, disks__box_aspect=2.0, disks__model="CD_rot",
+                                start__kind="state", start__file="start.h5", start__copies=True),
+                     "64 disks", "set disks.count = 64")
+
+
 class Refused(CliTest):
     def refuse(self, state, *words, **changes):
         write_state(self.folder / "start.h5", state)

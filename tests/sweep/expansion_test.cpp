@@ -130,6 +130,22 @@ grid = { "disks.seed" = [1, 2] })");
   EXPECT_EQ(sweep.chains, (std::vector<std::vector<std::size_t>>{{0, 2, 4}, {1, 3, 5}}));
 }
 
+TEST(SweepExpansion, ARowFromRandomBeginsAnotherChain) {
+  auto const sweep = expand(R"([sweep]
+chain = "start.copies"
+grid = { "disks.seed" = [1, 2] }
+[sweep.zip]
+"start.kind" = ["random", "state", "random", "state"]
+"start.copies" = [false, true, false, true]
+"disks.count" = [64, 128, 32, 128]
+"disks.box_aspect" = [2, 1, 1, 4])");
+  EXPECT_EQ(sweep.chains, (std::vector<std::vector<std::size_t>>{{0, 2}, {1, 3}, {4, 6}, {5, 7}}));
+  EXPECT_EQ(sweep.points[4].scene.start.kind, "random");
+  EXPECT_FALSE(sweep.points[4].previous.has_value());
+  EXPECT_EQ(sweep.points[6].previous, 4u);
+  EXPECT_TRUE(sweep.points[6].scene.start.copies);
+}
+
 std::string const cascade = R"([disks]
 model = "CD"
 count = 64

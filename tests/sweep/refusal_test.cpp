@@ -46,7 +46,14 @@ TEST(SweepRefusal, NamesKeyValueReasonAndRemedy) {
             {"point 2", "sample_strain"}},
            {"[sweep]\nchain = \"disks.packing_fraction\"\n"
             "grid = { \"disks.packing_fraction\" = [0.8, 0.81] }",
-            {"point 2", "sweep.chain", "disks.packing_fraction"}}}) {
+            {"point 2", "sweep.chain", "disks.packing_fraction"}},
+           {"[sweep]\nchain = \"disks.count\"\ngrid = { \"disks.count\" = [64, 128] }",
+            {"point 2", "sweep.chain", "disks.count", "start.copies = true"}},
+           {"[sweep]\nchain = \"disks.box_aspect\"\ngrid = { \"disks.box_aspect\" = [1, 2] }",
+            {"point 2", "sweep.chain", "disks.box_aspect"}},
+           {"[sweep]\nchain = \"disks.count\"\n"
+            "zip = { \"disks.count\" = [64, 96], \"start.copies\" = [false, true] }",
+            {"point 2", "the point before holds 64 disks", "disks.count = 96"}}}) {
     auto const message = refusal(table);
     for (auto const& word : words)
       EXPECT_NE(message.find(word), std::string::npos) << table << "\n" << message;

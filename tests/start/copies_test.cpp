@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/start/copies.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "src/config/errors.hpp"
+#include "src/start/start.hpp"
+
+namespace bagnold {
+namespace {
+
+constexpr double rate = 3e-3;
+
+Scene scene_of(std::int64_t count, double aspect) {
+  Scene scene;
+  scene.disks.model = "CD_rot";
+  scene.disks.mass = "equal";
+  scene.disks.count = count;
+  scene.disks.box_aspect = aspect;
+  scene.disks.packing_fraction = 0.7;
+  scene.disks.elasticity = 1;
+  scene.shear.strain_rate = rate;
+  scene.shear.strain = 1;
+  scene.start.kind = "state";
+  scene.start.file = "/folder/state.h5";
+  scene.start.copies = true;
+  return scene;
+}
+
+/// 20 disks anywhere in a box twice as high as wide.
+State some_state() {
+  State state;
+  state.box_aspect = 2;
+  state.box_length = scene_of(20, 2).box_length();
+  state.offset = 0.3 * state.box_length;
+  state.time = 77;
+  state.strain_rate = rate;
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> of_one(0, 1);
+  for (int i = 0; i < 20; ++i) {
+    state.position.push_back(
+        {of_one(random) * state.box_length, of_one(random) * state.box_height()});
+    state.velocity.push_back(
+        {rate * state.position.back()[1] + 1e-3 * of_one(random), 1e-3 * of_one(random)});
+    state.spin.push_back(1e-3 * of_one(random));
+    state.diameter.push_back(i % 2 == 0 ? 1.4 : 1.0);
+  }
+  return state;
+}
+
+using Neighbour = std::array<double, 6>;  ///< r_ij, v_ij, spin and diameter of j
+
+/// All disks and images within a distance, Lees-Edwards: all pairs, all images.
+std::vector<Neighbour> neighbours(State const& state, std::size_t i, double within) {
+  std::vector<Neighbour> found;
+  int const reach_x = 3 + static_cast<int>(within / state.box_length);
+  int const reach_y = 1 + static_cast<int>(within / state.box_height());
+  for (std::size_t j = 0; j < state.count(); ++j)
+    for (int b = -reach_y; b <= reach_y; ++b)
+      for (int a = -reach_x - reach_y; a <= reach_x + reach_y; ++a) {
+        double const x =
+            state.position[j][0] - state.position[i][0] + a * state.box_length + b * state.offset;
+        double const y = state.position[j][1] - state.position[i][1] + b * state.box_height();
+        if (std::hypot(x, y) < within)
+          found.push_back({x, y,
+                           state.velocity[j][0] - state.velocity[i][0] +
+                               b * *state.strain_rate * state.box_height(),
+                           state.velocity[j][1] - state.velocity[i][1], state.spin[j],
+                           state.diameter[j]});
+      }
+  std::ranges::sort(found, [](Neighbour const& p, Neighbour const& q) {
+    return std::hypot(p[0], p[1]) < std::hypot(q[0], q[1]);
+  });
+  return found;
+}
+
+/// Every disk of every copy sees what the disk it is a copy of sees.
+TEST(Copies, EveryDiskHasTheNeighboursOfItsOriginal) {
+  struct Case {
+    std::int64_t count;
+    double aspect;
+  };
+  State const one = some_state();
+  for (auto const& [count, aspect] : {Case{20, 2}, Case{40, 4}, Case{40, 1}, Case{80, 2},
+                                      Case{120, 3}, Case{120, 2. / 6}, Case{160, 1}, Case{60, 6}}) {
+    SCOPED_TRACE(std::to_string(count) + " disks, L_y/L_x " + std::to_string(aspect));
+    Scene const scene = scene_of(count, aspect);
+    auto const started = fit_to_scene({one}, scene).front();  // the box is the scene's
+    State const& many = started.state;
+    EXPECT_EQ(started.record.at("start_copies"), static_cast<double>(count) / 20);
+    ASSERT_EQ(many.count(), static_cast<std::size_t>(count));
+    EXPECT_EQ(many.time, 77);
+    EXPECT_GE(many.offset, 0);
+    EXPECT_LT(many.offset, many.box_length);
+    for (std::size_t i = 0; i < many.count(); ++i) {
+      EXPECT_GE(many.position[i][0], 0);
+      EXPECT_LT(many.position[i][0], many.box_length);
+      EXPECT_GE(many.position[i][1], 0);
+      EXPECT_LT(many.position[i][1], many.box_height());
+      EXPECT_EQ(many.spin[i], one.spin[i % 20]);
+      auto const expected = neighbours(one, i % 20, 4.0);
+      auto const found = neighbours(many, i, 4.0);
+      ASSERT_EQ(found.size(), expected.size());
+      for (std::size_t k = 0; k < found.size(); ++k)
+        for (std::size_t c = 0; c < 6; ++c) EXPECT_NEAR(found[k][c], expected[k][c], 1e-12);
+    }
+  }
+}
+
+TEST(Copies, OneCopyIsTheState) {
+  State const one = some_state();
+  State const same = copies(one, scene_of(20, 2));
+  EXPECT_EQ(same.position, one.position);
+  EXPECT_EQ(same.velocity, one.velocity);
+  EXPECT_EQ(same.spin, one.spin);
+  EXPECT_EQ(same.diameter, one.diameter);
+  EXPECT_EQ(same.box_length, one.box_length);
+  EXPECT_EQ(same.offset, one.offset);
+}
+
+/// At another rate the whole flow of the copies is scaled, that between them too (P2 Eqs. 40-41).
+TEST(Copies, AreScaledToTheRateTogether) {
+  Scene scene = scene_of(80, 2);
+  scene.shear.strain_rate = rate / 2;
+  State const many = fit_to_scene({some_state()}, scene).front().state;
+  State const at_its_own = fit_to_scene({some_state()}, scene_of(80, 2)).front().state;
+  for (std::size_t i = 0; i < 80; ++i)
+    EXPECT_DOUBLE_EQ(many.velocity[i][0], at_its_own.velocity[i][0] / 2);
+}
+
+std::string refusal(std::int64_t count, double aspect, bool wanted = true) {
+  Scene scene = scene_of(count, aspect);
+  scene.start.copies = wanted;
+  try {
+    fit_to_scene({some_state()}, scene);
+  } catch (InputError const& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+::testing::AssertionResult names(std::string const& message,
+                                 std::vector<std::string> const& parts) {
+  for (auto const& part : parts)
+    if (message.find(part) == std::string::npos)
+      return ::testing::AssertionFailure() << "no '" << part << "' in: " << message;
+  return ::testing::AssertionSuccess();
+}
+
+TEST(Copies, ThatCannotFillTheBoxAreRefused) {
+  EXPECT_EQ(refusal(80, 2), "accepted");
+  EXPECT_TRUE(names(refusal(50, 2),
+                    {"/folder/state.h5", "20 disks", "disks.count = 50", "set disks.count = 40"}));
+  EXPECT_TRUE(names(refusal(10, 2), {"20 disks", "disks.count = 10", "set disks.count = 20"}));
+  EXPECT_TRUE(names(refusal(80, 1), {"box_aspect = 2", "disks.box_aspect = 1 ", "k_x k_y = 4",
+                                     "set disks.box_aspect = 0.5"}));
+  EXPECT_TRUE(names(refusal(80, 2 + 1e-8), {"disks.box_aspect"}));
+  EXPECT_TRUE(names(refusal(80, 2, false), {"disks.count = 80", "or start.copies = true"}));
+  EXPECT_FALSE(names(refusal(50, 2, false), {"start.copies"}));
+}
+
+}  // namespace
+}  // namespace bagnold
