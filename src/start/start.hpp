@@ -43,8 +43,8 @@ void relax_state(
 
 /// The states of a file, taken as they are, one for each of the scene's replicas; throws InputError
 /// where they disagree with the scene, are more or fewer than its replicas, or two are the same:
-/// those would run alike, and errors over replicas would be too small. With start.copies each is set
-/// side by side with itself first. Made at another strain rate, their velocities and spins are
+/// those would run alike, and errors over replicas would be too small. With start.copies each is
+/// set side by side with itself first. Made at another strain rate, their velocities and spins are
 /// scaled (P2 Eqs. 40-41).
 std::vector<StartedState> fit_to_scene(std::vector<State> states, Scene const& scene);
 

@@ -125,7 +125,7 @@ def states_of(path):
     lines = [dict(zip(rows, values)) for values in zip(*rows.values())] or [{}]
     for line, values in itertools.product(lines, itertools.product(*grid.values())):
         own = line | dict(zip(grid, values))
-        get = lambda key: own.get(key, scene[key.split(".")[0]].get(key.split(".")[1]))
+        get = lambda key: own.get(key, scene.get(key.split(".")[0], {}).get(key.split(".")[1]))
         rates = get("shear.strain_rates") or [get("shear.strain_rate")]
         for rate in rates:
             yield (get("disks.packing_fraction"), get("disks.elasticity"), get("disks.seed") or 1, rate,
