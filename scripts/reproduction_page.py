@@ -10,7 +10,6 @@ import argparse
 import collections
 import csv
 import pathlib
-import re
 import shutil
 import subprocess
 import tomllib
@@ -34,15 +33,6 @@ def stated(figure, program, out):
         return list(csv.DictReader(rows))
 
 
-def verdict(row):
-    """What a row counts as: agreeing within the bounds or two errors, deviating, or not told by our error."""
-    if row["deviation"].startswith("inside"):
-        return "agree" if row["deviation"] == "inside" else "not told"
-    errors = re.search(r"([+-][\d.]+) (standard errors|of our errors)", row["deviation"])
-    agrees = abs(float(errors[1])) <= 2 if errors else row["deviation"] in ("+0%", "-0%")
-    return "agree" if agrees else "deviate"
-
-
 def table(program, out):
     lines = ["| figure | what | the paper | ours | deviation | stated in |", "| --- " * 6 + "|"]
     missing, counts = {}, collections.Counter()
@@ -51,11 +41,11 @@ def table(program, out):
             if row["ours"] == NOT_FOUND:
                 missing[figure] = missing.get(figure, 0) + 1
                 continue
-            counts[verdict(row)] += 1
+            counts[row["agrees"]] += 1
             cells = [figure, row["what"], row["stated"], row["ours"], row["deviation"], row["source"]]
             lines.append("| " + " | ".join(cell.replace("|", "\\|").replace("+-", "±") for cell in cells) + " |")
-    lines += ["", f"Of {sum(counts.values())} numbers {counts['agree']} agree within two standard errors or the bounds, "
-              f"{counts['deviate']} deviate by more, {counts['not told']} lie inside bounds that our errors exceed."]
+    lines += ["", f"Of {sum(counts.values())} numbers {counts['yes']} agree within two standard errors or the bounds, "
+              f"{counts['no']} deviate by more, {counts['untold']} lie inside bounds that our errors exceed."]
     if missing:
         lines += ["", "Without data yet: " + ", ".join(f"{n} of {figure}" for figure, n in missing.items()) + "."]
     return "\n".join(lines) + "\n"

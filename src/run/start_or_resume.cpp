@@ -94,7 +94,9 @@ std::vector<StartedState> states_in_file(Scene const& scene) {
   if (scene.start.kind != "state") return {};
   auto started = fit_to_scene(io::read_states(scene.start.file), scene);
   if (!scene.start.relax)
-    for (auto const& one : started) warn(deep_overlap_warning(one.state, scene.start.file));
+    for (auto const& one : started)
+      warn(deep_overlap_warning(one.state,
+                                scene.start.file + (scene.start.copies ? ", its copies" : "")));
   return started;
 }
 

@@ -43,9 +43,9 @@ void refuse_disagreement(State const& state, Scene const& scene) {
                     state.box_aspect, aspect, state.box_aspect));
   if (!(std::abs(state.box_length - length) <= 1e-9 * length))
     refuse(
-        fmt::format("box_length = {} but disks.count and disks.packing_fraction = {} give {} "
+        fmt::format("box_length = {} but disks.count = {} and disks.packing_fraction = {} give {} "
                     "(must agree to 1e-9)",
-                    state.box_length, scene.disks.packing_fraction, length));
+                    state.box_length, scene.disks.count, scene.disks.packing_fraction, length));
 }
 
 void refuse_other_number(std::vector<State> const& states, Scene const& scene) {
@@ -71,11 +71,16 @@ void refuse_other_number(std::vector<State> const& states, Scene const& scene) {
 StartedState fit_one(State state, Scene const& scene) {
   StartedState started;
   if (scene.start.copies) {
-    auto const one = static_cast<double>(state.count());
+    Scene one = scene;
+    one.disks.count = std::ssize(state.position);
+    one.disks.box_aspect = state.box_aspect;
+    refuse_disagreement(state, one);
     state = copies(state, scene);
-    started.record["start_copies"] = static_cast<double>(state.count()) / one;
+    started.record["start_copies"] =
+        static_cast<double>(scene.disks.count) / static_cast<double>(one.disks.count);
+  } else {
+    refuse_disagreement(state, scene);
   }
-  refuse_disagreement(state, scene);
   double const made_at = state.strain_rate.value_or(scene.shear.strain_rate);
   if (!scene.rotates()) {
     state.spin.clear();

@@ -21,14 +21,12 @@ double count_of(SweepTable const& table) {
   return count;
 }
 
-/// Whether a row itself says start.kind = "random".
+/// Whether a row of zip says start.kind = "random".
 bool starts_at_random(SweepTable const& table, Row const& row) {
-  std::size_t place = 0;
-  for (auto const* keys : {&table.zip, &table.grid})
-    for (auto const& key : *keys) {
-      auto const* text = std::get_if<std::string>(&row.values[place++]->value);
-      if (key.name == "start.kind" && text && *text == "random") return true;
-    }
+  for (std::size_t k = 0; k < table.zip.size(); ++k) {
+    auto const* text = std::get_if<std::string>(&row.values[k]->value);
+    if (table.zip[k].name == "start.kind" && text && *text == "random") return true;
+  }
   return false;
 }
 
@@ -62,8 +60,10 @@ std::vector<Row> rows(SweepTable const& table, std::string const& origin) {
       place = {point};
     else if (!along_zip)
       place.push_back(rest);
-    if (starts_at_random(table, row)) ++begun[place];
-    place.push_back(begun[place]);
+    if (!table.chain.empty() && along_zip) {
+      if (starts_at_random(table, row)) ++begun[place];
+      place.push_back(begun[place]);
+    }
     row.chain = chains.try_emplace(place, chains.size()).first->second;
     all.push_back(std::move(row));
   }

@@ -17,7 +17,7 @@ struct Row {
 
 /// All points in the file's order: for every row of zip, the grid with its last key fastest. Points
 /// that differ in the chain key only are one chain; where that key is in zip, those that differ in
-/// the row of zip only. A row that gives start.kind = "random" begins another chain. Without a
+/// the row of zip only, and a row that gives start.kind = "random" begins another chain. Without a
 /// chain key every point is a chain. Throws InputError beyond 10^5 points. The rows point into
 /// `table`.
 std::vector<Row> rows(SweepTable const& table, std::string const& origin);

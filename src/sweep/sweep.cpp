@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <variant>
 
 #include "src/config/cascade.hpp"
 #include "src/config/errors.hpp"
@@ -51,20 +52,25 @@ std::string message_name(std::size_t number, std::size_t count,
   return fmt::format("point {} of {} ({})", number, count, values);
 }
 
-/// The state of another box or another number of disks is none to go on from, but for copies of it.
+/// The state of another box, another number of disks or of replicas is none to go on from, but for
+/// copies of it.
 void check_step(Point const& from, Point const& to) {
   auto const &before = from.scene.disks, &after = to.scene.disks;
+  auto const refuse = [](std::string const& keys, std::string const& instead) {
+    throw InputError(
+        fmt::format("sweep.chain: a point starts from the state of the one before, so {} cannot "
+                    "change along a chain; vary them outside it{}",
+                    keys, instead));
+  };
+  if (before.packing_fraction != after.packing_fraction || before.replicas != after.replicas)
+    refuse("disks.packing_fraction and disks.replicas", "");
   if (to.scene.start.copies)
     copies_that_fit("sweep.chain: the point before", before.count, before.box_aspect, to.scene);
   else if (before.count != after.count || before.box_aspect != after.box_aspect)
-    throw InputError(
-        "sweep.chain: a point starts from the state of the one before, so disks.count and "
-        "disks.box_aspect cannot change along a chain; vary them outside it, or set "
-        "start.copies = true");
-  if (before.packing_fraction != after.packing_fraction)
-    throw InputError(
-        "sweep.chain: a point starts from the state of the one before, so disks.packing_fraction "
-        "cannot change along a chain; vary it outside it");
+    refuse("disks.count and disks.box_aspect",
+           after.count > before.count && after.count % before.count == 0
+               ? ", or say start.copies = [false, true] in [sweep.zip]"
+               : "");
 }
 
 /// Expands the rows of one file: a row is a run or, of a cascade, a run for each of its rates.
@@ -152,11 +158,27 @@ class Expansion {
     for (std::size_t k = 0; k < sweep_.keys.size(); ++k)
       values.push_back({sweep_.keys[k], row.values[k]->toml, row.values[k]->place});
     if (point.previous) {
+      refuse_own_start(row);
       auto const before = "../" + sweep_.points[*point.previous].folder + "/state.h5";
       values.push_back({"start.kind", "\"state\"", "sweep.chain"});
       values.push_back({"start.file", "\"" + before + "\"", "sweep.chain"});
     }
     point.scene = parse_point(sweep_.text, sweep_.origin, folder_, values);
+  }
+
+  /// A point of a chain that itself says where it starts, another than the point before.
+  void refuse_own_start(Row const& row) const {
+    for (std::size_t k = 0; k < sweep_.keys.size(); ++k) {
+      bool const is_kind = sweep_.keys[k] == "start.kind";
+      if (sweep_.keys[k] != "start.file" && !is_kind) continue;
+      auto const* text = std::get_if<std::string>(&row.values[k]->value);
+      if (is_kind && text && *text == "state") continue;
+      throw InputError(
+          fmt::format("{} = {} (a point of a chain starts from the state of the one before); leave "
+                      "it or sweep.chain out{}",
+                      sweep_.keys[k], row.values[k]->toml,
+                      is_kind ? ", or vary both in zip, where it begins another chain" : ""));
+    }
   }
 
   void refuse_double(Point const& point) {

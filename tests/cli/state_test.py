@@ -195,6 +195,17 @@ class Copies(CliTest):
                 with h5py.File(many / "result.h5") as file:
                     self.assertEqual(file.attrs["start_copies"], count / 64)
 
+    def test_so_it_is_at_another_rate_and_without_scaling(self):
+        for rescale in (True, False):
+            changes = {"shear__strain_rate": RATE / 2, "start__rescale": rescale}
+            one = self.go_on(f"one-{rescale}", 64, 2.0, **changes)
+            for count, aspect in ((128, 1.0), (128, 4.0)):
+                with self.subTest(rescale=rescale, aspect=aspect):
+                    many = self.go_on(f"{aspect}-{rescale}", count, aspect, start__copies=True, **changes)
+                    expected, found = read_series(one), read_series(many)
+                    scale = np.abs(expected["p"]).max()
+                    np.testing.assert_allclose(found["p"], expected["p"], rtol=0, atol=1e-9 * scale)
+
     def test_copies_part(self):
         """As far as independent disks, without a push: rounding errors grow."""
         many = read_state(self.go_on("many", 128, 1.0, start__copies=True, shear__strain=8.0,

@@ -135,8 +135,38 @@ TEST(Copies, AreScaledToTheRateTogether) {
     EXPECT_DOUBLE_EQ(many.velocity[i][0], at_its_own.velocity[i][0] / 2);
 }
 
-std::string refusal(std::int64_t count, double aspect, bool wanted = true) {
+/// Across the boundaries of the box images move at the scene's rate; so must copies.
+TEST(Copies, MoveAtTheRateThatTheyWillHave) {
+  State one = some_state();
+  Scene scene = scene_of(40, 4);
+  scene.start.rescale = false;
+  scene.shear.strain_rate = rate / 2;
+  double const height = one.box_height();
+  auto const jump = [&](State const& state) {
+    State const many = fit_to_scene({state}, scene).front().state;
+    return many.velocity[20][0] - many.velocity[0][0];
+  };
+  EXPECT_NEAR(jump(one), rate / 2 * height, 1e-15);
+  one.strain_rate.reset();
+  EXPECT_NEAR(jump(one), rate / 2 * height, 1e-15);
+  scene.start.rescale = true;
+  EXPECT_NEAR(jump(one), rate / 2 * height, 1e-15);
+}
+
+TEST(Copies, OfEachReplica) {
+  Scene scene = scene_of(40, 1);
+  scene.disks.replicas = 2;
+  State other = some_state();
+  other.position[3][0] += 0.01;
+  auto const started = fit_to_scene({some_state(), other}, scene);
+  ASSERT_EQ(started.size(), 2u);
+  EXPECT_EQ(started[1].state.position[3], other.position[3]);
+  EXPECT_EQ(started[1].state.count(), 40u);
+}
+
+std::string refusal(std::int64_t count, double aspect, bool wanted = true, double phi = 0.7) {
   Scene scene = scene_of(count, aspect);
+  scene.disks.packing_fraction = phi;
   scene.start.copies = wanted;
   try {
     fit_to_scene({some_state()}, scene);
@@ -159,11 +189,13 @@ TEST(Copies, ThatCannotFillTheBoxAreRefused) {
   EXPECT_TRUE(names(refusal(50, 2),
                     {"/folder/state.h5", "20 disks", "disks.count = 50", "set disks.count = 40"}));
   EXPECT_TRUE(names(refusal(10, 2), {"20 disks", "disks.count = 10", "set disks.count = 20"}));
-  EXPECT_TRUE(names(refusal(80, 1), {"box_aspect = 2", "disks.box_aspect = 1 ", "k_x k_y = 4",
-                                     "set disks.box_aspect = 0.5"}));
+  EXPECT_TRUE(names(refusal(80, 1), {"box_aspect = 2", "disks.box_aspect = 1 ", "k_x k_y = 4"}));
+  EXPECT_TRUE(names(refusal(80, 1.5), {"set disks.box_aspect = 2, k_x = 2 and k_y = 2"}));
+  EXPECT_TRUE(names(refusal(120, 0.3), {"set disks.box_aspect = 0.3333"}));
   EXPECT_TRUE(names(refusal(80, 2 + 1e-8), {"disks.box_aspect"}));
   EXPECT_TRUE(names(refusal(80, 2, false), {"disks.count = 80", "or start.copies = true"}));
   EXPECT_FALSE(names(refusal(50, 2, false), {"start.copies"}));
+  EXPECT_TRUE(names(refusal(80, 2, true, 0.6), {"box_length", "disks.count = 20", "0.6"}));
 }
 
 }  // namespace

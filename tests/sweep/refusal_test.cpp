@@ -48,7 +48,12 @@ TEST(SweepRefusal, NamesKeyValueReasonAndRemedy) {
             "grid = { \"disks.packing_fraction\" = [0.8, 0.81] }",
             {"point 2", "sweep.chain", "disks.packing_fraction"}},
            {"[sweep]\nchain = \"disks.count\"\ngrid = { \"disks.count\" = [64, 128] }",
-            {"point 2", "sweep.chain", "disks.count", "start.copies = true"}},
+            {"point 2", "sweep.chain", "disks.count", "start.copies = [false, true]"}},
+           {"[sweep]\nchain = \"disks.replicas\"\ngrid = { \"disks.replicas\" = [1, 2] }",
+            {"point 2", "sweep.chain", "disks.replicas"}},
+           {"[sweep]\nchain = \"shear.strain_rate\"\ngrid = { \"start.kind\" = [\"random\"], "
+            "\"shear.strain_rate\" = [1e-3, 1e-4] }",
+            {"point 2", "start.kind = 'random'", "leave it or sweep.chain out", "in zip"}},
            {"[sweep]\nchain = \"disks.box_aspect\"\ngrid = { \"disks.box_aspect\" = [1, 2] }",
             {"point 2", "sweep.chain", "disks.box_aspect"}},
            {"[sweep]\nchain = \"disks.count\"\n"

@@ -314,14 +314,13 @@ def draw_boundary(axes, panel, _):
 
 def draw_bands(axes, panel, points):
     """Local gammadot against local phi in the middle of either band, where gammadot is largest and least: P2
-    Fig. 35. Hollow where the panel has a name."""
+    Fig. 35. With a name, in other marks."""
     for k, (text, extreme) in enumerate(((r"$\phi_B^*$", np.argmax), (r"$\phi_N^*$", np.argmin))):
         found = []
         for point in points:
             phi, rate = (smoothed(profile([point], f"{name}_aligned")[1]) for name in ("phi", "gammadot"))
             found.append((phi[extreme(rate)], rate[extreme(rate)]))
-        axes.plot(*np.array(found).T, MARKERS[k], color=(BLUE, VERMILION)[k],
-                  mfc="none" if "name" in panel else None,
+        axes.plot(*np.array(found).T, MARKERS[k + 2 if "name" in panel else k], color=(BLUE, VERMILION)[k],
                   label=", ".join(filter(None, (text, panel.get("name")))))
     axes.set_yscale("log")
     axes.set_xlabel(r"$\phi$")

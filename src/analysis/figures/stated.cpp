@@ -77,18 +77,24 @@ Comparison compared(json const& entry, Row const& row) {
   double const high = is_range ? stated.at(1).get<double>() : low;
   double const off = ours - std::clamp(ours, low, high);
   double const error = std::isfinite(given) ? std::hypot(own, given) : own;
-  Comparison out{entry.at("what"), entry.at("source"),
+  Comparison out{entry.at("what"),
+                 entry.at("source"),
                  is_range ? fmt::format("{:g} to {:g}", low, high) : with_error(low, given),
-                 std::isfinite(ours) ? with_error(ours, own) : "not found", "-"};
+                 std::isfinite(ours) ? with_error(ours, own) : "not found",
+                 "-",
+                 ""};
   bool const roughly = entry.value("about", false);
   if (roughly) out.stated = "about " + out.stated;
   if (!std::isfinite(ours)) return out;
+  bool const wide = is_range && off == 0 && own > (high - low) / 2;
+  double const errors = off == 0 ? 0 : std::abs(off / (roughly ? own : error));
+  out.agrees = wide || !std::isfinite(errors) ? "untold" : errors <= 2 ? "yes" : "no";
   if (roughly) {
     out.deviation = fmt::format("{:+.0f}%", 100 * off / std::abs(low));
     if (off != 0 && std::isfinite(off / own))
       out.deviation += fmt::format(" ({:+.1f} of our errors)", off / own);
   } else if (off == 0 && is_range) {
-    out.deviation = own > (high - low) / 2 ? "inside, our error is wider" : "inside";
+    out.deviation = wide ? "inside, our error is wider" : "inside";
   } else if (std::isfinite(off / error)) {
     out.deviation = fmt::format("{:+.1f} standard errors", off / error);
   }
@@ -132,8 +138,9 @@ std::string to_lines(std::vector<Comparison> const& list) {
 }
 
 Rows to_rows(std::vector<Comparison> const& list) {
-  Rows rows{{"what", "stated", "ours", "deviation", "source"}, {}};
-  for (auto const& c : list) rows.rows.push_back({c.what, c.stated, c.ours, c.deviation, c.source});
+  Rows rows{{"what", "stated", "ours", "deviation", "agrees", "source"}, {}};
+  for (auto const& c : list)
+    rows.rows.push_back({c.what, c.stated, c.ours, c.deviation, c.agrees, c.source});
   return rows;
 }
 

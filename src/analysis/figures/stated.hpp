@@ -15,6 +15,9 @@ struct Comparison {
   std::string stated, ours;
   std::string deviation;  ///< in standard errors of both, "-" where none is known; of what is
                           ///< stated with "about" in per cent, and in our errors
+  std::string agrees;     ///< "yes" within two errors or the bounds; "no"; "untold" within bounds
+                          ///< that our error exceeds, or where neither error is known; "" without
+                          ///< ours
 };
 
 /// The rows of an analysis that the entry of a figure names, each against what is stated; one that

@@ -36,6 +36,22 @@ TEST(Stated, RangesAreMissedByTheDistanceToThem) {
   EXPECT_EQ(deviations({{"row", first}, {"stated", {0.6, 0.9}}})[0], "+2.0 standard errors");
 }
 
+/// 1.5 +- 0.3, 0.8 without an error, nothing.
+TEST(Stated, TellsWhatAgrees) {
+  auto const agree = [](nlohmann::json const& more) {
+    std::string out;
+    for (auto const& one : compare(entry(more), rows)) out += one.agrees + ";";
+    return out;
+  };
+  EXPECT_EQ(agree(nlohmann::json::object()), "yes;untold;;");
+  EXPECT_EQ(agree({{"stated", 0.8}}), "no;yes;;");
+  EXPECT_EQ(agree({{"stated", 0.8}, {"error", 0.2}}), "yes;yes;;");  // 1.9 errors of both
+  EXPECT_EQ(agree({{"stated", 0.8}, {"error", 0.2}, {"about", true}}), "no;yes;;");  // 2.3 of ours
+  EXPECT_EQ(agree({{"stated", {0.7, 0.85}}}), "no;yes;;");
+  EXPECT_EQ(agree({{"stated", {1.0, 2.0}}}), "yes;untold;;");
+  EXPECT_EQ(agree({{"stated", {1.3, 1.6}}}), "untold;untold;;");  // our error is wider
+}
+
 TEST(Stated, SaysWhatIsNotFound) {
   auto const missing = compare(entry({{"row", {{"disks.elasticity", 100}}}}), rows);
   ASSERT_EQ(missing.size(), 1u);
