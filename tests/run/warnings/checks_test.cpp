@@ -312,6 +312,12 @@ TEST_F(Checks, TooFewCollisions) {
 TEST_F(Checks, BandsAndSmallBoxes) {
   EXPECT_EQ(names(warnings_of(Flow{.anisotropy = 1.9})), "");
   EXPECT_EQ(names(warnings_of(Flow{.anisotropy = 2.1})), "box_size");
+  for (double const share : {0.0, 0.009, 0.03}) {
+    auto const banded = warnings_of(Flow{.anisotropy = 50, .kinetic = share});
+    ASSERT_EQ(names(banded), "box_size");
+    EXPECT_NEAR(number(banded[0], "p_kin_share"), share, 1e-12);
+    EXPECT_EQ(banded[0].reason.find("p_kin") != std::string::npos, share > 0.01);
+  }
   scene.disks.count = 64;
   auto const list = warnings_of(Flow{});
   ASSERT_EQ(names(list), "box_size");
