@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <map>
-#include <variant>
 
 #include "src/config/cascade.hpp"
 #include "src/config/errors.hpp"
@@ -76,8 +75,13 @@ void check_step(Point const& from, Point const& to) {
 /// Expands the rows of one file: a row is a run or, of a cascade, a run for each of its rates.
 class Expansion {
  public:
-  Expansion(Sweep& sweep, std::filesystem::path folder, bool chained, PointCheck const& check)
-      : sweep_(sweep), folder_(std::move(folder)), chained_(chained), check_(check) {}
+  Expansion(Sweep& sweep, std::filesystem::path folder, bool chained, std::size_t along,
+            PointCheck const& check)
+      : sweep_(sweep),
+        folder_(std::move(folder)),
+        chained_(chained),
+        along_(along),
+        check_(check) {}
 
   void add(Row const& row, std::size_t number, std::size_t count) {
     Point point;
@@ -158,7 +162,7 @@ class Expansion {
     for (std::size_t k = 0; k < sweep_.keys.size(); ++k)
       values.push_back({sweep_.keys[k], row.values[k]->toml, row.values[k]->place});
     if (point.previous) {
-      refuse_own_start(row);
+      refuse_own_file(row);
       auto const before = "../" + sweep_.points[*point.previous].folder + "/state.h5";
       values.push_back({"start.kind", "\"state\"", "sweep.chain"});
       values.push_back({"start.file", "\"" + before + "\"", "sweep.chain"});
@@ -166,19 +170,14 @@ class Expansion {
     point.scene = parse_point(sweep_.text, sweep_.origin, folder_, values);
   }
 
-  /// A point of a chain that itself says where it starts, another than the point before.
-  void refuse_own_start(Row const& row) const {
-    for (std::size_t k = 0; k < sweep_.keys.size(); ++k) {
-      bool const is_kind = sweep_.keys[k] == "start.kind";
-      if (sweep_.keys[k] != "start.file" && !is_kind) continue;
-      auto const* text = std::get_if<std::string>(&row.values[k]->value);
-      if (is_kind && text && *text == "state") continue;
-      throw InputError(
-          fmt::format("{} = {} (a point of a chain starts from the state of the one before); leave "
-                      "it or sweep.chain out{}",
-                      sweep_.keys[k], row.values[k]->toml,
-                      is_kind ? ", or vary both in zip, where it begins another chain" : ""));
-    }
+  /// A file of its own along a chain, where each point starts from the state of the one before.
+  void refuse_own_file(Row const& row) const {
+    for (std::size_t k = 0; k < along_; ++k)
+      if (sweep_.keys[k] == "start.file")
+        throw InputError(
+            fmt::format("{} = {} (a point of a chain starts from the state of the one before); "
+                        "leave it or sweep.chain out, or put it in grid",
+                        sweep_.keys[k], row.values[k]->toml));
   }
 
   void refuse_double(Point const& point) {
@@ -191,6 +190,7 @@ class Expansion {
   Sweep& sweep_;
   std::filesystem::path folder_;
   bool chained_;
+  std::size_t along_;  ///< keys of zip, the first, if they vary along the chain
   bool cascade_ = false, cascade_known_ = false;  ///< what the points are, after the first
   PointCheck const& check_;
   std::map<std::string, std::size_t> seen_;
@@ -213,7 +213,9 @@ Sweep parse_sweep(std::string const& text, std::string const& origin,
   for (auto const* keys : {&table.zip, &table.grid})
     for (auto const& key : *keys) sweep.keys.push_back(key.name);
   auto const all = rows(table, sweep.origin);
-  Expansion expansion(sweep, folder, !table.chain.empty(), check);
+  bool const along_zip =
+      std::ranges::any_of(table.zip, [&](VariedKey const& key) { return key.name == table.chain; });
+  Expansion expansion(sweep, folder, !table.chain.empty(), along_zip ? table.zip.size() : 0, check);
   for (std::size_t k = 0; k < all.size(); ++k) expansion.add(all[k], k + 1, all.size());
   sweep.keys = expansion.keys();
   return sweep;

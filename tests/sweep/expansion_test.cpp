@@ -146,6 +146,16 @@ grid = { "disks.seed" = [1, 2] }
   EXPECT_TRUE(sweep.points[6].scene.start.copies);
 }
 
+/// What is not varied along the chain is where it begins.
+TEST(SweepExpansion, AChainBeginsWhereItsGridSays) {
+  auto const sweep = expand(R"([sweep]
+chain = "shear.strain_rate"
+grid = { "start.kind" = ["random"], "shear.strain_rate" = [1e-2, 1e-3] })");
+  EXPECT_EQ(sweep.chains, (std::vector<std::vector<std::size_t>>{{0, 1}}));
+  EXPECT_EQ(sweep.points[0].scene.start.kind, "random");
+  EXPECT_EQ(sweep.points[1].scene.start.kind, "state");
+}
+
 std::string const cascade = R"([disks]
 model = "CD"
 count = 64

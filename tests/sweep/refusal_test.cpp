@@ -51,11 +51,12 @@ TEST(SweepRefusal, NamesKeyValueReasonAndRemedy) {
             {"point 2", "sweep.chain", "disks.count", "start.copies = [false, true]"}},
            {"[sweep]\nchain = \"disks.replicas\"\ngrid = { \"disks.replicas\" = [1, 2] }",
             {"point 2", "sweep.chain", "disks.replicas"}},
-           {"[sweep]\nchain = \"shear.strain_rate\"\ngrid = { \"start.kind\" = [\"random\"], "
-            "\"shear.strain_rate\" = [1e-3, 1e-4] }",
-            {"point 2", "start.kind = 'random'", "leave it or sweep.chain out", "in zip"}},
            {"[sweep]\nchain = \"disks.box_aspect\"\ngrid = { \"disks.box_aspect\" = [1, 2] }",
             {"point 2", "sweep.chain", "disks.box_aspect"}},
+           {"[sweep]\nchain = \"shear.strain_rate\"\n"
+            "zip = { \"start.kind\" = [\"state\", \"state\"], \"start.file\" = [\"a\", \"b\"], "
+            "\"shear.strain_rate\" = [1e-3, 1e-4] }",
+            {"point 2", "start.file = 'b'", "or put it in grid"}},
            {"[sweep]\nchain = \"disks.count\"\n"
             "zip = { \"disks.count\" = [64, 96], \"start.copies\" = [false, true] }",
             {"point 2", "the point before holds 64 disks", "disks.count = 96"}}}) {
