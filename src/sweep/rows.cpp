@@ -39,6 +39,7 @@ std::vector<Row> rows(SweepTable const& table, std::string const& origin) {
         fmt::format("{}: [sweep] makes {:.6g} points (limit {:.0f}); make its lists "
                     "shorter, or several sweeps",
                     origin, count, most_points));
+  bool const along_zip = table.chained_along_zip();
   std::vector<Row> all;
   std::map<std::vector<std::size_t>, std::size_t> chains, begun;
   for (std::size_t point = 0; point < static_cast<std::size_t>(count); ++point) {
@@ -51,16 +52,13 @@ std::vector<Row> rows(SweepTable const& table, std::string const& origin) {
       row.values.insert(row.values.begin(), &key->values[index]);
       if (key->name != table.chain) place.push_back(index);
     }
-    bool along_zip = table.chain.empty();
-    for (auto key = table.zip.rbegin(); key != table.zip.rend(); ++key) {
+    for (auto key = table.zip.rbegin(); key != table.zip.rend(); ++key)
       row.values.insert(row.values.begin(), &key->values[rest]);
-      along_zip = along_zip || key->name == table.chain;
-    }
-    if (table.chain.empty())
+    if (table.chain.empty()) {
       place = {point};
-    else if (!along_zip)
+    } else if (!along_zip) {
       place.push_back(rest);
-    if (!table.chain.empty() && along_zip) {
+    } else {
       if (starts_at_random(table, row)) ++begun[place];
       place.push_back(begun[place]);
     }

@@ -75,13 +75,9 @@ void check_step(Point const& from, Point const& to) {
 /// Expands the rows of one file: a row is a run or, of a cascade, a run for each of its rates.
 class Expansion {
  public:
-  Expansion(Sweep& sweep, std::filesystem::path folder, bool chained, std::size_t along,
+  Expansion(Sweep& sweep, std::filesystem::path folder, SweepTable const& table,
             PointCheck const& check)
-      : sweep_(sweep),
-        folder_(std::move(folder)),
-        chained_(chained),
-        along_(along),
-        check_(check) {}
+      : sweep_(sweep), folder_(std::move(folder)), table_(table), check_(check) {}
 
   void add(Row const& row, std::size_t number, std::size_t count) {
     Point point;
@@ -119,7 +115,7 @@ class Expansion {
       throw InputError(
           "shear.protocol: some points are cascades, of a row for each rate, some are not (must be "
           "alike); make two sweeps of them");
-    if (is_cascade && chained_)
+    if (is_cascade && !table_.chain.empty())
       throw InputError(
           "sweep.chain does not go with shear.protocol = \"cascade\", which is a chain of its "
           "rates; "
@@ -172,12 +168,13 @@ class Expansion {
 
   /// A file of its own along a chain, where each point starts from the state of the one before.
   void refuse_own_file(Row const& row) const {
-    for (std::size_t k = 0; k < along_; ++k)
-      if (sweep_.keys[k] == "start.file")
+    if (!table_.chained_along_zip()) return;
+    for (std::size_t k = 0; k < table_.zip.size(); ++k)
+      if (table_.zip[k].name == "start.file")
         throw InputError(
-            fmt::format("{} = {} (a point of a chain starts from the state of the one before); "
-                        "leave it or sweep.chain out, or put it in grid",
-                        sweep_.keys[k], row.values[k]->toml));
+            fmt::format("start.file = {} (a point of a chain starts from the state of the one "
+                        "before); leave it or sweep.chain out, or put it in grid",
+                        row.values[k]->toml));
   }
 
   void refuse_double(Point const& point) {
@@ -189,8 +186,7 @@ class Expansion {
 
   Sweep& sweep_;
   std::filesystem::path folder_;
-  bool chained_;
-  std::size_t along_;  ///< keys of zip, the first, if they vary along the chain
+  SweepTable const& table_;
   bool cascade_ = false, cascade_known_ = false;  ///< what the points are, after the first
   PointCheck const& check_;
   std::map<std::string, std::size_t> seen_;
@@ -213,9 +209,7 @@ Sweep parse_sweep(std::string const& text, std::string const& origin,
   for (auto const* keys : {&table.zip, &table.grid})
     for (auto const& key : *keys) sweep.keys.push_back(key.name);
   auto const all = rows(table, sweep.origin);
-  bool const along_zip =
-      std::ranges::any_of(table.zip, [&](VariedKey const& key) { return key.name == table.chain; });
-  Expansion expansion(sweep, folder, !table.chain.empty(), along_zip ? table.zip.size() : 0, check);
+  Expansion expansion(sweep, folder, table, check);
   for (std::size_t k = 0; k < all.size(); ++k) expansion.add(all[k], k + 1, all.size());
   sweep.keys = expansion.keys();
   return sweep;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -28,6 +29,11 @@ struct SweepTable {
   std::vector<VariedKey> zip;   ///< lists of one length, walked together: one row each
   std::vector<VariedKey> grid;  ///< every combination, for every row of `zip`; the last key fastest
   std::string chain;  ///< key along which a point starts from the state of the one before; "": none
+
+  /// Whether the chain runs along the rows of zip.
+  bool chained_along_zip() const {
+    return std::ranges::any_of(zip, [this](VariedKey const& key) { return key.name == chain; });
+  }
 };
 
 /// Does this text have a table [sweep]? Throws InputError where it is no TOML.

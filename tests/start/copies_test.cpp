@@ -10,26 +10,17 @@
 #include <string>
 #include <vector>
 
-#include "src/config/errors.hpp"
-#include "src/start/start.hpp"
+#include "tests/start/start_from_state.hpp"
 
 namespace bagnold {
 namespace {
 
-constexpr double rate = 3e-3;
+double const rate = scene_from_state("CD_rot").shear.strain_rate;
 
 Scene scene_of(std::int64_t count, double aspect) {
-  Scene scene;
-  scene.disks.model = "CD_rot";
-  scene.disks.mass = "equal";
+  Scene scene = scene_from_state("CD_rot");
   scene.disks.count = count;
   scene.disks.box_aspect = aspect;
-  scene.disks.packing_fraction = 0.7;
-  scene.disks.elasticity = 1;
-  scene.shear.strain_rate = rate;
-  scene.shear.strain = 1;
-  scene.start.kind = "state";
-  scene.start.file = "/folder/state.h5";
   scene.start.copies = true;
   return scene;
 }
@@ -168,20 +159,7 @@ std::string refusal(std::int64_t count, double aspect, bool wanted = true, doubl
   Scene scene = scene_of(count, aspect);
   scene.disks.packing_fraction = phi;
   scene.start.copies = wanted;
-  try {
-    fit_to_scene({some_state()}, scene);
-  } catch (InputError const& error) {
-    return error.what();
-  }
-  return "accepted";
-}
-
-::testing::AssertionResult names(std::string const& message,
-                                 std::vector<std::string> const& parts) {
-  for (auto const& part : parts)
-    if (message.find(part) == std::string::npos)
-      return ::testing::AssertionFailure() << "no '" << part << "' in: " << message;
-  return ::testing::AssertionSuccess();
+  return refusal({some_state()}, scene);
 }
 
 TEST(Copies, ThatCannotFillTheBoxAreRefused) {

@@ -88,7 +88,7 @@ Comparison compared(json const& entry, Row const& row) {
   if (!std::isfinite(ours)) return out;
   bool const wide = is_range && off == 0 && own > (high - low) / 2;
   double const errors = off == 0 ? 0 : std::abs(off / (roughly ? own : error));
-  out.agrees = wide || !std::isfinite(errors) ? "untold" : errors <= 2 ? "yes" : "no";
+  out.agrees = wide ? "untold" : errors <= 2 ? "yes" : "no";
   if (roughly) {
     out.deviation = fmt::format("{:+.0f}%", 100 * off / std::abs(low));
     if (off != 0 && std::isfinite(off / own))

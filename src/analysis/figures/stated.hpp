@@ -15,8 +15,8 @@ struct Comparison {
   std::string stated, ours;
   std::string deviation;  ///< in standard errors of both, "-" where none is known; of what is
                           ///< stated with "about" in per cent, and in our errors
-  std::string agrees;     ///< "yes" within two errors or the bounds; "no"; "untold" within bounds
-                          ///< that our error exceeds, or where neither error is known; "" without
+  std::string agrees;     ///< "yes" within two errors or the bounds; "no", where no error is
+                          ///< known too; "untold" within bounds that our error exceeds; "" without
                           ///< ours
 };
 

@@ -43,13 +43,13 @@ TEST(Stated, TellsWhatAgrees) {
     for (auto const& one : compare(entry(more), rows)) out += one.agrees + ";";
     return out;
   };
-  EXPECT_EQ(agree(nlohmann::json::object()), "yes;untold;;");
+  EXPECT_EQ(agree(nlohmann::json::object()), "yes;no;;");
   EXPECT_EQ(agree({{"stated", 0.8}}), "no;yes;;");
   EXPECT_EQ(agree({{"stated", 0.8}, {"error", 0.2}}), "yes;yes;;");  // 1.9 errors of both
   EXPECT_EQ(agree({{"stated", 0.8}, {"error", 0.2}, {"about", true}}), "no;yes;;");  // 2.3 of ours
   EXPECT_EQ(agree({{"stated", {0.7, 0.85}}}), "no;yes;;");
-  EXPECT_EQ(agree({{"stated", {1.0, 2.0}}}), "yes;untold;;");
-  EXPECT_EQ(agree({{"stated", {1.3, 1.6}}}), "untold;untold;;");  // our error is wider
+  EXPECT_EQ(agree({{"stated", {1.0, 2.0}}}), "yes;no;;");
+  EXPECT_EQ(agree({{"stated", {1.3, 1.6}}}), "untold;no;;");  // our error is wider
 }
 
 TEST(Stated, SaysWhatIsNotFound) {
