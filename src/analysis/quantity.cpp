@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "src/analysis/fit/chance.hpp"
 #include "src/analysis/fit/fit.hpp"
@@ -14,6 +15,8 @@
 
 namespace bagnold::analysis {
 namespace {
+
+constexpr std::size_t fewest_seeds = 3;  ///< whose scatter tells the error of a ratio
 
 std::vector<double> at(std::vector<double> const& all, std::span<std::size_t const> rows) {
   std::vector<double> out;
@@ -76,21 +79,48 @@ Quantity::Quantity(SweepTable const& table, std::string const& name, std::option
 Value Quantity::measured(std::span<std::size_t const> rows) const {
   auto const means = at(observable_->mean, rows);
   auto errors = at(observable_->error, rows);
-  double sum = 0.0, count = 0.0;
-  for (double const value : means)
-    if (std::isfinite(value)) sum += value, count += 1.0;
   bool pooled = false;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (std::isfinite(errors[i])) {
       errors[i] *= errors_.factor;
     } else if (std::isfinite(means[i])) {
-      errors[i] = errors_.relative * std::abs(sum / count);
+      errors[i] = errors_.relative * std::abs(mean(rows));
       pooled = std::isfinite(errors[i]);
     }
   }
   auto out = merge_seeds(means, errors);
   out.pooled = pooled;
   return out;
+}
+
+double Quantity::mean(std::span<std::size_t const> rows) const {
+  if (first_) {
+    double const first = first_->mean(rows), second = second_->mean(rows);
+    return divides_ ? first / second : first * second;
+  }
+  if (!observable_) return rows.empty() ? unknown : number_[rows.front()];
+  double sum = 0.0, count = 0.0;
+  for (auto const row : rows)
+    if (std::isfinite(observable_->mean[row])) sum += observable_->mean[row], count += 1.0;
+  return sum / count;
+}
+
+double Quantity::error_of_seeds(std::span<std::size_t const> rows) const {
+  std::vector<std::size_t> seeds;
+  for (auto const row : rows)
+    if (std::isfinite(mean({&row, 1}))) seeds.push_back(row);
+  if (seeds.size() < fewest_seeds) return unknown;
+  std::vector<double> without;
+  for (std::size_t k = 0; k < seeds.size(); ++k) {
+    auto others = seeds;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
+    without.push_back(mean(others));
+  }
+  double const n = static_cast<double>(seeds.size());
+  double const middle = std::accumulate(without.begin(), without.end(), 0.0) / n;
+  double squares = 0.0;
+  for (double const value : without) squares += (value - middle) * (value - middle);
+  return statistics::student_factor(seeds.size() - 1) * std::sqrt((n - 1.0) / n * squares);
 }
 
 double Quantity::widened() const {
@@ -101,6 +131,10 @@ Value Quantity::of(std::span<std::size_t const> rows) const {
   if (first_) {
     auto const first = first_->of(rows), second = second_->of(rows);
     bool const pooled = first.pooled || second.pooled;
+    if (first_->is_measured() && second_->is_measured()) {
+      double const error = error_of_seeds(rows);
+      if (std::isfinite(error)) return {mean(rows), error};
+    }
     if (!divides_)
       return {first.mean * second.mean,
               std::hypot(first.error * second.mean, first.mean * second.error), pooled};

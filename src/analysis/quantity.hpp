@@ -32,8 +32,10 @@ Value merge_seeds(std::span<double const> means, std::span<double const> errors)
 /// - NAME, an observable, merged over seeds, errors of runs widened and put in as the whole sweep
 ///   tells (SeedErrors);
 /// - `phi_J-phi`, the distance to jamming, phi_J given (no error);
-/// - A/B, A*B, the ratio or product of two of these after merging, errors added as independent; of
-///   several signs the last one is worked out last.
+/// - A/B, A*B, the ratio or product of two of these after merging; of several signs the last one is
+///   worked out last. Where both are observables of the same runs they vary together, and from
+///   three seeds on the error is the jackknife's over seeds, times Student's factor; of one or two
+///   seeds errors are added as independent, and too large for most ratios.
 class Quantity {
  public:
   /// Keeps a reference to the table. Throws InputError for an unknown name, with the nearest one.
@@ -54,7 +56,19 @@ class Quantity {
   double widened() const;
 
  private:
+  /// Depends on an observable.
+  bool is_measured() const {
+    return observable_ || (first_ && (first_->is_measured() || second_->is_measured()));
+  }
+
   Value measured(std::span<std::size_t const> rows) const;
+
+  /// Of the means over seeds, without an error.
+  double mean(std::span<std::size_t const> rows) const;
+
+  /// [(n - 1)/n sum_i (q_i - q)^2]^(1/2) times Student's factor, q_i without seed i and q their
+  /// mean; NaN for fewer than three seeds.
+  double error_of_seeds(std::span<std::size_t const> rows) const;
 
   std::string name_;
   std::vector<double> number_;            ///< of a key or phi_J-phi, one a row

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
 #include <random>
 
 #include "src/config/errors.hpp"
@@ -41,7 +42,9 @@ TEST(Quantity, ByName) {
   EXPECT_NEAR(ratio.error, p.error / 1e-4, 1e-9);
   auto const product = Quantity(table, "p*p/shear.strain_rate").of(seeds);
   EXPECT_NEAR(product.mean, p.mean * p.mean / 1e-4, 1e-3);
-  EXPECT_NEAR(product.error, std::sqrt(2.0) * p.mean * p.error / 1e-4, 1e-6);
+  // the seeds have p - 0.001, p, p + 0.001: 2 p times the error of that
+  double const of_p = statistics::student_factor(2) * 0.001 / std::sqrt(3.0);
+  EXPECT_NEAR(product.error, 2.0 * p.mean * of_p / 1e-4, 1e-3);
   EXPECT_THROW(Quantity(table, "phi_J-phi"), InputError);
   EXPECT_THROW(Quantity(table, "disks.elasticity"), InputError);
   try {
@@ -50,6 +53,59 @@ TEST(Quantity, ByName) {
   } catch (InputError const& error) {
     EXPECT_NE(std::string(error.what()).find("perhaps p"), std::string::npos) << error.what();
   }
+}
+
+/// p and sigma = 0.3 p of one run vary together by 10%, their ratio by 1%.
+SweepTable correlated_table(std::size_t seeds, std::mt19937_64& random) {
+  std::normal_distribution<double> normal;
+  SweepTable table;
+  table.origin = "made";
+  table.points = seeds;
+  for (std::size_t k = 0; k < seeds; ++k) {
+    double const p = 1.0 + 0.1 * normal(random);
+    table.keys["disks.seed"].numbers.push_back(static_cast<double>(k));
+    table.observables["p"].mean.push_back(p);
+    table.observables["p"].error.push_back(0.1);
+    table.observables["sigma"].mean.push_back(0.3 * p * (1.0 + 0.01 * normal(random)));
+    table.observables["sigma"].error.push_back(0.03);
+  }
+  return table;
+}
+
+TEST(Quantity, RatiosHaveTheErrorOfWhatVariesTogether) {
+  std::mt19937_64 random(4);
+  for (std::size_t const seeds : {3, 5}) {
+    std::vector<std::size_t> rows(seeds);
+    std::iota(rows.begin(), rows.end(), 0);
+    int inside = 0, product_inside = 0;
+    int const sets = 2000;
+    double squares = 0.0;
+    for (int set = 0; set < sets; ++set) {
+      auto const table = correlated_table(seeds, random);
+      auto const ratio = Quantity(table, "sigma/p").of(rows);
+      inside += std::abs(ratio.mean - 0.3) <= 2.0 * ratio.error;
+      squares += ratio.error * ratio.error / sets;
+      auto const product = Quantity(table, "sigma*p").of(rows);
+      product_inside += std::abs(product.mean - 0.3) <= 2.0 * product.error;
+    }
+    EXPECT_NEAR(inside / 2000.0, 0.9545, 4.0 * std::sqrt(0.9545 * 0.0455 / sets)) << seeds;
+    EXPECT_NEAR(product_inside / 2000.0, 0.9545, 0.03) << seeds;  // its scatter is not quite normal
+    double const n = static_cast<double>(seeds);
+    EXPECT_NEAR(std::sqrt(squares), statistics::student_factor(seeds - 1) * 0.003 / std::sqrt(n),
+                0.1 * 0.003)
+        << seeds;
+  }
+}
+
+TEST(Quantity, RatiosOfTwoSeedsTakeErrorsAsIndependent) {
+  std::mt19937_64 random(5);
+  std::vector<std::size_t> const rows{0, 1};
+  auto const table = correlated_table(2, random);
+  auto const p = Quantity(table, "p").of(rows), sigma = Quantity(table, "sigma").of(rows);
+  auto const ratio = Quantity(table, "sigma/p").of(rows);
+  EXPECT_DOUBLE_EQ(ratio.mean, sigma.mean / p.mean);
+  EXPECT_DOUBLE_EQ(ratio.error,
+                   ratio.mean * std::hypot(sigma.error / sigma.mean, p.error / p.mean));
 }
 
 /// The variance of a mean over 3 seeds, each of variance 1, is 1/3: resampling tells that on
