@@ -17,12 +17,6 @@ void refuse_disagreement(State const& state, Scene const& scene) {
   auto const refuse = [&](std::string const& what) {
     throw InputError(fmt::format("{}: {}", scene.start.file, what));
   };
-  if (state.count() != static_cast<std::size_t>(scene.disks.count))
-    refuse(fmt::format("holds {0} disks, disks.count = {1} (must agree); set disks.count = {0}{2}",
-                       state.count(), scene.disks.count,
-                       scene.disks.count % std::ssize(state.position) == 0
-                           ? ", or start.copies = true for copies of it side by side"
-                           : ""));
   std::size_t small = 0;
   for (std::size_t i = 0; i < state.count(); ++i) {
     double const d = state.diameter[i];
@@ -33,8 +27,15 @@ void refuse_disagreement(State const& state, Scene const& scene) {
     small += is_small;
   }
   if (2 * small != state.count())
-    refuse(fmt::format("/state/diameter: {} of {} disks are small (must be half)", small,
-                       state.count()));
+    refuse(
+        fmt::format("/state/diameter: {} of {} disks are small (must be half; no disks.count fits)",
+                    small, state.count()));
+  if (state.count() != static_cast<std::size_t>(scene.disks.count))
+    refuse(fmt::format("holds {0} disks, disks.count = {1} (must agree); set disks.count = {0}{2}",
+                       state.count(), scene.disks.count,
+                       scene.disks.count % std::ssize(state.position) == 0
+                           ? ", or start.copies = true for copies of it side by side"
+                           : ""));
   double const length = scene.box_length(), aspect = scene.disks.box_aspect;
   if (!(std::abs(state.box_aspect - aspect) <= 1e-9 * aspect))
     refuse(

@@ -122,6 +122,12 @@ TEST(FitToScene, DisagreementsAreRefusedByName) {
                       s.diameter.resize(18);
                     }),
                     {"/folder/state.h5", "18 disks", "disks.count = 20"}));
+  EXPECT_TRUE(names(refusal([](State& s) {
+                      for (auto* column : {&s.position, &s.velocity}) column->resize(19);
+                      s.spin.resize(19);
+                      s.diameter.resize(19);
+                    }),
+                    {"/folder/state.h5", " of 19 disks are small", "no disks.count fits"}));
   EXPECT_TRUE(names(refusal([](State& s) { s.diameter[7] = 1.2; }),
                     {"/folder/state.h5", "diameter[7] = 1.2"}));
   EXPECT_TRUE(names(refusal([](State& s) { s.diameter[7] = 1 + 1e-8; }), {"diameter[7]"}));
