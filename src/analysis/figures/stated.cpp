@@ -83,11 +83,14 @@ Comparison compared(json const& entry, Row const& row) {
                  std::isfinite(ours) ? with_error(ours, own) : "not found",
                  "-",
                  ""};
-  bool const roughly = entry.value("about", false);
+  auto const about = entry.value("about", json(false));
+  bool const roughly = about != json(false);
+  double const rounding = about.is_number() ? about.get<double>() : 0;
   if (roughly) out.stated = "about " + out.stated;
   if (!std::isfinite(ours)) return out;
   bool const wide = is_range && off == 0 && own > (high - low) / 2;
-  double const errors = off == 0 ? 0 : std::abs(off / (roughly ? own : error));
+  double const beyond = std::max(0.0, std::abs(off) - rounding);
+  double const errors = beyond == 0 ? 0 : beyond / (roughly ? own : error);
   out.agrees = wide ? "untold" : errors <= 2 ? "yes" : "no";
   if (roughly) {
     out.deviation = fmt::format("{:+.0f}%", 100 * off / std::abs(low));

@@ -47,6 +47,11 @@ TEST(Stated, TellsWhatAgrees) {
   EXPECT_EQ(agree({{"stated", 0.8}}), "no;yes;;");
   EXPECT_EQ(agree({{"stated", 0.8}, {"error", 0.2}}), "yes;yes;;");  // 1.9 errors of both
   EXPECT_EQ(agree({{"stated", 0.8}, {"error", 0.2}, {"about", true}}), "no;yes;;");  // 2.3 of ours
+  // 1.5 +- 0.3 is 0.7 off, 2.2 errors beyond 0.05 and 1.7 beyond 0.2; 0.8 has no error, but rounds
+  EXPECT_EQ(agree({{"stated", 0.8}, {"about", 0.05}}), "no;yes;;");
+  EXPECT_EQ(agree({{"stated", 0.8}, {"about", 0.2}}), "yes;yes;;");
+  EXPECT_EQ(agree({{"stated", 0.9}, {"about", 0.05}}), "yes;no;;");
+  EXPECT_EQ(agree({{"stated", 0.9}, {"about", 0.15}}), "yes;yes;;");
   EXPECT_EQ(agree({{"stated", {0.7, 0.85}}}), "no;yes;;");
   EXPECT_EQ(agree({{"stated", {1.0, 2.0}}}), "yes;no;;");
   EXPECT_EQ(agree({{"stated", {1.3, 1.6}}}), "untold;no;;");  // our error is wider
@@ -65,6 +70,8 @@ TEST(Stated, SaysWhatIsNotFound) {
             "x, Q = 10");  // rows told apart
   EXPECT_EQ(compare(entry({{"about", true}}), rows)[0].stated, "about 1");
   EXPECT_EQ(compare(entry({{"about", true}}), rows)[0].deviation, "+50% (+1.7 of our errors)");
+  EXPECT_EQ(compare(entry({{"about", 0.5}}), rows)[0].stated, "about 1");
+  EXPECT_EQ(compare(entry({{"about", 0.5}}), rows)[0].deviation, "+50% (+1.7 of our errors)");
 }
 
 }  // namespace bagnold::analysis::test
