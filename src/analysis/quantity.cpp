@@ -5,18 +5,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "src/analysis/fit/chance.hpp"
 #include "src/analysis/fit/fit.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/nearest_word.hpp"
+#include "src/statistics/jackknife.hpp"
+#include "src/statistics/replicas.hpp"
 #include "src/statistics/student.hpp"
 
 namespace bagnold::analysis {
 namespace {
-
-constexpr std::size_t fewest_seeds = 3;  ///< whose scatter tells the error of a ratio
 
 std::vector<double> at(std::vector<double> const& all, std::span<std::size_t const> rows) {
   std::vector<double> out;
@@ -79,12 +78,15 @@ Quantity::Quantity(SweepTable const& table, std::string const& name, std::option
 Value Quantity::measured(std::span<std::size_t const> rows) const {
   auto const means = at(observable_->mean, rows);
   auto errors = at(observable_->error, rows);
+  double sum = 0.0, count = 0.0;
+  for (double const value : means)
+    if (std::isfinite(value)) sum += value, count += 1.0;
   bool pooled = false;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (std::isfinite(errors[i])) {
       errors[i] *= errors_.factor;
     } else if (std::isfinite(means[i])) {
-      errors[i] = errors_.relative * std::abs(mean(rows));
+      errors[i] = errors_.relative * std::abs(sum / count);
       pooled = std::isfinite(errors[i]);
     }
   }
@@ -93,34 +95,39 @@ Value Quantity::measured(std::span<std::size_t const> rows) const {
   return out;
 }
 
-double Quantity::mean(std::span<std::size_t const> rows) const {
-  if (first_) {
-    double const first = first_->mean(rows), second = second_->mean(rows);
-    return divides_ ? first / second : first * second;
+void Quantity::add_parts(std::vector<Quantity const*>& parts) const {
+  if (!first_) return parts.push_back(this);
+  first_->add_parts(parts);
+  second_->add_parts(parts);
+}
+
+double Quantity::of_parts(std::span<double const>& means) const {
+  if (!first_) {
+    double const mean = means.front();
+    means = means.subspan(1);
+    return mean;
   }
-  if (!observable_) return rows.empty() ? unknown : number_[rows.front()];
-  double sum = 0.0, count = 0.0;
-  for (auto const row : rows)
-    if (std::isfinite(observable_->mean[row])) sum += observable_->mean[row], count += 1.0;
-  return sum / count;
+  double const first = first_->of_parts(means), second = second_->of_parts(means);
+  return divides_ ? first / second : first * second;
 }
 
 double Quantity::error_of_seeds(std::span<std::size_t const> rows) const {
-  std::vector<std::size_t> seeds;
-  for (auto const row : rows)
-    if (std::isfinite(mean({&row, 1}))) seeds.push_back(row);
-  if (seeds.size() < fewest_seeds) return unknown;
-  std::vector<double> without;
-  for (std::size_t k = 0; k < seeds.size(); ++k) {
-    auto others = seeds;
-    others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
-    without.push_back(mean(others));
+  std::vector<Quantity const*> parts;
+  add_parts(parts);
+  statistics::Windows seeds{parts.size(), {}, {}};
+  for (auto const row : rows) {
+    std::vector<double> means;
+    for (auto const* part : parts)
+      means.push_back((part->observable_ ? part->observable_->mean : part->number_)[row]);
+    if (std::ranges::all_of(means, [](double mean) { return std::isfinite(mean); }))
+      seeds.push_back(means, 1.0);
   }
-  double const n = static_cast<double>(seeds.size());
-  double const middle = std::accumulate(without.begin(), without.end(), 0.0) / n;
-  double squares = 0.0;
-  for (double const value : without) squares += (value - middle) * (value - middle);
-  return statistics::student_factor(seeds.size() - 1) * std::sqrt((n - 1.0) / n * squares);
+  if (seeds.size() < statistics::fewest_replicas) return unknown;
+  statistics::Function const of_means = [this](std::span<double const> means) {
+    return of_parts(means);
+  };
+  return statistics::student_factor(seeds.size() - 1) *
+         statistics::Jackknife(seeds, 0, of_means).error(1);
 }
 
 double Quantity::widened() const {
@@ -131,16 +138,14 @@ Value Quantity::of(std::span<std::size_t const> rows) const {
   if (first_) {
     auto const first = first_->of(rows), second = second_->of(rows);
     bool const pooled = first.pooled || second.pooled;
-    if (first_->is_measured() && second_->is_measured()) {
+    double const mean = divides_ ? first.mean / second.mean : first.mean * second.mean;
+    if (!first_->is_key() && !second_->is_key()) {
       double const error = error_of_seeds(rows);
-      if (std::isfinite(error)) return {mean(rows), error};
+      if (std::isfinite(error)) return {mean, error};
     }
     if (!divides_)
-      return {first.mean * second.mean,
-              std::hypot(first.error * second.mean, first.mean * second.error), pooled};
-    double const ratio = first.mean / second.mean;
-    return {ratio, std::hypot(first.error / second.mean, ratio * second.error / second.mean),
-            pooled};
+      return {mean, std::hypot(first.error * second.mean, first.mean * second.error), pooled};
+    return {mean, std::hypot(first.error / second.mean, mean * second.error / second.mean), pooled};
   }
   if (observable_) return measured(rows);
   return {rows.empty() ? unknown : number_[rows.front()], 0.0};

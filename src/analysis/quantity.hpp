@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "src/analysis/random.hpp"
 #include "src/analysis/seed_errors.hpp"
@@ -50,24 +51,24 @@ class Quantity {
   /// instead, for each observable its own.
   double resampled(std::span<std::size_t const> rows, Draw const& draw) const;
 
-  bool is_key() const { return !observable_ && !first_; }
+  /// Of keys alone: exact.
+  bool is_key() const {
+    return !observable_ && (!first_ || (first_->is_key() && second_->is_key()));
+  }
 
   /// How many times wider errors of runs are taken than they tell; the largest of its parts.
   double widened() const;
 
  private:
-  /// Depends on an observable.
-  bool is_measured() const {
-    return observable_ || (first_ && (first_->is_measured() || second_->is_measured()));
-  }
-
   Value measured(std::span<std::size_t const> rows) const;
 
-  /// Of the means over seeds, without an error.
-  double mean(std::span<std::size_t const> rows) const;
+  /// The keys and observables it is made of, from left to right, and its value from theirs, which
+  /// it takes off the front of `means`.
+  void add_parts(std::vector<Quantity const*>& parts) const;
+  double of_parts(std::span<double const>& means) const;
 
-  /// [(n - 1)/n sum_i (q_i - q)^2]^(1/2) times Student's factor, q_i without seed i and q their
-  /// mean; NaN for fewer than three seeds.
+  /// The jackknife over seeds (statistics/jackknife.hpp) of a ratio or product, times Student's
+  /// factor; NaN for fewer than statistics::fewest_replicas.
   double error_of_seeds(std::span<std::size_t const> rows) const;
 
   std::string name_;
