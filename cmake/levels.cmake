@@ -10,8 +10,7 @@ list(APPEND bagnold_level_sources engine/contacts/contact_detector.cpp engine/dr
 function(bagnold_level name architecture)
   add_library(bagnold_${name} OBJECT ${bagnold_level_sources})
   target_link_libraries(bagnold_${name} PRIVATE bagnold_kernels bagnold_config bagnold_statistics fmt::fmt)
-  target_compile_options(bagnold_${name} PRIVATE -march=${architecture} -fno-gnu-unique
-    -Wno-maybe-uninitialized)
+  target_compile_options(bagnold_${name} PRIVATE -march=${architecture} -fno-gnu-unique)
   target_compile_definitions(bagnold_${name} PRIVATE BAGNOLD_LEVEL=${name}
     $<TARGET_PROPERTY:bagnold_engine,INTERFACE_COMPILE_DEFINITIONS>)
   bagnold_precompile(bagnold_${name} <fmt/format.h> <Kokkos_Core.hpp>)

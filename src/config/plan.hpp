@@ -21,7 +21,7 @@ struct Plan {
   std::int64_t frame_steps = 1;        ///< between frames that are measured
   std::int64_t trajectory_steps = 0;   ///< between frames of the trajectory; 0: none
   double strain_rate = 0;              ///< gammadot, where there is one, [1/tau_e]
-  std::optional<Ramp> ramp;            ///< how it changes, where it does
+  std::optional<Ramp> ramp{};          ///< how it changes, where it does
 
   /// Step after the last one of a window.
   std::int64_t window_end(std::int64_t window) const;

@@ -11,10 +11,10 @@
 namespace bagnold {
 
 struct RunOptions {
-  Machine machine;
+  Machine machine{};
   bool replace = false;           ///< the run that is in the folder
   bool allow_unstable = false;    ///< accept a time step beyond the scheme's stability
-  std::optional<double> strain;   ///< of resume(): make the run, or a cascade's last rate, as long
+  std::optional<double> strain{};  ///< of resume(): make the run, or a cascade's last rate, as long
   RunMonitor* monitor = nullptr;  ///< null: nobody
 };
 

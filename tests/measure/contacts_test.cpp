@@ -203,8 +203,9 @@ TEST_F(SyntheticVelocities, AreReportedOfAllMeasuredConfigurations) {
   Frames other;
   tell_some(watch_contacts(scene, plan, columns, 2, other));
   for (auto const& table : Frames::join({&frames, &other}).samples)
-    if (table.name == "contact_velocities_mean")
+    if (table.name == "contact_velocities_mean") {
       EXPECT_NEAR(table.rows[0], 2 * (1 + 3 + 1) / 3.0, 1e-12);
+    }
 }
 
 /// Each collision counts once, with the velocities of its last sample.

@@ -135,7 +135,7 @@ std::string to_lines(std::vector<Comparison> const& list) {
     return fmt::format("{:<{}}  {:<{}}  {:<{}}  {:<{}}  {}\n", c.what, width[0], c.stated, width[1],
                        c.ours, width[2], c.deviation, width[3], c.source);
   };
-  std::string out = line({"", "", "the papers", "ours", "deviation"});
+  std::string out = line({"", "", "the papers", "ours", "deviation", ""});
   for (auto const& one : list) out += line(one);
   return out;
 }
