@@ -12,10 +12,10 @@ namespace bagnold {
 
 struct RunOptions {
   Machine machine{};
-  bool replace = false;           ///< the run that is in the folder
-  bool allow_unstable = false;    ///< accept a time step beyond the scheme's stability
+  bool replace = false;            ///< the run that is in the folder
+  bool allow_unstable = false;     ///< accept a time step beyond the scheme's stability
   std::optional<double> strain{};  ///< of resume(): make the run, or a cascade's last rate, as long
-  RunMonitor* monitor = nullptr;  ///< null: nobody
+  RunMonitor* monitor = nullptr;   ///< null: nobody
 };
 
 /// Runs a scene, a cascade too, into a folder, which is made: results, checkpoints, pictures and
