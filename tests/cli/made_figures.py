@@ -75,6 +75,8 @@ def cd(phi, q, rate):
          else 0.3 * q * (PHI_J - phi + 0.01) ** -1.5 * rate**2)
     stresses(out, rate, q, p_el=p, sigma_el=0.3 * p)
     contacts(out, rate, 3.0 + phi if newton else 100 * rate * (1 + phi))
+    out["v_T_rms"] = 2 * rate if newton else 0.2 * q * rate
+    out["v_N_rms"] = 0.03 * out["v_T_rms"] if newton else 0.9 * out["v_T_rms"]
     return out
 
 
