@@ -18,6 +18,12 @@ strain_rates = [1e-3, 1e-4]
 grid = { "disks.seed" = [1, 2], "disks.elasticity" = [0.1, 10] }
 zip = { "disks.packing_fraction" = [0.6, 0.7], "shear.strain" = [1, 2] }
 """
+CHAIN = """title = "tiny"
+[sweep]
+chain = "shear.strain_rate"
+zip = { "shear.strain_rate" = [1e-5, 1e-4], "start.kind" = ["random", "state"] }
+grid = { "disks.packing_fraction" = [0.6, 0.7] }
+"""
 
 
 def loaded():
@@ -74,6 +80,18 @@ class Rest(unittest.TestCase):
     def test_another_size_is_not_kept(self):
         table = [row | {"disks.count": "64"} for row in self.table([])]
         self.assertIsNone(self.rest(table))
+
+    def test_a_chain_is_left_whole(self):
+        self.file.write_text(CHAIN)
+        asked = self.reproduce.combinations(tomllib.loads(CHAIN)["sweep"])
+        table = [{key: str(one[key]) for key in ("disks.packing_fraction", "shear.strain_rate")} for one in asked]
+        target = self.folder / "rest.toml"
+        self.assertTrue(self.reproduce.write_rest(self.file, table[:1] + table[2:], target))
+        left = tomllib.loads(target.read_text())["sweep"]
+        self.assertEqual(left["chain"], "shear.strain_rate")
+        self.assertEqual(self.reproduce.combinations(left), asked[:2])
+        self.reproduce.write_rest(self.file, table, target)
+        self.assertEqual(self.reproduce.combinations(tomllib.loads(target.read_text())["sweep"]), [])
 
 
 if __name__ == "__main__":
