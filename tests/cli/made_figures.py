@@ -95,7 +95,7 @@ def cd_rot(phi, q, rate):
 
 def bands(phi, q, rate):
     out = {}
-    p = 3e3 * rate**2 * np.exp(20 * (phi - 0.77) + 120 * np.clip(phi - LOW, 0, HIGH - LOW))
+    p = 9e3 * rate**2 * np.exp(20 * (phi - 0.77) + 120 * np.clip(phi - LOW, 0, HIGH - LOW))
     mu = 0.4 - 2.7 * (phi - 0.77) + 5.7 * np.clip(phi - LOW, 0, HIGH - LOW) - 0.002 * np.log(rate)
     stresses(out, rate, q, p_el=p, sigma_el=0.85 * mu * p, sigma_dis=0.15 * mu * p)
     out["R_v"] = 20.0 if LOW < phi < HIGH else 1.1
