@@ -93,6 +93,16 @@ class Rest(unittest.TestCase):
         self.reproduce.write_rest(self.file, table, target)
         self.assertEqual(self.reproduce.combinations(tomllib.loads(target.read_text())["sweep"]), [])
 
+    def test_what_is_left_follows_the_tables_until_it_is_begun(self):
+        tables = iter([self.table([(self.all[2], 1e-4)]), self.table([]), [], self.table([])])
+        self.reproduce.table_of = lambda name: next(tables)
+        folder = self.folder / "data/tiny"
+        self.assertEqual(self.reproduce.Sweep(self.file, folder).line(), f"{'tiny':20}     1 of     8 cascades or runs not begun")
+        self.assertEqual(self.reproduce.Sweep(self.file, folder).line(), f"{'tiny':20} kept")
+        self.assertEqual(self.reproduce.Sweep(self.file, folder).file, self.file)
+        folder.mkdir(parents=True)
+        self.assertEqual(self.reproduce.Sweep(self.file, folder).file, self.file)
+
 
 if __name__ == "__main__":
     unittest.main()
