@@ -5,6 +5,7 @@ import importlib.machinery
 import importlib.util
 import pathlib
 import tempfile
+import time
 import tomllib
 import unittest
 
@@ -102,6 +103,36 @@ class Rest(unittest.TestCase):
         self.assertEqual(self.reproduce.Sweep(self.file, folder).file, self.file)
         folder.mkdir(parents=True)
         self.assertEqual(self.reproduce.Sweep(self.file, folder).file, self.file)
+
+    def test_what_is_done_and_when_the_rest_will_be(self):
+        folder = self.folder / "data/tiny"
+        self.reproduce.table_of = lambda name: []
+        for k in range(4):
+            (folder / f"points/{k}").mkdir(parents=True)
+        sweep = self.reproduce.Sweep(self.file, folder)
+        self.assertEqual(sweep.line(), f"{'tiny':20}     0 of     4 points,   0.00 hours")
+        (folder / "points/2/summary.json").write_text('{"wall_seconds": 3600}')
+        self.assertRegex(sweep.line(), r"    1 of     4 points,   1\.00 hours,   3\.00 left: until \w+ \d\d:\d\d$")
+        for k in (0, 1, 3):
+            (folder / f"points/{k}/summary.json").write_text('{"wall_seconds": 3600}')
+        self.assertEqual(sweep.line(), f"{'tiny':20}     4 of     4 points,   4.00 hours")
+
+    def test_stopped_it_goes_on_where_it_was(self):
+        """A program that writes a point, and waits where it is the first call."""
+        program = self.folder / "bagnold"
+        program.write_text("""#!/bin/sh
+mkdir -p "$4/points/$(ls "$4/points" 2>/dev/null | wc -l)"
+nice >> "$4/nice"
+[ -e "$4/points/1" ] || exec sleep 60
+""")
+        program.chmod(0o755)
+        sweep = self.reproduce.Sweep(self.file, self.folder / "data/tiny")
+        began = time.monotonic()
+        self.assertNotEqual(self.reproduce.run(sweep, str(program), None, began + 4), 0)
+        self.assertLess(time.monotonic() - began, 30)
+        self.assertEqual(self.reproduce.run(sweep, str(program), None, None), 0)
+        self.assertEqual(len(sweep.points()), 2)
+        self.assertEqual((sweep.folder / "nice").read_text(), "19\n19\n")
 
 
 if __name__ == "__main__":
