@@ -8,6 +8,17 @@
 #include <numbers>
 
 namespace bagnold {
+namespace {
+
+/// Over the eighth of the period that begins at bin b.
+double mean_from(std::span<double const> profile, std::size_t b) {
+  std::size_t const width = std::max<std::size_t>(1, profile.size() / 8);
+  double sum = 0;
+  for (std::size_t k = 0; k < width; ++k) sum += profile[(b + k) % profile.size()];
+  return sum / static_cast<double>(width);
+}
+
+}  // namespace
 
 double band_position(std::span<double const> excess, double length) {
   using namespace std::complex_literals;
@@ -31,6 +42,15 @@ double share_below(std::span<double const> profile, double level) {
     share += high <= 0 ? 1.0 : low / (low - high);
   }
   return share / static_cast<double>(profile.size());
+}
+
+double in_fastest_band(std::span<double const> rate, std::span<double const> profile) {
+  std::size_t fastest = 0;
+  for (std::size_t b = 0; b < rate.size(); ++b) {
+    if (std::isnan(rate[b] + profile[b])) return std::numeric_limits<double>::quiet_NaN();
+    if (mean_from(rate, b) > mean_from(rate, fastest)) fastest = b;
+  }
+  return mean_from(profile, fastest);
 }
 
 }  // namespace bagnold

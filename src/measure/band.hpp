@@ -19,4 +19,9 @@ double band_position(std::span<double const> excess, double length);
 /// f' is 1 less that of gammadot(y) at the global gammadot. Without bands they are near 1/2.
 double share_below(std::span<double const> profile, double level);
 
+/// Mean of a profile over that eighth of the period where the mean of `rate` is largest: a local
+/// value in the band that shears fastest (P2 Fig. 35); of -rate, in the slowest. Without bands it
+/// is that of the largest fluctuation. NaN where a bin of either has no value.
+double in_fastest_band(std::span<double const> rate, std::span<double const> profile);
+
 }  // namespace bagnold

@@ -164,21 +164,40 @@ void Profiles::report(std::vector<FrameObserver const*> const& systems,
 std::vector<SampledObservable> Profiles::observables() const {
   double const rate = rate_;
   auto const quantities = profile_quantities(slices_, rate, scene_.rotates());
+  auto const named = [&](std::string_view name) {
+    return *std::ranges::find(quantities, name, &ProfileQuantity::name);
+  };
   auto const share = [&](std::string_view name, double level, double sign) {
-    auto const quantity = *std::ranges::find(quantities, name, &ProfileQuantity::name);
-    return [=, slices = slices_](Averages all) {
+    return [=, quantity = named(name), slices = slices_](Averages all) {
       auto values = profile(slices, quantity, all);
       for (double& value : values) value *= sign;
       return share_below(values, sign * level);
     };
   };
-  return {{{"band_fraction_phi", "1", "f of P2 App. B: share of L_y where phi(y) is below phi",
-            share("phi", scene_.disks.packing_fraction, 1.0)},
-           {&aligned_}},
-          {{"band_fraction_gammadot", "1",
-            "f' of P2 App. B: share of L_y where gammadot(y) is above gammadot",
-            share("gammadot", rate, -1.0)},
-           {&aligned_}}};
+  auto const in_band = [&](std::string_view name, double sign) {
+    return [=, quantity = named(name), flow = named("gammadot"), slices = slices_](Averages all) {
+      auto rates = profile(slices, flow, all);
+      for (double& value : rates) value *= sign;
+      return in_fastest_band(rates, profile(slices, quantity, all));
+    };
+  };
+  std::vector<SampledObservable> all;
+  auto const add = [&](std::string_view name, std::string_view unit, std::string_view meaning,
+                       auto value) {
+    all.push_back({{name, unit, meaning, value}, {&aligned_}});
+  };
+  add("band_fraction_phi", "1", "f of P2 App. B: share of L_y where phi(y) is below phi",
+      share("phi", scene_.disks.packing_fraction, 1.0));
+  add("band_fraction_gammadot", "1",
+      "f' of P2 App. B: share of L_y where gammadot(y) is above gammadot",
+      share("gammadot", rate, -1.0));
+  add("band_phi_fast", "1", "phi in that eighth of L_y that shears fastest", in_band("phi", 1.0));
+  add("band_gammadot_fast", "1/tau_e", "gammadot in that eighth of L_y that shears fastest",
+      in_band("gammadot", 1.0));
+  add("band_phi_slow", "1", "phi in that eighth of L_y that shears slowest", in_band("phi", -1.0));
+  add("band_gammadot_slow", "1/tau_e", "gammadot in that eighth of L_y that shears slowest",
+      in_band("gammadot", -1.0));
+  return all;
 }
 
 }  // namespace bagnold

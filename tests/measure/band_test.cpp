@@ -43,5 +43,20 @@ TEST(Band, ShareOfNothingAndAll) {
   EXPECT_TRUE(std::isnan(share_below(std::vector{0.5, std::nan(""), 0.5}, 0.8)));
 }
 
+TEST(Band, MeanWhereItShearsFastest) {
+  for (int const first : {3, 14}) {  // the other one across the edge of the period
+    auto rate = well(16, first, first + 3), phi = rate;
+    for (double& value : rate) value = 1 - value;
+    phi[static_cast<std::size_t>((first + 1) % 16)] = 0.5;  // an eighth: two bins, the first best
+    EXPECT_EQ(in_fastest_band(rate, rate), 1.0);
+    EXPECT_EQ(in_fastest_band(rate, phi), 0.25) << first;
+    for (double& value : rate) value *= -1;
+    EXPECT_EQ(in_fastest_band(rate, phi), 1.0);
+  }
+  std::vector const some{1.0, 2.0}, none{1.0, std::nan("")};
+  EXPECT_TRUE(std::isnan(in_fastest_band(some, none)));
+  EXPECT_TRUE(std::isnan(in_fastest_band(none, some)));
+}
+
 }  // namespace
 }  // namespace bagnold

@@ -85,6 +85,10 @@ TEST(Profiles, OfAHandMadeBand) {
   auto const value = [&](char const* name) { return *results.scalars.at(name).all.mean; };
   EXPECT_NEAR(value("band_fraction_phi"), share, 1.0 / 40);
   EXPECT_NEAR(value("band_fraction_gammadot"), share, 1.0 / 40);
+  EXPECT_NEAR(value("band_phi_fast"), dense / 2, 1e-12);
+  EXPECT_NEAR(value("band_phi_slow"), dense, 1e-12);
+  EXPECT_NEAR(value("band_gammadot_fast"), fast_rate, 1e-12);
+  EXPECT_NEAR(value("band_gammadot_slow"), slow_rate, 1e-12);
 }
 
 TEST(Profiles, FollowABandThatDrifts) {
