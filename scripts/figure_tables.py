@@ -81,8 +81,6 @@ def paths_of(panel):
         return ["histograms/" + panel["histogram"]]
     if "profile" in panel:
         return ["profiles/" + panel["profile"]]
-    if "bands" in panel:
-        return ["profiles/phi_aligned", "profiles/gammadot_aligned"]
     if "samples" in panel:
         return [panel["samples"]]
     if "series" in panel:

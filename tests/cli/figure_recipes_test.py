@@ -2,9 +2,14 @@
 """What the recipe of each figure draws, from data made by known laws: axes and values.
 
 AXES is written from the papers: for each panel what goes to the right and upwards. A drawn point must
-be a state that was made, at its values, or lie where the laws have what an analysis looks for."""
+be a state that was made, at its values, or lie where the laws have what an analysis looks for. ALSO is
+what a recipe could leave out and still show enough: its states must be drawn."""
 
+import csv
 import json
+import pathlib
+import shutil
+import tempfile
 import unittest
 
 import numpy as np
@@ -68,8 +73,16 @@ def transition(phi, q):
     return close(q, made.rot_q_c(phi), 0.15) or abs(phi - made.rot_phi_c(q)) < 0.004
 
 
+def difference(y, **at):
+    """Points of y at 1e-6 less y at 1e-5, CD_rot, against what of phi and q is not given."""
+    def near(x, found):
+        slow, fast = (value(made.cd_rot(rate=rate, **{"phi": x, "q": x} | at) | {RATE: rate}, y)
+                      for rate in (1e-6, 1e-5))
+        return abs(found - (slow - fast)) < 1e-3 * slow
+    return Found(PHI if "q" in at else Q, f"difference of {y}", near)
+
+
 p1_place = Found(PHI, "Q_star", at(made.p1_q_star, 0.05))
-theta = [("theta", None)]
 AXES = {
     "P1-1": [(Q, "B_p_el"), (Q, "B_sigma_el")],
     "P1-2": [(Q, "B_p_dis"), (Q, "B_sigma_dis")],
@@ -104,10 +117,10 @@ AXES = {
     "P2-30": [(RATE, "sigma")],
     "P2-34": [Found(PHI, "mu", lambda phi, mu: close(
         mu, made.bands(phi, 1.0, contour_rate(phi))["mu"], 0.02)), Found(RATE, "mu", on_contour)],
-    "P2-32": [Found(Q, None, lambda x, y: True)] * 2,
-    "P2-33": [Found(PHI, None, lambda x, y: True)] * 2,
+    "P2-32": [difference("Z/shear.strain_rate", phi=0.82), difference("Z/shear.strain_rate", phi=0.76)],
+    "P2-33": [difference("B_p_el", q=1), difference("B_p_el", q=20)],
     "P2-35": [Found(PHI, "gammadot", lambda phi, rate: min(
-        abs(phi - made.LOW), abs(phi - made.HIGH), abs(phi - 0.809), abs(phi - 0.788)) < 0.004)],
+        abs(phi - made.LOW), abs(phi - made.HIGH), abs(phi - made.FAST[0]), abs(phi - made.SLOW[0])) < 0.004)],
     "P2-36": [(PHI, "R_v")],
 }
 for number, y in (("2", ("eta_p_el", "B_p_el")), ("6", ("tau_dur", "nu_coll/shear.strain_rate")),
@@ -115,8 +128,24 @@ for number, y in (("2", ("eta_p_el", "B_p_el")), ("6", ("tau_dur", "nu_coll/shea
     AXES[f"P2-{number}"] = [(Q, y[0]), (Q, y[1])] * 2
 AXES["P2-5"] = AXES["P2-13"] = [(Q, "Z")] * 2
 AXES["P2-16"] = [(PHI, "eta_p_el"), (PHI, "B_p_el")] * 2
-OTHERS = {  # panels that show more than averages: labels of their axes
-    "P1-10": 6, "P2-8": 2, "P2-9": 2, "P2-18": 2, "P2-19": 2, "P2-21": 6, "P2-27": 4, "P2-28": 9, "P2-31": 2}
+OWN_LABELS = {  # that recipes write themselves
+    "$|B_\\sigma^{kin}|/B_\\sigma$", "$\\nu_{coll}/\\dot\\gamma$", "$Z$, $2\\tau_{dur}\\nu_{coll}$",
+    "$(\\sigma_{dev} - \\sigma)/\\sigma$"}
+ALSO = {f"P1-{n}": ("cd_n_contacts", [{RATE: [1e-6], PHI: [0.60, 0.835]}] * 2) for n in range(1, 5)}
+ALSO |= {f"P2-{n}": ("cd_rot_inelastic", [{RATE: [1e-5]}]) for n in (10, 12)}
+for data, numbers in (("cd_slowest", (2, 5, 6)), ("cd_rot_slowest", (11, 13, 14))):
+    for number in numbers:
+        half = len(AXES[f"P2-{number}"]) // 2
+        ALSO[f"P2-{number}"] = data, [{RATE: [1e-7], PHI: [phi]} for phi in half * [0.82] + half * [0.76]]
+ALSO["P2-16"] = "cd_rot_slowest", [{RATE: [1e-7], Q: [1]}] * 2  # none at Q = 20
+angles, velocities = ("\\vartheta$", "(\\vartheta)"), ("$V^R_{ij}$", "$V_{ij,T}$", "$V^C_{ij,T}$", "$V_{ij,N}$")
+OTHERS = {  # panels that show more than averages: what labels of their axes say
+    "P1-10": [angles] * 6, "P2-8": [angles] * 2, "P2-18": [angles] * 2,
+    "P2-9": [("$Q$", "(\\vartheta = 90")] * 2, "P2-19": [("$Q$", "(\\vartheta = 90")] * 2,
+    "P2-21": [velocities[:2]] * 2 + [velocities[:3:2]] * 2 + [velocities[2:]] * 2,
+    "P2-27": [("$x/d_s$", "$y/d_s$")] * 4,
+    "P2-28": [("$y/d_s$", name) for name in ("v_x", "\\dot\\gamma(y)", "\\phi(y)") for _ in range(3)],
+    "P2-31": [(label(RATE), label("sigma"))] * 2}
 
 
 def value(state, name):
@@ -137,38 +166,50 @@ def drawn(axes):
     """Points of an axes: (x, y) of all that is drawn with a marker."""
     points = []
     for line in axes.lines:
-        is_place = line.get_markersize() == 9  # a kink or a peak, marked
-        if line.get_marker() not in ("None", None, "", " ", "*", "_", "|", 2, 3) and not is_place:
+        is_place = line.get_markersize() in (9, 11)  # a kink or a peak, or an end, marked
+        if line.get_marker() not in ("None", None, "", " ", "_", "|", 2, 3) and not is_place:
             points += list(np.column_stack(line.get_data()))
     return [point for point in points if np.isfinite(point).all()]
 
 
+def off(pairs, point):
+    """Distance of a point from the nearest pair, relative."""
+    return (np.abs(pairs - point) / (1e-300 + np.abs(point))).max(axis=1).min()
+
+
 class RecipesTest(CliTest):
+    """Data are made, and each figure is drawn, once for all tests."""
+
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
         figure_page.plt.rcParams.update({"figure.max_open_warning": 0})
-
-    def setUp(self):
-        super().setUp()
-        folder = self.folder / "figures"
-        folder.mkdir()
-        for path in FIGURES.parent.glob("*.toml"):
-            (folder / path.name).write_text(path.read_text())
+        cls.place = pathlib.Path(tempfile.mkdtemp(prefix="bagnold-"))
+        cls.addClassCleanup(shutil.rmtree, cls.place, ignore_errors=True)
+        shutil.copytree(FIGURES.parent, cls.place / "figures")
+        cls.figures = cls.place / "figures" / FIGURES.name
+        text = FIGURES.read_text()
         for kind in ("crossover", "divergence", "exponents", "friction-law", "jump", "kink", "transition",
                      "constant-pressure", "peak"):  # no bootstrap: values are looked at
-            text = (folder / FIGURES.name).read_text()
-            (folder / FIGURES.name).write_text(text.replace(f'= "{kind} ', f'= "{kind} --resamples 0 '))
-        self.figures = folder / FIGURES.name
-        self.data = self.folder / "data"
-        self.data.mkdir()
-        self.made = made.write_tables(FIGURES, self.data)
+            text = text.replace(f'= "{kind} ', f'= "{kind} --resamples 0 ')
+        cls.figures.write_text(text)
+        cls.data = cls.place / "data"
+        cls.data.mkdir()
+        cls.made = made.write_tables(FIGURES, cls.data)
+        cls.drawings = {}
 
     def draw(self, name):
-        result = self.bagnold("figure", name, "--figures", self.figures, "--data", self.data, "--out", "out",
+        """Its axes, and the states that were made for it."""
+        if name not in self.drawings:
+            self.drawings[name] = self.draw_once(name)
+        return self.drawings[name]
+
+    def draw_once(self, name):
+        out = self.place / "out"
+        result = self.bagnold("figure", name, "--figures", self.figures, "--data", self.data, "--out", out,
                               env=environment() | {"BAGNOLD_PYTHON": "/bin/true"})
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
-        folder = self.folder / "out" / name
+        folder = out / name
         recipe = json.loads((folder / "recipe.json").read_text())
         figure = figure_page.draw(recipe, str(folder))
         axes = [a for a in figure.axes if a.axison and a.get_label() != "<colorbar>"]
@@ -193,16 +234,23 @@ class RecipesTest(CliTest):
         else:
             x, y = wanted
             pairs = np.array([(value(s, x), value(s, y)) for s in states], float)
-        if y and "/" not in y and "|" not in y and "," not in axes.get_ylabel():
-            self.assertEqual((axes.get_xlabel(), axes.get_ylabel()), (label(x), label(y)), name)
+        self.assertEqual(axes.get_xlabel(), label(x), name)
+        self.assertIn(axes.get_ylabel(), OWN_LABELS | {label(y)}, name)
         points = drawn(axes)
         self.assertGreaterEqual(len(points), 4, name)
         for point in points:
             if isinstance(wanted, Found):
                 self.assertTrue(wanted.near(*point), (name, x, y, point))
             else:
-                off = np.abs(pairs - point) / (1e-300 + np.abs(point))
-                self.assertLess(off.max(axis=1).min(), 2e-3, (name, x, y, point))
+                self.assertLess(off(pairs, point), 2e-3, (name, x, y, point))
+
+    def check_drawn(self, axes, wanted, data, chosen, name):
+        """Finds every state of a data set that has the chosen values among the points."""
+        states = [s for s in self.made[data] if all(s[key] in values for key, values in chosen.items())]
+        self.assertTrue(states, name)
+        for state in states:
+            pair = [value(state, quantity) for quantity in wanted]
+            self.assertLess(off(np.array(drawn(axes)), pair), 2e-3, (name, wanted, data, pair))
 
     def test_axes_and_values(self):
         for name, panels in AXES.items():
@@ -212,16 +260,55 @@ class RecipesTest(CliTest):
                 for one, wanted in zip(axes, panels):
                     self.check(one, wanted, states, name)
 
-    def test_those_that_show_more_than_averages(self):
-        for name, count in OTHERS.items():
+    def test_nothing_is_left_out(self):
+        for name, (data, panels) in ALSO.items():
             with self.subTest(figure=name):
-                axes, _ = self.draw(name)
-                self.assertEqual(len(axes), count)
+                for one, wanted, chosen in zip(self.draw(name)[0], AXES[name], panels):
+                    self.check_drawn(one, wanted, data, chosen, name)
+
+    def test_those_that_show_more_than_averages(self):
+        for name, labels in OTHERS.items():
+            with self.subTest(figure=name):
+                for one, (right, up) in zip(self.draw(name)[0], labels, strict=True):
+                    self.assertIn(right, one.get_xlabel())
+                    self.assertIn(up, one.get_ylabel())
 
     def test_local_fields_fill_their_box(self):
         axes = self.draw("P2-27")[0]  # made 100 wide
         self.assertEqual([(one.get_xlim(), one.get_ylim()) for one in axes],
                          2 * [((0, 100), (0, 100))] + 2 * [((0, 100), (0, 800))])
+        self.assertEqual([list(one.collections[0].get_array()) for one in axes], 2 * [[0.79, 0.81], [6e-5, 4e-6]])
+
+    def test_phase_diagrams_of_bands_show_all_boundaries_and_where_they_end(self):
+        """R_v, on the way up too, where phi_N alone is looked for; P^el and mu."""
+        wanted = {"$R_v$": 2, "$R_v$, rate rising": 1, "$P^{el}$": 2, "$\\mu$": 2}
+        begin, end = (made.bands(phi, 1.0, 1e-3) for phi in (made.LOW, made.HIGH))
+        for name, x_range, y_range in (("P2-25", (made.LOW, made.HIGH), (1e-3, 2e-3)),
+                                       ("P2-26", (begin["p"], end["p"]), (0.9e-3, 1.1e-3)),
+                                       ("P2-29", (begin["p"], end["p"]), (begin["sigma"], end["sigma"]))):
+            with self.subTest(figure=name):
+                (axes,), _ = self.draw(name)
+                names = [text.rpartition(", ")[0] for text in axes.get_legend_handles_labels()[1]]
+                self.assertEqual({by: names.count(by) for by in wanted}, wanted)
+                ((x,), (y,)), = [line.get_data() for line in axes.lines if line.get_marker() == "*"]
+                for place, (low, high) in ((x, x_range), (y, y_range)):
+                    self.assertTrue(low < place < high, (place, low, high))
+
+    def test_bands_lie_beside_the_boundaries(self):
+        """Of both sizes of boxes."""
+        (axes,), _ = self.draw("P2-35")
+        points = np.array(drawn(axes))
+        for band in (made.FAST, made.SLOW):
+            self.assertGreaterEqual((np.abs(points / band - 1) < 1e-6).all(axis=1).sum(), 6, band)
+
+    def test_parts_of_the_anisotropy_are_compared(self):
+        self.draw("P1-16")
+        with open(self.place / "out/P1-16/stated.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        for part, truth in (("delta_p_el/delta_p_kin", 2.0), ("delta_p_dis/delta_p", 0.0)):
+            found = [float(row["ours"].split()[0]) for row in rows if row["what"].startswith(part)]
+            self.assertTrue(found, part)
+            np.testing.assert_allclose(found, truth, rtol=1e-3)
 
     def test_what_the_papers_draw_over_the_points(self):
         def black(axes):

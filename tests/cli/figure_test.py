@@ -13,7 +13,7 @@ from unittest import mock
 import numpy as np
 
 import python_package  # noqa: F401  bagnold_package
-from bagnold import SOURCE, CliTest
+from bagnold import SOURCE, CliTest, environment
 
 from bagnold_package.plots import figure_page
 
@@ -184,6 +184,18 @@ class FigureTest(CliTest):
         result = self.figure("P9-1", "--figures", own, "--data", "tables", "--out", "out")
         self.assertIn("other.csv not in tables", result.stderr)
 
+    def test_notes_of_fits_are_said_once(self):
+        """Of a panel and of what is stated: a datum without an error weighs by that of the others."""
+        fit = "exponents --x disks.elasticity --y B_p"
+        own = self.own(ONE.replace("table --x disks.elasticity --y {y}", fit).replace('"table"', f'"{fit}"'))
+        (self.folder / "tables").mkdir()
+        table = self.folder / "tables/tiny.csv"
+        for error, count in (("0.1", 0), ("", 1)):
+            table.write_text(f"disks.elasticity,B_p,B_p_error\n1,2,0.1\n3,3,0.1\n10,4,{error}\n")
+            result = self.figure("P9-1", "--figures", own, "--data", "tables", "--out", "out",
+                                 env=environment() | {"BAGNOLD_PYTHON": "/bin/true"})
+            self.assertEqual(result.stderr.count("1 of 3 data have a run without an error"), count, result.stderr)
+
     def test_several_sweeps_are_one_table(self):
         own = self.own(ONE.replace('data = "tiny"', 'data = ["tiny", "finer"]'))
         finer = SWEEP.replace("[1, 10]", "[3]").replace('"disks.seed" = [1, 2]', '"disks.seed" = [3]')
@@ -202,7 +214,6 @@ panel = [
   { profile = "phi_aligned", level = "disks.packing_fraction", curve = ["disks.elasticity"] },
   { field = "phi", where = { "disks.elasticity" = 10 } },
   { histogram = "theta", at = 90, x = "disks.elasticity" },
-  { bands = true },
 ]
 """
         sweep = SWEEP.replace("[output]", "[measure]\ncontacts = true\nprofiles = true\nfields = true\n[output]")

@@ -13,6 +13,7 @@ from sweep_table import crossover, q_star
 
 PHI_J = 0.8433
 LOW, HIGH = 0.7891, 0.8053  # the coexistence region of the bands, at any rate
+FAST, SLOW = (0.788, 6.2e-5), (0.809, 4e-6)  # phi and gammadot in the middle of the bands
 ERRORS = {"mu": 0.001}  # relative; 0.01 where none is named
 FIT_SHARPNESS, FIT_POWER = 3.0, 1.3
 
@@ -61,8 +62,10 @@ def contacts(out, rate, z):
 def cd_n(phi, q, rate):
     out = {}
     b = crossover(q, p1_q_star(phi), c=0.02 * (0.84335 - phi) ** -3, s=FIT_SHARPNESS, power=FIT_POWER)
-    stresses(out, rate, q, p_el=b * rate**2, p_kin=0.1 * b * rate**2, sigma_el=0.4 * b**0.9 * rate**2,
-             sigma_kin=(0.82 - phi) * rate**2 * b**0.9, p_dis=1e-3 * rate**2, sigma_dis=0.02 * rate**3,
+    drift = (rate / 1e-5) ** 0.05  # tells the curves of other rates from that of 1e-5
+    stresses(out, rate, q, p_el=drift * b * rate**2, p_kin=drift**2 * 0.2 * (1 - phi) * b * rate**2,
+             sigma_el=drift * 0.4 * b**0.9 * rate**2, sigma_kin=drift**2 * (0.82 - phi) * rate**2 * b**0.9,
+             p_dis=drift * 1e-3 * phi * rate**2, sigma_dis=0.02 * phi * rate**3,
              delta_p_el=0.02 * b * rate**2, delta_p_kin=0.01 * b * rate**2)
     contacts(out, rate, rate * (200 * (1 + phi) + q + 100 / q * (1e-3 / rate) ** 0.2))
     return out
@@ -99,6 +102,8 @@ def bands(phi, q, rate):
     mu = 0.4 - 2.7 * (phi - 0.77) + 5.7 * np.clip(phi - LOW, 0, HIGH - LOW) - 0.002 * np.log(rate)
     stresses(out, rate, q, p_el=p, sigma_el=0.85 * mu * p, sigma_dis=0.15 * mu * p)
     out["R_v"] = 20.0 if LOW < phi < HIGH else 1.1
+    for name, (local_phi, local_rate) in (("fast", FAST), ("slow", SLOW)):
+        out |= {f"band_phi_{name}": local_phi, f"band_gammadot_{name}": local_rate}
     return out
 
 
@@ -144,9 +149,10 @@ def rest_of(data, phi, q, rate):
     """What panels show other than averages."""
     y = np.linspace(0, 100, 80)
     if data.startswith("bands"):
-        wave = np.cos(2 * np.pi * y / 100)
-        profile = {"phi": 0.7985 + 0.0105 * wave, "gammadot": 3.3e-5 - 2.9e-5 * wave,
-                   "v_x": rate * y - 50 * rate}
+        of_slow = (1 + np.cos(2 * np.pi * y / 100)) / 2
+        (fast_phi, fast_rate), (slow_phi, slow_rate) = FAST, SLOW
+        profile = {"phi": fast_phi + (slow_phi - fast_phi) * of_slow,
+                   "gammadot": fast_rate + (slow_rate - fast_rate) * of_slow, "v_x": rate * y - 50 * rate}
         fields = {"x": [10.0, 60.0], "y": [20.0, 70.0], "diameter": [1.0, 1.4], "phi": [0.79, 0.81],
                   "gammadot": [6e-5, 4e-6]}
         return {"samples/fields": fields, "samples/fields_frame": {"box_length": [100.0]}} | {

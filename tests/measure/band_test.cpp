@@ -44,14 +44,15 @@ TEST(Band, ShareOfNothingAndAll) {
 }
 
 TEST(Band, MeanWhereItShearsFastest) {
-  for (int const first : {3, 14}) {  // the other one across the edge of the period
-    auto rate = well(16, first, first + 3), phi = rate;
+  for (int const first : {3, 15}) {  // an eighth: two bins, the other time across the edge
+    auto phi = well(16, first, first + 3), rate = phi;
     for (double& value : rate) value = 1 - value;
-    phi[static_cast<std::size_t>((first + 1) % 16)] = 0.5;  // an eighth: two bins, the first best
-    EXPECT_EQ(in_fastest_band(rate, rate), 1.0);
+    for (int const b : {first, (first + 1) % 16}) rate[static_cast<std::size_t>(b)] = 1.5;
+    phi[static_cast<std::size_t>((first + 1) % 16)] = 0.5;
+    EXPECT_EQ(in_fastest_band(rate, rate), 1.5) << first;
     EXPECT_EQ(in_fastest_band(rate, phi), 0.25) << first;
     for (double& value : rate) value *= -1;
-    EXPECT_EQ(in_fastest_band(rate, phi), 1.0);
+    EXPECT_EQ(in_fastest_band(rate, phi), 1.0) << first;
   }
   std::vector const some{1.0, 2.0}, none{1.0, std::nan("")};
   EXPECT_TRUE(std::isnan(in_fastest_band(some, none)));

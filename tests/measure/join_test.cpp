@@ -65,7 +65,7 @@ TEST(Join, ProfilesAreOfTheAveragesOverAllFrames) {
       EXPECT_NEAR(joined.profiles[k].value[b], expected, 1e-9 * std::abs(expected) + 1e-15)
           << whole.profiles[k].name;
     }
-  EXPECT_EQ(whole.scalars.size(), 2u);
+  EXPECT_EQ(whole.scalars.size(), 6u);
   for (auto const& [name, estimate] : whole.scalars)
     EXPECT_NEAR(*joined.scalars.at(name).all.mean, *estimate.all.mean, 1e-9);
   EXPECT_EQ(joined.samples[0].rows, whole.samples[0].rows);

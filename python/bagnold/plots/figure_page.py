@@ -13,7 +13,7 @@ import textwrap
 import numpy as np
 
 from .analysis_page import LABELS, draw_curve, keep_in_view, label, pretty, read
-from .figure_data import band_edges, histogram, points_of, principal_axes, profile, smoothed, together
+from .figure_data import band_edges, histogram, points_of, principal_axes, profile, together
 from .style import BLUE, COLOURS, DASHED, GREY, MARKERS, VERMILION, plt, save
 
 from matplotlib.collections import EllipseCollection
@@ -312,24 +312,9 @@ def draw_boundary(axes, panel, _):
     axes.set_ylabel(label(panel["at"][1]))
 
 
-def draw_bands(axes, panel, points):
-    """Local gammadot against local phi in the middle of either band, where gammadot is largest and least: P2
-    Fig. 35. With a name, in other marks."""
-    for k, (text, extreme) in enumerate(((r"$\phi_B^*$", np.argmax), (r"$\phi_N^*$", np.argmin))):
-        found = []
-        for point in points:
-            phi, rate = (smoothed(profile([point], f"{name}_aligned")[1]) for name in ("phi", "gammadot"))
-            found.append((phi[extreme(rate)], rate[extreme(rate)]))
-        axes.plot(*np.array(found).T, MARKERS[k + 2 if "name" in panel else k], color=(BLUE, VERMILION)[k],
-                  label=", ".join(filter(None, (text, panel.get("name")))))
-    axes.set_yscale("log")
-    axes.set_xlabel(r"$\phi$")
-    axes.set_ylabel(LABELS["shear.strain_rate"])
-
-
 PANELS = {"analyse": draw_analysis, "histogram": draw_histogram, "profile": draw_profile,
           "field": draw_field, "samples": draw_scatter, "series": draw_loop,
-          "at": draw_boundary, "bands": draw_bands, "arrows": draw_arrows}
+          "at": draw_boundary, "arrows": draw_arrows}
 
 
 # ----------------------------------------------------------------------------------------- layout
@@ -337,7 +322,7 @@ PANELS = {"analyse": draw_analysis, "histogram": draw_histogram, "profile": draw
 
 def kind_of(panel):
     """What a panel draws is named by the key that it has."""
-    for key in ("histogram", "profile", "field", "samples", "series", "bands", "at", "arrows", "analyse"):
+    for key in ("histogram", "profile", "field", "samples", "series", "at", "arrows", "analyse"):
         if key in panel:
             return key
     raise ValueError(f"a panel has none of {', '.join(PANELS)}")
