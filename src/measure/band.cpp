@@ -45,10 +45,11 @@ double share_below(std::span<double const> profile, double level) {
 }
 
 double in_fastest_band(std::span<double const> rate, std::span<double const> profile) {
+  double most = -std::numeric_limits<double>::infinity();
   std::size_t fastest = 0;
   for (std::size_t b = 0; b < rate.size(); ++b) {
     if (std::isnan(rate[b] + profile[b])) return std::numeric_limits<double>::quiet_NaN();
-    if (mean_from(rate, b) > mean_from(rate, fastest)) fastest = b;
+    if (double const mean = mean_from(rate, b); mean > most) most = mean, fastest = b;
   }
   return mean_from(profile, fastest);
 }

@@ -164,21 +164,21 @@ void Profiles::report(std::vector<FrameObserver const*> const& systems,
 std::vector<SampledObservable> Profiles::observables() const {
   double const rate = rate_;
   auto const quantities = profile_quantities(slices_, rate, scene_.rotates());
-  auto const named = [&](std::string_view name) {
-    return *std::ranges::find(quantities, name, &ProfileQuantity::name);
-  };
-  auto const share = [&](std::string_view name, double level, double sign) {
-    return [=, quantity = named(name), slices = slices_](Averages all) {
-      auto values = profile(slices, quantity, all);
-      for (double& value : values) value *= sign;
-      return share_below(values, sign * level);
+  auto const values = [&](std::string_view name, double sign) {
+    auto const quantity = *std::ranges::find(quantities, name, &ProfileQuantity::name);
+    return [=, slices = slices_](Averages all) {
+      auto of_slices = profile(slices, quantity, all);
+      for (double& value : of_slices) value *= sign;
+      return of_slices;
     };
   };
+  auto const share = [&](std::string_view name, double level, double sign) {
+    return
+        [=, of = values(name, sign)](Averages all) { return share_below(of(all), sign * level); };
+  };
   auto const in_band = [&](std::string_view name, double sign) {
-    return [=, quantity = named(name), flow = named("gammadot"), slices = slices_](Averages all) {
-      auto rates = profile(slices, flow, all);
-      for (double& value : rates) value *= sign;
-      return in_fastest_band(rates, profile(slices, quantity, all));
+    return [rate = values("gammadot", sign), of = values(name, 1.0)](Averages all) {
+      return in_fastest_band(rate(all), of(all));
     };
   };
   std::vector<SampledObservable> all;
