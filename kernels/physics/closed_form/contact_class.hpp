@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+#include "kernels/physics/laws/contact.hpp"
+#include "kernels/physics/motion.hpp"
+#include "kernels/physics/species.hpp"
+
+namespace bagnold {
+
+/// A disk, or the image of one, at one instant.
+template <bool Rotates>
+struct DiskMotion {
+  Vec2<Real> position;     ///< [d_s]
+  Motion<Rotates> motion;  ///< lab frame, an image with the shear of the box
+};
+
+/// Disk i against disk j, or against an image of it.
+template <bool Rotates>
+struct PairMotion {
+  Vec2<Real> separation;  ///< r_ij = r_i - r_j, [d_s]
+  Vec2<Real> velocity;    ///< v_i - v_j, [d_s / tau_e]
+};
+
+template <>
+struct PairMotion<true> {
+  Vec2<Real> separation, velocity;
+  Real spin_i, spin_j;  ///< thetadot, counter-clockwise, [1 / tau_e]
+};
+
+/// Centre of mass of two disks. It flies straight while they touch nobody else.
+struct PairCentre {
+  Vec2<Real> position, velocity;
+};
+
+/// Constants of the contacts of a disk i with a disk j: harmonic repulsion, a linear law.
+///
+/// With mu = m_i m_j/(m_i + m_j), along the normal and along the tangent
+///
+///     delta'' = -omega_0^2 delta - 2 b delta' - ..,   omega_0^2 = k_e/(mu d_ij^2),  b = k_n/(2 mu)
+///     V' = -a V - ..,     a = k_t/mu, where disks roll 3 k_t/mu
+///
+/// where V is the sliding velocity at the point of contact (closed_contact.hpp has the equations).
+template <bool Rotates>
+struct ContactClass {
+  Real distance;                  ///< d_ij, [d_s]
+  Real inverse_distance;          ///< 1/d_ij
+  Real reduced_mass;              ///< mu, [m]
+  Real share_i, share_j;          ///< mu/m_i, mu/m_j: of the relative motion
+  Real arm_i, arm_j;              ///< d_i/(d_i + d_j), d_j/(d_i + d_j): P2 Eq. (6)
+  Real spin_gain_i, spin_gain_j;  ///< mu d/(2 I) = 4 mu/(m d), [1 / d_s]; spins per sliding
+  Real normal_damping;            ///< k_n, [m / tau_e]
+  Real tangential_damping;        ///< k_t
+  Real damping_rate;              ///< b, [1 / tau_e]
+  Real frequency02;               ///< omega_0^2, [1 / tau_e^2]
+  Real frequency;                 ///< omega = sqrt(omega_0^2 - b^2); 0 where overdamped
+  Real half_period;               ///< pi/omega, duration of a head-on contact, [tau_e]
+  Real restitution;               ///< exp(-pi b/omega), P1 Eq. (7)
+  Real sliding_rate;              ///< a, [1 / tau_e]
+
+  /// Whether contacts end of themselves. An overdamped one has no end in closed form: Q below
+  /// d_ij/(2 sqrt(mu)) for k_n = 1/Q, so below 0.564 and 0.714 .. 0.99 for masses by area and equal
+  /// ones.
+  bool underdamped() const { return frequency > 0; }
+
+  template <LinearLaw Law>
+  static ContactClass of(Law const& law, SpeciesTable const& table, Species i, Species j) {
+    static_assert(Law::rotates == Rotates);
+    ContactClass c{};
+    Real const inverse_i = table.inverse_mass[i], inverse_j = table.inverse_mass[j];
+    Real const d_i = table.diameter[i], d_j = table.diameter[j];
+    c.distance = class_distance(pair_class(i, j));
+    c.inverse_distance = 1 / c.distance;
+    c.reduced_mass = 1 / (inverse_i + inverse_j);
+    c.share_i = c.reduced_mass * inverse_i;
+    c.share_j = c.reduced_mass * inverse_j;
+    c.arm_i = d_i / (d_i + d_j);
+    c.arm_j = d_j / (d_i + d_j);
+    c.spin_gain_i = c.reduced_mass * d_i / 2 * table.inverse_inertia[i];
+    c.spin_gain_j = c.reduced_mass * d_j / 2 * table.inverse_inertia[j];
+    c.normal_damping = law.normal_damping();
+    c.tangential_damping = law.tangential_damping();
+    c.damping_rate = c.normal_damping / (2 * c.reduced_mass);
+    c.frequency02 = 1 / (c.reduced_mass * c.distance * c.distance);
+    Real const frequency2 = c.frequency02 - c.damping_rate * c.damping_rate;
+    c.frequency = frequency2 > 0 ? std::sqrt(frequency2) : 0;
+    c.half_period = std::numbers::pi / c.frequency;
+    c.restitution = std::exp(-c.damping_rate * c.half_period);
+    c.sliding_rate = tangential_mobility(Rotates) * c.tangential_damping / c.reduced_mass;
+    return c;
+  }
+
+  /// Of two disks, and back.
+  PairCentre centre(DiskMotion<Rotates> const& i, DiskMotion<Rotates> const& j) const {
+    return {share_j * i.position + share_i * j.position,
+            share_j * i.motion.velocity + share_i * j.motion.velocity};
+  }
+
+  DiskMotion<Rotates> disk_i(PairCentre const& centre, PairMotion<Rotates> const& pair) const {
+    DiskMotion<Rotates> of{centre.position + share_i * pair.separation, {}};
+    of.motion.velocity = centre.velocity + share_i * pair.velocity;
+    if constexpr (Rotates) of.motion.spin = pair.spin_i;
+    return of;
+  }
+  DiskMotion<Rotates> disk_j(PairCentre const& centre, PairMotion<Rotates> const& pair) const {
+    DiskMotion<Rotates> of{centre.position - share_j * pair.separation, {}};
+    of.motion.velocity = centre.velocity - share_j * pair.velocity;
+    if constexpr (Rotates) of.motion.spin = pair.spin_j;
+    return of;
+  }
+};
+
+/// One disk against the other.
+template <bool Rotates>
+PairMotion<Rotates> pair_motion(DiskMotion<Rotates> const& i, DiskMotion<Rotates> const& j) {
+  PairMotion<Rotates> pair;
+  pair.separation = i.position - j.position;
+  pair.velocity = i.motion.velocity - j.motion.velocity;
+  if constexpr (Rotates) {
+    pair.spin_i = i.motion.spin;
+    pair.spin_j = j.motion.spin;
+  }
+  return pair;
+}
+
+/// The contact classes of a law, by the species of i and of j.
+template <bool Rotates>
+struct ContactClasses {
+  ContactClass<Rotates> of[2][2];
+
+  template <LinearLaw Law>
+  static ContactClasses make(Law const& law, SpeciesTable const& table) {
+    ContactClasses all;
+    for (Species i = 0; i < 2; ++i)
+      for (Species j = 0; j < 2; ++j) all.of[i][j] = ContactClass<Rotates>::of(law, table, i, j);
+    return all;
+  }
+
+  ContactClass<Rotates> const& operator()(Species i, Species j) const { return of[i][j]; }
+
+  /// Whether every contact of two alone has an end.
+  bool underdamped() const {
+    return of[0][0].underdamped() && of[0][1].underdamped() && of[1][1].underdamped();
+  }
+};
+
+}  // namespace bagnold
