@@ -8,6 +8,15 @@
 
 namespace bagnold {
 
+/// Two disks in contact at one phase, in polar form. T: a number, or one for each of many phases.
+template <class T>
+struct PolarMotion {
+  T overlap;       ///< delta = d_ij - r_ij, [d_s]
+  T approach;      ///< delta', [d_s / tau_e]
+  T angular;       ///< l = r v_t/d_ij, [d_s / tau_e]
+  Vec2<T> normal;  ///< n, from j to i
+};
+
 /// A contact of two disks that touch nobody else, from one instant of it (s = 0) to its end, in
 /// closed form. Harmonic repulsion, a linear law, underdamped classes only.
 ///
@@ -42,12 +51,7 @@ namespace bagnold {
 ///     // contact_integrals.hpp: time integrals of all columns of sums between two phases
 template <bool Rotates>
 struct ClosedContact {
-  /// All of one phase, in polar form.
-  struct Polar {
-    Real overlap, approach;  ///< delta, delta'
-    Real angular;            ///< l, [d_s / tau_e]
-    Vec2<Real> normal;       ///< n
-  };
+  using Class = ContactClass<Rotates>;
 
   Vec2<Real> normal;          ///< n at s = 0
   Real overlap;               ///< delta at s = 0, [d_s]
@@ -56,84 +60,72 @@ struct ClosedContact {
   Real cosine, sine;          ///< P, R: delta = exp(-b s)(P cos + R sin) - sum C_q exp(-q a s)
   Real centrifugal[3];        ///< C_q, [d_s]
   Real duration;              ///< to the end, [tau_e]
+  PolarMotion<Real> last;     ///< at s = duration, where |separation| = d_ij
   PairMotion<Rotates> start;  ///< at s = 0
-  PairMotion<Rotates> end;    ///< at s = duration, where |separation| = d_ij
-  Polar last;                 ///< likewise
+  PairMotion<Rotates> end;    ///< at s = duration
 
   /// Disks that come to touch, r_ij = d_ij but for rounding.
-  static ClosedContact begin(ContactClass<Rotates> const& c, PairMotion<Rotates> const& pair) {
+  static ClosedContact begin(Class const& c, PairMotion<Rotates> const& pair) {
     ClosedContact k = with(c, pair, true);
-    k.find_end(c);
+    if (k.approach > 0)
+      k.find_end(c);
+    else
+      k.end_at_once();
     return k;
   }
 
   /// Disks in contact for some time already, r_ij <= d_ij: duration is what is left.
-  static ClosedContact resume(ContactClass<Rotates> const& c, PairMotion<Rotates> const& pair) {
+  static ClosedContact resume(Class const& c, PairMotion<Rotates> const& pair) {
     ClosedContact k = with(c, pair, false);
-    k.find_end(c);
+    if (k.overlap > 0 || k.approach > 0)
+      k.search_end(c);
+    else
+      k.end_at_once();
     return k;
   }
 
-  /// Overlap and its derivative.
-  struct Radial {
-    Real overlap, approach;
-  };
+  /// State at a phase 0 <= s <= duration.
+  PairMotion<Rotates> at(Class const& c, Real s) const { return motion(c, polar(c, s)); }
 
-  /// Numbers of a phase, which all others are made of.
-  struct Phase {
-    Real s, decay, cosine, sine;  ///< exp(-b s), cos(omega s), sin(omega s)
-    Real slide = 1;               ///< exp(-a s)
-    Real slide_time = 0;          ///< (1 - exp(-a s))/a, [tau_e]
-  };
-
-  static Phase phase(ContactClass<Rotates> const& c, Real s) {
-    Phase p{s, std::exp(-c.damping_rate * s), std::cos(c.frequency * s), std::sin(c.frequency * s)};
-    p.slide_time = s;
-    if (c.sliding_rate != 0) {
-      Real const lost = -std::expm1(-c.sliding_rate * s);
-      p.slide = 1 - lost;
-      p.slide_time = lost / c.sliding_rate;
-    }
-    return p;
+  PolarMotion<Real> first() const { return {overlap, approach, constant + sliding, normal}; }
+  PolarMotion<Real> polar(Class const& c, Real s) const {
+    auto const p = c.rates.phase(s);
+    return polar(c, p, radial(c, p));
   }
-
-  Radial radial(ContactClass<Rotates> const& c, Phase const& p) const {
-    Real const b = c.damping_rate, w = c.frequency, a = c.sliding_rate;
-    Real const first = centrifugal[1] * p.slide, second = centrifugal[2] * p.slide * p.slide;
-    return {p.decay * (cosine * p.cosine + sine * p.sine) - (centrifugal[0] + first + second),
-            p.decay * ((w * sine - b * cosine) * p.cosine - (w * cosine + b * sine) * p.sine) +
-                a * (first + 2 * second)};
-  }
-
-  Polar polar(ContactClass<Rotates> const& c, Real s) const {
-    Phase const p = phase(c, s);
+  template <class T>
+  PolarMotion<T> polar(Class const& c, ContactPhase<T> const& p) const {
     return polar(c, p, radial(c, p));
   }
 
-  /// State at a phase 0 <= s <= duration.
-  PairMotion<Rotates> at(ContactClass<Rotates> const& c, Real s) const {
-    return motion(c, polar(c, s));
-  }
-
-  PairMotion<Rotates> motion(ContactClass<Rotates> const& c, Polar const& of) const {
-    Real const r = c.distance - of.overlap;
+  /// From polar form.
+  PairMotion<Rotates> motion(Class const& c, PolarMotion<Real> const& of) const {
     PairMotion<Rotates> pair;
-    pair.separation = r * of.normal;
-    pair.velocity =
-        (of.angular * c.distance / r) * perpendicular(of.normal) - of.approach * of.normal;
+    pair.separation = (c.distance - of.overlap) * of.normal;
+    pair.velocity = tangential(c, of) * perpendicular(of.normal) - of.approach * of.normal;
     if constexpr (Rotates) {
-      Real const slid = of.angular - (constant + sliding);
-      pair.spin_i = start.spin_i - c.spin_gain_i * slid;
-      pair.spin_j = start.spin_j - c.spin_gain_j * slid;
+      pair.spin_i = spin(start.spin_i, c.spin_gain_i, of);
+      pair.spin_j = spin(start.spin_j, c.spin_gain_j, of);
     }
     return pair;
   }
 
-  /// Energy of the relative motion, less what no contact can take, [m d_s^2 / tau_e^2].
-  Real energy(ContactClass<Rotates> const& c, Polar const& of) const {
+  /// v_t
+  template <class T>
+  T tangential(Class const& c, PolarMotion<T> const& of) const {
+    return of.angular / (T(1) - of.overlap * T(c.inverse_distance));
+  }
+
+  /// thetadot of a disk from that at s = 0.
+  template <class T>
+  T spin(Real at_start, Real gain, PolarMotion<T> const& of) const {
+    return T(at_start) - T(gain) * (of.angular - T(constant + sliding));
+  }
+
+  /// Energy of the relative motion and the overlap, up to a constant, [m d_s^2 / tau_e^2].
+  Real energy(Class const& c, PolarMotion<Real> const& of) const {
     Real const x = of.overlap * c.inverse_distance, l = of.angular, slid = l - constant;
     Real const closer = x * (2 - x) / ((1 - x) * (1 - x));  // (d/r)^2 - 1
-    Real const tangential = c.sliding_rate == 0 ? 0 : tangential_mobility(Rotates) * slid * slid;
+    Real const tangential = c.rates.sliding == 0 ? 0 : tangential_mobility(Rotates) * slid * slid;
     return (c.reduced_mass * (of.approach * of.approach + tangential + l * l * closer) + x * x) / 2;
   }
 
@@ -143,129 +135,189 @@ struct ClosedContact {
     Real const u = std::sqrt(dot(end.velocity, end.velocity)), l = largest_tangential();
     return 1.05 * (amplitude() + (u + 2 * l) * duration);
   }
-  Real largest_speed(ContactClass<Rotates> const& c) const {
+  Real largest_speed(Class const& c) const {
     return 1.05 * (amplitude() * std::sqrt(c.frequency02) + largest_tangential());
   }
-  Real largest_acceleration(ContactClass<Rotates> const& c) const {
+  Real largest_acceleration(Class const& c) const {
     Real const w0 = std::sqrt(c.frequency02);
-    return 1.05 * (amplitude() * (c.frequency02 + 2 * c.damping_rate * w0) +
-                   c.sliding_rate * std::fabs(sliding));
+    return 1.05 * (amplitude() * (c.frequency02 + 2 * c.rates.damping * w0) +
+                   c.rates.sliding * std::fabs(sliding));
   }
 
   /// Largest overlap at any phase, from above, [d_s].
   Real amplitude() const { return std::fabs(cosine) + std::fabs(sine); }
 
  private:
+  template <class T>
+  struct Radial {
+    T overlap, approach;
+  };
+
+  template <class T>
+  Radial<T> radial(Class const& c, ContactPhase<T> const& p) const {
+    Real const b = c.rates.damping, w = c.rates.frequency, a = c.rates.sliding;
+    Radial<T> of{
+        p.decay * (T(cosine) * p.cosine + T(sine) * p.sine) - T(centrifugal[0]),
+        p.decay * (T(w * sine - b * cosine) * p.cosine - T(w * cosine + b * sine) * p.sine)};
+    if (a == 0) return of;
+    T const first = T(centrifugal[1]) * p.slide, second = T(centrifugal[2]) * p.slide * p.slide;
+    return {of.overlap - (first + second), of.approach + T(a) * (first + T(2) * second)};
+  }
+
+  template <class T>
+  PolarMotion<T> polar(Class const& c, ContactPhase<T> const& p, Radial<T> const& q) const {
+    Real const a = c.rates.sliding, b = c.rates.damping, w = c.rates.frequency;
+    Real const id = c.inverse_distance;
+    auto const closed = [&](Real rate) {  // of the integral of exp(rate s)(P cos + R sin)
+      Real const scale = 1 / (rate * rate + w * w);
+      return Vec2<Real>{scale * (rate * cosine - w * sine), scale * (w * cosine + rate * sine)};
+    };
+    T lost = T(c.push[0] * centrifugal[0]) * p.time;
+    T l(constant + sliding), path = T(constant + sliding) * p.time;
+    T two_slides(0);
+    if (a != 0) {
+      two_slides = T(0.5) * p.slide_time * (T(1) + p.slide);
+      lost +=
+          T(c.push[1] * centrifugal[1]) * p.slide_time + T(c.push[2] * centrifugal[2]) * two_slides;
+      l = T(constant) + T(sliding) * p.slide;
+      path = T(constant) * p.time + T(sliding) * p.slide_time;
+    }
+    // integral of the overlap, from that of its equation
+    T const sum = (T(approach) - q.approach + T(2 * b) * (T(overlap) - q.overlap) - lost) *
+                  T(1 / c.frequency02);
+    T path_of_overlap = l * sum;
+    if (a != 0) {
+      T const three_slides = T(1.0 / 3) * (p.slide_time + T(2) * p.slide * two_slides);
+      auto const [f, g] = closed(-(a + b));
+      T const fading =  // integral of exp(-a s) delta
+          p.decay * p.slide * (T(f) * p.cosine + T(g) * p.sine) - T(f) -
+          T(centrifugal[0]) * p.slide_time - T(centrifugal[1]) * two_slides -
+          T(centrifugal[2]) * three_slides;
+      path_of_overlap = T(constant) * sum + T(sliding) * fading;
+      if constexpr (Rotates) {
+        auto const [h, k] = closed(a - b);
+        T const growing =  // exp(-a s) times the integral of exp(a s) delta
+            p.decay * (T(h) * p.cosine + T(k) * p.sine) - T(h) * p.slide -
+            T(centrifugal[0]) * p.slide_time - T(centrifugal[1]) * p.time * p.slide -
+            T(centrifugal[2]) * p.slide * p.slide_time;
+        T const more = T(sliding) * p.slide * sum - T(constant / 2) * growing;
+        l += T(4 * a / 3 * id) * more;
+        path += T(4 * id / 3) * (T(sliding) * fading - T(constant / 2) * sum - more);
+      }
+    }
+    return {q.overlap, q.approach, l, turned(T(id) * (path + T(2 * id) * path_of_overlap))};
+  }
+
+  /// n at s = 0, turned by an angle.
+  template <class T>
+  Vec2<T> turned(T const& theta) const {
+    auto const turn = sine_cosine(theta);
+    return {turn.cosine * T(normal.x) - turn.sine * T(normal.y),
+            turn.sine * T(normal.x) + turn.cosine * T(normal.y)};
+  }
+  static series::SineCosine<Real> sine_cosine(Real x) {
+    if (std::fabs(x) < 1.0 / 64) return series::sine_cosine<4>(x);
+    return {std::sin(x), std::cos(x)};
+  }
+  template <class T>
+  static series::SineCosine<T> sine_cosine(T const& x) {
+    return series::sine_cosine<7>(x);
+  }
+
   Real largest_tangential() const { return std::fabs(constant) + std::fabs(sliding); }
 
-  static ClosedContact with(ContactClass<Rotates> const& c, PairMotion<Rotates> const& pair,
-                            bool fresh) {
-    ClosedContact k{};
+  static ClosedContact with(Class const& c, PairMotion<Rotates> const& pair, bool fresh) {
+    ClosedContact k;
     k.start = pair;
     Real const r = std::sqrt(dot(pair.separation, pair.separation));
     k.normal = (1 / r) * pair.separation;
     k.overlap = fresh ? 0 : std::max<Real>(c.distance - r, 0);
     k.approach = -dot(pair.velocity, k.normal);
     Real const l = cross(k.normal, pair.velocity) * (r * c.inverse_distance);
+    Real const b = c.rates.damping, a = c.rates.sliding;
     k.constant = l;
     k.sliding = 0;
-    if (c.sliding_rate != 0) {
+    k.centrifugal[1] = k.centrifugal[2] = 0;
+    if (a != 0) {
       k.constant = 0;
       if constexpr (Rotates) {
         Real const half_roll = c.distance / 2 * (c.arm_i * pair.spin_i + c.arm_j * pair.spin_j);
-        k.constant = 2 * (l + half_roll) / 3;
+        k.constant = Real(2.0 / 3) * (l + half_roll);
       }
       k.sliding = l - k.constant;
+      k.centrifugal[1] = c.centrifugal_gain[1] * 2 * k.constant * k.sliding;
+      k.centrifugal[2] = c.centrifugal_gain[2] * k.sliding * k.sliding;
     }
-    Real const b = c.damping_rate, w = c.frequency, a = c.sliding_rate;
-    Real const of[3] = {k.constant * k.constant, 2 * k.constant * k.sliding, k.sliding * k.sliding};
-    Real sum = 0, slope = 0;
-    for (int q = 0; q < 3; ++q) {
-      Real const rate = q * a - b;
-      k.centrifugal[q] = of[q] * c.inverse_distance / (rate * rate + w * w);
-      sum += k.centrifugal[q];
-      slope += q * a * k.centrifugal[q];
-    }
-    k.cosine = k.overlap + sum;
-    k.sine = (k.approach + b * k.cosine - slope) / w;
+    k.centrifugal[0] = c.centrifugal_gain[0] * k.constant * k.constant;
+    k.cosine = k.overlap + (k.centrifugal[0] + (k.centrifugal[1] + k.centrifugal[2]));
+    k.sine = (k.approach + b * k.cosine - a * (k.centrifugal[1] + 2 * k.centrifugal[2])) *
+             c.inverse_frequency;
     return k;
   }
 
-  Polar polar(ContactClass<Rotates> const& c, Phase const& p, Radial const& q) const {
-    Real const l0 = constant + sliding, a = c.sliding_rate, b = c.damping_rate, w = c.frequency;
-    Real const id = c.inverse_distance;
-    // integral of the overlap, from that of its equation
-    Real const two_slides = p.slide_time * (1 + p.slide) / 2;
-    Real const pushed = centrifugal[0] * (b * b + w * w) * p.s +
-                        centrifugal[1] * ((a - b) * (a - b) + w * w) * p.slide_time +
-                        centrifugal[2] * ((2 * a - b) * (2 * a - b) + w * w) * two_slides;
-    Real const sum =
-        (approach - q.approach + 2 * b * (overlap - q.overlap) - pushed) / c.frequency02;
-    Real l = l0, path = l0 * p.s, path_of_overlap = l0 * sum;
-    if (a != 0) {
-      Real const rate = -(a + b), three_slides = (p.slide_time + 2 * p.slide * two_slides) / 3;
-      Real const fading =  // integral of exp(-a s) delta
-          (p.decay * p.slide *
-               ((rate * cosine - w * sine) * p.cosine + (w * cosine + rate * sine) * p.sine) -
-           (rate * cosine - w * sine)) /
-              (rate * rate + w * w) -
-          centrifugal[0] * p.slide_time - centrifugal[1] * two_slides -
-          centrifugal[2] * three_slides;
-      l = constant + sliding * p.slide;
-      path = constant * p.s + sliding * p.slide_time;
-      path_of_overlap = constant * sum + sliding * fading;
-      if constexpr (Rotates) {
-        Real const up = a - b;
-        Real const growing =  // exp(-a s) times the integral of exp(a s) delta
-            (p.decay * ((up * cosine - w * sine) * p.cosine + (w * cosine + up * sine) * p.sine) -
-             p.slide * (up * cosine - w * sine)) /
-                (up * up + w * w) -
-            centrifugal[0] * p.slide_time - centrifugal[1] * p.s * p.slide -
-            centrifugal[2] * p.slide * p.slide_time;
-        Real const more = sliding * p.slide * sum - constant / 2 * growing;
-        l += 4 * a / 3 * id * more;
-        path += 4 * id / 3 * (sliding * fading - constant / 2 * sum - more);
-      }
-    }
-    Real const theta = id * (path + 2 * id * path_of_overlap);
-    Real const cosine_of = std::cos(theta), sine_of = std::sin(theta);
-    return {q.overlap,
-            q.approach,
-            l,
-            {cosine_of * normal.x - sine_of * normal.y, sine_of * normal.x + cosine_of * normal.y}};
+  void end_at_once() {
+    duration = 0;
+    last = first();
+    end = start;
   }
 
-  void find_end(ContactClass<Rotates> const& c) {
-    Real const nothing = 0;
-    if (overlap <= 0 && approach <= 0) {  // they part, or graze: no time in contact
-      duration = nothing;
-      last = {0, approach, constant + sliding, normal};
-      end = start;
-      return;
+  /// Of a contact that begins: nearly half a period on.
+  void find_end(Class const& c) {
+    Real const w = c.rates.frequency;
+    auto q = radial(c, c.end);
+    Real early = 0;  // before half_period
+    if (q.approach < 0) {
+      Real const first = q.overlap / q.approach;
+      Real const l = constant + sliding * c.end.slide;
+      Real const curvature = -c.frequency02 * q.overlap - 2 * c.rates.damping * q.approach -
+                             l * l * c.inverse_distance;
+      early = first * (1 + curvature * first / (2 * q.approach));
     }
-    Real low = 0, high = (std::numbers::pi - std::atan2(cosine, sine)) / c.frequency;
-    while (radial(c, phase(c, high)).overlap > 0) high += 0.1 / c.frequency;
+    if (q.approach < 0) {
+      for (int n = 0; n < 8; ++n) {
+        Real const slight = std::fabs(early) * c.rates.largest() / ContactRates::slight;
+        if (!(slight < 1)) break;
+        auto const p = c.rates.slightly_earlier(c.end, early, slight < 1.0 / 16);
+        q = radial(c, p);
+        Real const change = q.overlap / q.approach;
+        if (std::fabs(change) * w < 1e-9)
+          return end_at(c, c.rates.earlier_by_nothing_squared(p, change));
+        early += change;
+      }
+    }
+    search_end(c);
+  }
+
+  /// Anywhere: Newton's method in a bracket.
+  void search_end(Class const& c) {
+    Real const w = c.rates.frequency;
+    Real low = 0, high = (std::numbers::pi - std::atan2(cosine, sine)) / w;
+    while (radial(c, c.rates.phase(high)).overlap > 0) high += 0.1 / w;
     Real s = high;
     if (overlap == 0) {  // a grazing contact is a chord
       Real const l = constant + sliding;
       s = std::min(high, 2 * approach * c.distance / (l * l + 1e-300));
     }
-    Radial q{};
-    for (int n = 0; n < 60; ++n) {
-      q = radial(c, phase(c, s));
+    auto p = c.rates.phase(s);
+    for (int n = 0; n < 100; ++n) {
+      auto const q = radial(c, p);
       (q.overlap > 0 ? low : high) = s;
-      Real next = q.approach < 0 ? s - q.overlap / q.approach : (low + high) / 2;
-      if (!(next >= low && next <= high)) next = (low + high) / 2;
-      bool const found = std::fabs(next - s) <= 1e-15 * c.half_period;
-      s = next;
-      if (found) break;
+      Real const change = q.overlap / q.approach;
+      if (q.approach < 0 && std::fabs(change) * w < 1e-9) {
+        p = c.rates.earlier_by_nothing_squared(p, change);
+        break;
+      }
+      s = q.approach < 0 ? s - change : (low + high) / 2;
+      if (!(s > low && s < high)) s = (low + high) / 2;
+      p = c.rates.phase(s);
     }
-    duration = s;
-    Phase const p = phase(c, s);
-    q = radial(c, p);
-    q.overlap = 0;
-    q.approach = std::min(q.approach, nothing);
-    last = polar(c, p, q);
+    end_at(c, p);
+  }
+
+  void end_at(Class const& c, ContactPhase<Real> const& p) {
+    auto const q = radial(c, p);
+    duration = p.time;
+    last = polar(c, p, Radial<Real>{0, std::min<Real>(q.approach, 0)});
     end = motion(c, last);
   }
 };

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "kernels/physics/closed_form/contact_phase.hpp"
+#include "kernels/physics/closed_form/node_numbers.hpp"
 #include "kernels/physics/laws/contact.hpp"
 #include "kernels/physics/motion.hpp"
 #include "kernels/physics/species.hpp"
@@ -53,17 +55,20 @@ struct ContactClass {
   Real spin_gain_i, spin_gain_j;  ///< mu d/(2 I) = 4 mu/(m d), [1 / d_s]; spins per sliding
   Real normal_damping;            ///< k_n, [m / tau_e]
   Real tangential_damping;        ///< k_t
-  Real damping_rate;              ///< b, [1 / tau_e]
   Real frequency02;               ///< omega_0^2, [1 / tau_e^2]
-  Real frequency;                 ///< omega = sqrt(omega_0^2 - b^2); 0 where overdamped
+  ContactRates rates;             ///< b, omega, a, [1 / tau_e]
+  Real inverse_frequency;         ///< 1/omega, [tau_e]
+  Real push[3];                   ///< (q a - b)^2 + omega^2, q = 0, 1, 2, [1 / tau_e^2]
+  Real centrifugal_gain[3];       ///< of l^2 in exp(-q a s): 1/(d_ij push), [tau_e^2 / d_s]
   Real half_period;               ///< pi/omega, duration of a head-on contact, [tau_e]
   Real restitution;               ///< exp(-pi b/omega), P1 Eq. (7)
-  Real sliding_rate;              ///< a, [1 / tau_e]
+  ContactPhase<Real> end;         ///< at half_period
+  ContactPhase<AtNodes> nodes;    ///< at the nodes between 0 and half_period
 
   /// Whether contacts end of themselves. An overdamped one has no end in closed form: Q below
   /// d_ij/(2 sqrt(mu)) for k_n = 1/Q, so below 0.564 and 0.714 .. 0.99 for masses by area and equal
   /// ones.
-  bool underdamped() const { return frequency > 0; }
+  bool underdamped() const { return rates.frequency > 0; }
 
   template <LinearLaw Law>
   static ContactClass of(Law const& law, SpeciesTable const& table, Species i, Species j) {
@@ -82,13 +87,31 @@ struct ContactClass {
     c.spin_gain_j = c.reduced_mass * d_j / 2 * table.inverse_inertia[j];
     c.normal_damping = law.normal_damping();
     c.tangential_damping = law.tangential_damping();
-    c.damping_rate = c.normal_damping / (2 * c.reduced_mass);
     c.frequency02 = 1 / (c.reduced_mass * c.distance * c.distance);
-    Real const frequency2 = c.frequency02 - c.damping_rate * c.damping_rate;
-    c.frequency = frequency2 > 0 ? std::sqrt(frequency2) : 0;
-    c.half_period = std::numbers::pi / c.frequency;
-    c.restitution = std::exp(-c.damping_rate * c.half_period);
-    c.sliding_rate = tangential_mobility(Rotates) * c.tangential_damping / c.reduced_mass;
+    Real const b = c.normal_damping / (2 * c.reduced_mass);
+    Real const a = tangential_mobility(Rotates) * c.tangential_damping / c.reduced_mass;
+    Real const frequency2 = c.frequency02 - b * b;
+    c.rates = {b, frequency2 > 0 ? std::sqrt(frequency2) : 0, a};
+    if (!c.underdamped()) return c;
+    c.inverse_frequency = 1 / c.rates.frequency;
+    for (int q = 0; q < 3; ++q) {
+      c.push[q] = (q * a - b) * (q * a - b) + frequency2;
+      c.centrifugal_gain[q] = c.inverse_distance / c.push[q];
+    }
+    c.half_period = std::numbers::pi * c.inverse_frequency;
+    c.end = c.rates.phase(c.half_period);
+    c.end.cosine = -1;
+    c.end.sine = 0;
+    for (int k = 0; k < AtNodes::count; ++k) {
+      auto const p = c.rates.phase(c.half_period / 2 * (1 + AtNodes::abscissas().v[k]));
+      c.nodes.time.v[k] = p.time;
+      c.nodes.decay.v[k] = p.decay;
+      c.nodes.cosine.v[k] = p.cosine;
+      c.nodes.sine.v[k] = p.sine;
+      c.nodes.slide.v[k] = p.slide;
+      c.nodes.slide_time.v[k] = p.slide_time;
+    }
+    c.restitution = c.end.decay;
     return c;
   }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
+
 #include "kernels/physics/closed_form/closed_contact.hpp"
+#include "kernels/physics/closed_form/node_numbers.hpp"
 #include "kernels/physics/laws/pair_force.hpp"
 #include "kernels/physics/repulsion/repulsion.hpp"
 #include "kernels/physics/sums/contact_motion.hpp"
@@ -9,33 +12,26 @@
 
 namespace bagnold {
 
-/// Gauss's rule on (-1, 1): abscissas > 0 and their weights.
-struct GaussNodes {
-  static constexpr int count = 8;
-  static constexpr Real abscissa[count / 2] = {0.1834346424956498049, 0.5255324099163289858,
-                                               0.7966664774136267396, 0.9602898564975362317};
-  static constexpr Real weight[count / 2] = {0.3626837833783619830, 0.3137066458778872873,
-                                             0.2223810344533744706, 0.1012285362903762591};
-
-  /// Calls at(time, weight) for the nodes between two times.
-  template <class At>
-  static void between(Real from, Real to, At const& at) {
-    Real const half = (to - from) / 2, middle = from + half;
-    for (int k = 0; k < count / 2; ++k)
-      for (int const side : {-1, 1}) at(middle + side * half * abscissa[k], half * weight[k]);
-  }
-};
-
 /// Integrals over a contact, or part of one, of what SumColumns and ContactMotion sum over a
-/// configuration: so a mean over a window needs no samples.
+/// configuration: a mean over a window then needs no samples.
 ///
 /// The trace of the dissipative virial is [d_ij delta - delta^2/2] k_n between the two phases, 0
 /// over whole contacts to rounding; the dissipated energy is what the motion has lost. All else is
-/// Gauss's rule on the closed form, whose error is below 1e-8 of a whole contact at any restitution
-/// above 0.1.
+/// Gauss's rule on the closed form, in pieces short enough for an error below 1e-9.
 ///
-/// A negative weight takes a part back: where a contact is cut at phase s, what was added up to
-/// its duration is corrected by -1 times the integrals from s to duration.
+/// A negative weight takes a part back: where a contact is cut at phase s, what was added up to its
+/// duration is corrected by -1 times the integrals from s to duration.
+///
+///     ContactIntegrals<Law> const integrals{law, c};
+///     integrals.add_pair_columns(columns, contact, 0, contact.duration);
+///     integrals.add_motion_columns(columns, contact, centre, m_i, m_j, strain_rate, 0, T);
+///     integrals.add_contact_motion(motion, contact, 0, T);
+///     // several of them at once, from the same nodes:
+///     integrals.over(contact, 0, T, [&](auto const& nodes) {
+///       nodes.add_pair_columns(columns, 1);
+///       nodes.add_motion_columns(columns, centre, m_i, m_j, strain_rate, 1);
+///       nodes.add_contact_motion(motion, 1);
+///     });
 template <LinearLaw Law>
 struct ContactIntegrals {
   static constexpr bool rotates = Law::rotates;
@@ -44,98 +40,173 @@ struct ContactIntegrals {
   Law const& law;
   ContactClass<rotates> const& c;
 
-  /// Adds to the columns of pairs and `contacts`, and to torque_power of a law that rotates. to:
-  /// indexed by column.
+  /// A contact at the nodes between two phases.
+  struct Nodes {
+    ContactIntegrals const& of;
+    Closed const& contact;
+    Real half;                        ///< of the time between the two, [tau_e]
+    PolarMotion<Real> before, after;  ///< at the two phases
+    AtNodes time, tangential, roll;   ///< s, v_t, and (d_i thetadot_i + d_j thetadot_j)/(2 d_ij)
+    PolarMotion<AtNodes> polar;
+    Vec2<AtNodes> separation, velocity;
+
+    /// Adds to the columns of pairs and `contacts`, and to torque_power of a law that rotates. to:
+    /// indexed by column.
+    template <class Columns>
+    void add_pair_columns(Columns& to, Real weight = 1) const {
+      using C = SumColumns;
+      auto const force = of.pair_force(*this);
+      auto const at_nodes = columns_of(force);
+      Real sum[pair_columns];
+      for (int k = 0; k < C::dissipation; ++k) sum[k] = half * at_nodes.value[k].integral();
+      Real const excess =
+          of.trace(before, after) - (sum[C::dissipative_xx] + sum[C::dissipative_yy]);
+      sum[C::dissipative_xx] += excess / 2;
+      sum[C::dissipative_yy] += excess / 2;
+      sum[C::dissipation] = contact.energy(of.c, before) - contact.energy(of.c, after);
+      for (int k = 0; k < pair_columns; ++k) to[k] += weight * sum[k];
+      to[C::contacts] += weight * 4 * half;
+      if constexpr (rotates)
+        to[C::torque_power] +=
+            weight * (of.rotational_energy(contact, after) - of.rotational_energy(contact, before));
+    }
+
+    /// Adds the columns of the motion of both disks: kinetic_xx .. velocity_y2, spin, spin2.
+    /// centre: at phase 0, in a frame where y = 0 is that of the box. mass: m_i, m_j.
+    template <class Columns>
+    void add_motion_columns(Columns& to, PairCentre const& centre, Real mass_i, Real mass_j,
+                            Real strain_rate, Real weight = 1) const {
+      auto const& c = of.c;
+      Integrated<Columns> integrated{to, weight * half};
+      AtNodes const y = AtNodes(centre.position.y) + AtNodes(centre.velocity.y) * time;
+      AtNodes const ux = peculiar_x(AtNodes(centre.velocity.x), y, strain_rate);
+      AtNodes const vx = peculiar_x(velocity.x, separation.y, strain_rate);
+      auto const add = [&](Real mass, Real share) {
+        add_motion(integrated, AtNodes(mass), ux + AtNodes(share) * vx,
+                   AtNodes(centre.velocity.y) + AtNodes(share) * velocity.y);
+      };
+      add(mass_i, c.share_i);
+      add(mass_j, -c.share_j);
+      if constexpr (rotates) {
+        add_spin(integrated, contact.spin(contact.start.spin_i, c.spin_gain_i, polar));
+        add_spin(integrated, contact.spin(contact.start.spin_j, c.spin_gain_j, polar));
+      }
+    }
+
+    void add_contact_motion(ContactMotion& to, Real weight = 1) const {
+      using M = ContactMotion;
+      Real const w = weight * half;
+      AtNodes const r = AtNodes(of.c.distance) - polar.overlap, &vn = polar.approach;
+      auto const add = [&](int column, AtNodes const& value) {
+        to.value[column] += w * value.integral();
+      };
+      add(M::normal2, vn * vn);
+      add(M::tangential2, tangential * tangential);
+      add(M::tangential_normal, -(tangential * vn));
+      add(M::tangential, -tangential);
+      to.value[M::normal] += weight * (after.overlap - before.overlap);
+      to.value[M::contacts] += 2 * w;
+      if constexpr (rotates) {
+        AtNodes const rolled = r * roll;
+        add(M::rotational2, rolled * rolled);
+        add(M::tangential_rotational, -(tangential * rolled));
+        add(M::rotational_normal, vn * rolled);
+        add(M::rotational, rolled);
+      }
+    }
+  };
+
+  /// Calls with(Nodes) for each of the pieces between two phases.
+  template <class With>
+  void over(Closed const& contact, Real from, Real until, With const& with) const {
+    // 8 nodes integrate exp(-x) over a piece of x = 8, cos(x) over 7, to 1e-9
+    Real const rate = std::fmax(std::sqrt(c.frequency02) / 3.5, c.rates.sliding / 4);
+    int const pieces = std::max(1, static_cast<int>(std::ceil((until - from) * rate)));
+    auto before = from == 0 ? contact.first() : contact.polar(c, from);
+    for (int k = 1; k <= pieces; ++k) {
+      Real const end = k == pieces ? until : from + (until - from) * k / pieces;
+      auto const after = end == contact.duration ? contact.last : contact.polar(c, end);
+      with(nodes(contact, from + (until - from) * (k - 1) / pieces, end, before, after));
+      before = after;
+    }
+  }
+
   template <class Columns>
   void add_pair_columns(Columns& to, Closed const& contact, Real from, Real until,
                         Real weight = 1) const {
-    Real sum[pair_columns] = {}, torque_power = 0;
-    GaussNodes::between(from, until, [&](Real s, Real w) {
-      auto const polar = contact.polar(c, s);
-      auto const pair = contact.motion(c, polar);
-      auto const force = pair_force(polar, pair);
-      auto const of = columns_of(force);
-      for (int k = 0; k < pair_columns; ++k) sum[k] += w * of.value[k];
-      if constexpr (rotates) {
-        Real const torque = force.torque_per_diameter(c.inverse_distance);
-        torque_power += w * torque * 2 * c.distance * roll(pair);
-      }
-    });
-    auto const first = contact.polar(c, from);
-    auto const last = until == contact.duration ? contact.last : contact.polar(c, until);
-    using C = SumColumns;
-    Real const excess = trace(first, last) - (sum[C::dissipative_xx] + sum[C::dissipative_yy]);
-    sum[C::dissipative_xx] += excess / 2;
-    sum[C::dissipative_yy] += excess / 2;
-    sum[C::dissipation] = contact.energy(c, first) - contact.energy(c, last);
-    for (int k = 0; k < pair_columns; ++k) to[k] += weight * sum[k];
-    to[C::contacts] += 2 * weight * (until - from);
-    if constexpr (rotates) to[C::torque_power] += weight * torque_power;
+    over(contact, from, until, [&](auto const& nodes) { nodes.add_pair_columns(to, weight); });
   }
-
-  /// Adds the columns of the motion of both disks: kinetic_xx .. velocity_y2, spin, spin2. centre:
-  /// at phase 0, in a frame where y = 0 is that of the box.
   template <class Columns>
   void add_motion_columns(Columns& to, Closed const& contact, PairCentre const& centre, Real mass_i,
                           Real mass_j, Real strain_rate, Real from, Real until,
                           Real weight = 1) const {
-    GaussNodes::between(from, until, [&](Real s, Real w) {
-      auto const pair = contact.at(c, s);
-      PairCentre const now{centre.position + s * centre.velocity, centre.velocity};
-      auto const add = [&](DiskMotion<rotates> const& disk, Real mass) {
-        Weighed<Columns> weighed{to, weight * w};
-        add_motion(weighed, mass, peculiar_x(disk.motion.velocity.x, disk.position.y, strain_rate),
-                   disk.motion.velocity.y);
-        if constexpr (rotates) add_spin(weighed, disk.motion.spin);
-      };
-      add(c.disk_i(now, pair), mass_i);
-      add(c.disk_j(now, pair), mass_j);
+    over(contact, from, until, [&](auto const& nodes) {
+      nodes.add_motion_columns(to, centre, mass_i, mass_j, strain_rate, weight);
     });
   }
-
-  /// Adds what the contact moves, see ContactMotion.
   void add_contact_motion(ContactMotion& to, Closed const& contact, Real from, Real until,
                           Real weight = 1) const {
-    GaussNodes::between(from, until, [&](Real s, Real w) {
-      auto const pair = contact.at(c, s);
-      to.add(weight * w, pair.separation, pair.velocity, roll(pair));
-    });
+    over(contact, from, until, [&](auto const& nodes) { nodes.add_contact_motion(to, weight); });
   }
 
  private:
+  /// Columns to which integrals are added.
   template <class Columns>
-  struct Weighed {
+  struct Integrated {
     struct Column {
       Real& sum;
       Real weight;
-      void operator+=(Real value) const { sum += weight * value; }
+      void operator+=(AtNodes const& value) const { sum += weight * value.integral(); }
     };
     Columns& to;
     Real weight;
     Column operator[](int column) const { return {to[column], weight}; }
   };
 
-  /// (d_i thetadot_i + d_j thetadot_j)/(d_i + d_j), [1 / tau_e]; 0 without spins.
-  Real roll(PairMotion<rotates> const& pair) const {
+  Nodes nodes(Closed const& contact, Real from, Real until, PolarMotion<Real> const& before,
+              PolarMotion<Real> const& after) const {
+    Real const half = (until - from) / 2, middle = from + half;
+    auto const phases = [&] {
+      if (from == 0) {
+        Real const early = c.half_period - until, by = std::fabs(early) * c.rates.largest();
+        if (by < ContactRates::slight)
+          return c.rates.slightly_earlier(c.nodes,
+                                          AtNodes(early / 2) * (AtNodes(1) + AtNodes::abscissas()),
+                                          by < ContactRates::slight / 16);
+      }
+      return c.rates.earlier(c.rates.phase(middle), AtNodes(-half) * AtNodes::abscissas());
+    }();
+    Nodes n{*this, contact, half, before, after, phases.time, {}, {}, contact.polar(c, phases),
+            {},    {}};
+    AtNodes const r = AtNodes(c.distance) - n.polar.overlap;
+    n.tangential = contact.tangential(c, n.polar);
+    n.separation = r * n.polar.normal;
+    n.velocity = n.tangential * perpendicular(n.polar.normal) - n.polar.approach * n.polar.normal;
     if constexpr (rotates)
-      return c.arm_i * pair.spin_i + c.arm_j * pair.spin_j;
-    else
-      return 0;
+      n.roll = AtNodes(c.arm_i) * contact.spin(contact.start.spin_i, c.spin_gain_i, n.polar) +
+               AtNodes(c.arm_j) * contact.spin(contact.start.spin_j, c.spin_gain_j, n.polar);
+    return n;
   }
 
-  Real trace(typename Closed::Polar const& a, typename Closed::Polar const& b) const {
+  Real trace(PolarMotion<Real> const& a, PolarMotion<Real> const& b) const {
     return c.normal_damping * (b.overlap - a.overlap) * (c.distance - (a.overlap + b.overlap) / 2);
   }
 
-  PairForce<Real> pair_force(typename Closed::Polar const& polar,
-                             PairMotion<rotates> const& pair) const {
-    Contact<Real> contact;
-    contact.normal = polar.normal;
-    contact.relative_overlap = polar.overlap * c.inverse_distance;
-    contact.inverse_distance = c.inverse_distance;
-    contact.velocity = velocity_at_contact<Law>(pair.velocity, pair.separation, c.inverse_distance,
-                                                2 * c.distance * roll(pair));
-    return {pair.separation, HarmonicRepulsion{}.magnitude(contact) * contact.normal,
+  /// Up to a constant, [m d_s^2 / tau_e^2]; I times spin_gain is mu d/2.
+  Real rotational_energy(Closed const& contact, PolarMotion<Real> const& at) const {
+    Real const slid = at.angular - (contact.constant + contact.sliding);
+    Real const mean = c.arm_i * contact.start.spin_i + c.arm_j * contact.start.spin_j;
+    return c.reduced_mass * slid * (slid - c.distance * mean);
+  }
+
+  PairForce<AtNodes> pair_force(Nodes const& n) const {
+    Contact<AtNodes> contact;
+    contact.normal = n.polar.normal;
+    contact.relative_overlap = n.polar.overlap * AtNodes(c.inverse_distance);
+    contact.inverse_distance = AtNodes(c.inverse_distance);
+    contact.velocity = velocity_at_contact<Law>(n.velocity, n.separation, contact.inverse_distance,
+                                                AtNodes(2 * c.distance) * n.roll);
+    return {n.separation, HarmonicRepulsion{}.magnitude(contact) * contact.normal,
             law.dissipative_force(contact), contact.relative_overlap, contact.velocity};
   }
 };

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kernels/physics/vec2.hpp"
+
+namespace bagnold {
+
+/// A number at each node of Gauss's rule on (-1, 1): formulas written for numbers then hold for all
+/// nodes at once.
+struct AtNodes {
+  static constexpr int count = 8;
+#ifdef __CUDA_ARCH__  // the device knows no vectors; nvcc only reads this, it never runs there
+  struct Lanes {
+    Real lane[count];
+    Real& operator[](int k) { return lane[k]; }
+    Real operator[](int k) const { return lane[k]; }
+    friend Lanes operator+(Lanes, Lanes);
+    friend Lanes operator-(Lanes, Lanes);
+    friend Lanes operator*(Lanes, Lanes);
+    friend Lanes operator/(Lanes, Lanes);
+    friend Lanes operator-(Lanes);
+  };
+#else
+  using Lanes = Real __attribute__((vector_size(count * sizeof(Real))));
+#endif
+  Lanes v;
+
+  AtNodes() = default;
+  AtNodes(Lanes lanes) : v(lanes) {}
+  AtNodes(Real x) : v{x, x, x, x, x, x, x, x} {}
+
+  static AtNodes abscissas() {
+    return Lanes{-0.9602898564975362317, -0.7966664774136267396, -0.5255324099163289858,
+                 -0.1834346424956498049, 0.1834346424956498049,  0.5255324099163289858,
+                 0.7966664774136267396,  0.9602898564975362317};
+  }
+
+  /// Over (-1, 1).
+  Real integral() const {
+    constexpr Real weight[count / 2] = {0.1012285362903762591, 0.2223810344533744706,
+                                        0.3137066458778872873, 0.3626837833783619830};
+    Real pair[count / 2];
+    for (int k = 0; k < count / 2; ++k) pair[k] = weight[k] * (v[k] + v[count - 1 - k]);
+    return (pair[0] + pair[1]) + (pair[2] + pair[3]);
+  }
+
+  AtNodes& operator+=(AtNodes const& b) {
+    v = v + b.v;
+    return *this;
+  }
+  friend AtNodes operator+(AtNodes const& a, AtNodes const& b) { return a.v + b.v; }
+  friend AtNodes operator-(AtNodes const& a, AtNodes const& b) { return a.v - b.v; }
+  friend AtNodes operator*(AtNodes const& a, AtNodes const& b) { return a.v * b.v; }
+  friend AtNodes operator/(AtNodes const& a, AtNodes const& b) { return a.v / b.v; }
+  friend AtNodes operator-(AtNodes const& a) { return -a.v; }
+  friend AtNodes multiply_add(AtNodes const& a, AtNodes const& b, AtNodes const& c) {
+    return a * b + c;
+  }
+};
+
+}  // namespace bagnold
