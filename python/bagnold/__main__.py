@@ -53,7 +53,7 @@ def run_import(options: argparse.Namespace) -> int:
                         unit=number("--unit", options.unit), time_unit=parse_number("--time-unit", options.time_unit),
                         strain_rate=number("--strain-rate", options.strain_rate),
                         diameters=None if options.diameters is None else parse_diameters(options.diameters),
-                        atom_style=options.atom_style, tolerance=parse_number("--tolerance", options.tolerance))
+                        atom_style=options.atom_style, bounds=options.bounds, tolerance=parse_number("--tolerance", options.tolerance))
     if not options.quiet:
         print(made, end="")
     return 0
@@ -87,6 +87,8 @@ def main(words: Sequence[str] | None = None) -> int:
     command.add_argument("--strain-rate", metavar="RATE", help="of the velocities, in the file's unit [as it says]")
     command.add_argument("--diameters", metavar="TYPE=D,TYPE=D", help="by type, of a file without [none]")
     command.add_argument("--atom-style", metavar="STYLE", help="of a LAMMPS data file [its hint]")
+    command.add_argument("--bounds", metavar="KIND", help="of a tilted cell in a dump: outer, of all that it covers, or edges, xlo "
+                         "and xhi [as the disks lie]")
     command.add_argument("--tolerance", default="1e-6", help="of diameters, relative [1e-6]")
     command.add_argument("--quiet", action="store_true", help="do not tell what a scene needs")
     command.set_defaults(run=run_import)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, overload
@@ -123,7 +124,8 @@ def pairs_within(position: Array, box: Box, diameter: Array, beyond: float
     position = box.wrapped(np.asarray(position, dtype=np.float64))
     reach = float(diameter.max()) + beyond
     # slices of y, and cells of the coordinate along x in each, at least `reach` wide
-    slices, cells = int(box.height / reach), int(box.length / reach)
+    most = 4 + 2 * math.isqrt(len(position))  # no more cells than disks, in boxes that are nearly empty
+    slices, cells = min(int(box.height / reach), most), min(int(box.length / reach), most)
     if slices < 3 or cells < 4:
         found = _all_pairs(position, box, diameter, beyond)
     else:

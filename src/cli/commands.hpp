@@ -93,7 +93,7 @@ struct ImportOptions {
   std::filesystem::path file;   ///< configuration of another program
   std::filesystem::path state;  ///< to write
   std::string format;           ///< "lammps", "dump" or "extxyz"; "": as the file looks
-  std::string frame, unit, time_unit, rate, diameters, atom_style, tolerance;
+  std::string frame, unit, time_unit, rate, diameters, atom_style, bounds, tolerance;
   bool quiet = false;
 };
 

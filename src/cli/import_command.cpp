@@ -23,6 +23,7 @@ std::vector<std::string> words_of(ImportOptions const& options) {
       {"--strain-rate", options.rate},
       {"--diameters", options.diameters},
       {"--atom-style", options.atom_style},
+      {"--bounds", options.bounds},
       {"--tolerance", options.tolerance}};
   for (auto const& [name, value] : wishes)
     if (!value.empty()) words.push_back(name + "=" + value);
@@ -51,6 +52,11 @@ Command add_import(Words program) {
   command.option("--diameters", options->diameters,
                  "TYPE=D,TYPE=D: by type, of a file that has none");
   command.option("--atom-style", options->atom_style, "of a LAMMPS data file [its hint]");
+  command
+      .option("--bounds", options->bounds,
+              "of a tilted cell in a dump: outer, of all that it covers, or edges, xlo and xhi [as "
+              "the disks lie]")
+      .one_of({"outer", "edges"});
   command.option("--tolerance", options->tolerance,
                  "relative, within which diameters are 1 and 1.4 [1e-6]");
   command.flag("--quiet", options->quiet, "do not tell what a scene needs");

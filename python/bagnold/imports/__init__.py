@@ -14,8 +14,10 @@ from collections.abc import Callable, Mapping
 
 from ..errors import InputError
 from . import extxyz, lammps_data, lammps_dump
-from .configuration import Configuration, Wishes, name_of, opened, text_or_refuse
+from .configuration import Configuration, Wishes, name_of
+from .lammps_bounds import EDGES, OUTER
 from .state import ImportedState, Units, write_state
+from .text import NUMBER, not_text, opened
 
 #: A format's name, and what reads it.
 FORMATS: dict[str, Callable[[pathlib.Path, Wishes], Configuration]] = {
@@ -29,24 +31,27 @@ __all__ = ["FORMATS", "ImportedState", "import_state", "parse_diameters", "parse
 def import_state(file: str | os.PathLike[str], out: str | os.PathLike[str], *, format: str | None = None, frame: int = -1,
                  unit: float | None = None, time_unit: float = 1.0, strain_rate: float | None = None,
                  diameters: Mapping[str | int, float] | None = None, atom_style: str | None = None,
-                 tolerance: float = 1e-6) -> ImportedState:
+                 bounds: str | None = None, tolerance: float = 1e-6) -> ImportedState:
     """Writes a state file, for start.kind = "state", of a configuration of another program.
 
     format: "lammps" (data file), "dump" (of LAMMPS) or "extxyz"; by default as the file looks. frame: from 0, or from
     the end. unit, time_unit: d_s and tau_e in the file's units; by default its smallest diameter, and 1. strain_rate:
     in 1 over the file's unit of time, that the velocities belong to; by default as the file says. diameters: by type
-    or element, in the file's unit, where it has none. atom_style: of a data file without a hint. tolerance: relative,
-    within which diameters are 1 and 1.4.
+    or element, in the file's unit, where it has none. atom_style: of a data file without a hint. bounds: those of a tilted
+    cell in a dump are "outer", of all that it covers, as LAMMPS writes, or "edges", xlo and xhi; by default as the disks
+    lie. tolerance: relative, within which diameters are 1 and 1.4.
 
     Disks come in the order of their ids. Raises InputError, FileError; what was assumed is in `notes` of what it
     returns, and what a scene needs in its `scene`; printed, both are a piece of a scene file."""
     place, target = name_of(file), pathlib.Path(out)
     if format is not None and format not in FORMATS:
         raise InputError(f"--from {format} (must be one of {', '.join(FORMATS)})")
+    if bounds not in (None, OUTER, EDGES):
+        raise InputError(f"--bounds {bounds} (must be {OUTER} or {EDGES})")
     try:
-        read = FORMATS[format or _format_of(place)](place, Wishes(frame, atom_style))
-    except UnicodeDecodeError as error:
-        raise text_or_refuse(place, error) from error
+        read = FORMATS[format or _format_of(place)](place, Wishes(frame, atom_style, bounds))
+    except UnicodeError as error:
+        raise not_text(place, str(error)) from error
     by_type = {str(kind): value for kind, value in (diameters or {}).items()}
     return write_state(read, Units(unit, time_unit, strain_rate, by_type, tolerance), target)
 
@@ -55,9 +60,9 @@ def _format_of(path: pathlib.Path) -> str:
     """By what the file begins with, else by the ending of its name."""
     with opened(path) as file:
         head = [line for _, line in zip(range(60), file)]
-    if head and head[0].startswith("ITEM:"):
+    if head and re.match(r"\s*ITEM:", head[0], re.IGNORECASE):
         return "dump"
-    if len(head) > 1 and re.fullmatch(r"\s*\d+\s*", head[0]) and ("Lattice=" in head[1] or "Properties=" in head[1]):
+    if len(head) > 1 and re.fullmatch(r"\s*\d+\s*", head[0]) and re.search(r"(lattice|properties)\s*=", head[1], re.IGNORECASE):
         return "extxyz"
     if any(re.match(r"\s*\d+\s+atoms\b", line) for line in head):
         return "lammps"
@@ -68,10 +73,7 @@ def _format_of(path: pathlib.Path) -> str:
 
 def parse_number(option: str, text: str) -> float:
     """A number of the command line. Raises InputError."""
-    try:
-        value = float(text)
-    except ValueError:
-        value = math.nan
+    value = float(text) if NUMBER.fullmatch(text.strip()) and "d" not in text.lower() else math.nan
     if not math.isfinite(value):
         raise InputError(f"{option} {text} (must be a number)")
     return value

@@ -5,9 +5,8 @@ from __future__ import annotations
 
 import os
 import pathlib
-from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
-from typing import TextIO
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -16,13 +15,32 @@ from ..frames import Array, Box
 
 
 @dataclass(frozen=True)
+class Cell:
+    """A box where the file has it, and what was assumed to read it."""
+
+    box: Box  #: its tilt as the file has it, be it above half a width
+    origin: Array  #: [3], its lower left corner
+    notes: tuple[str, ...] = ()
+    other: Box | None = None  #: what the same lines mean to other programs
+    remedy: str = ""  #: the option that reads the other one
+
+    def noted(self, *notes: str) -> Cell:
+        """With notes more."""
+        return replace(self, notes=(*self.notes, *notes))
+
+    def instead(self, other: Cell, remedy: str) -> Cell:
+        """With the other cell that it may be, and the option that says so."""
+        return replace(self, other=other.box, remedy=remedy)
+
+
+@dataclass(frozen=True)
 class Configuration:
     """Disks as a file has them, in its units, in the order of their ids."""
 
     names: list[str]  #: of each disk in messages, as "atom 7"
     kind: list[str]  #: type or element of each disk
-    position: Array  #: [N, 3], from the lower left corner of the box
-    box: Box  #: its tilt as the file has it, be it above half a width
+    position: Array  #: [N, 3], from the lower left corner of the cell
+    cell: Cell
     diameter: Array | None  #: [N]
     mass: Array | None  #: [N]
     velocity: Array | None  #: [N, 2], in the laboratory
@@ -30,6 +48,26 @@ class Configuration:
     velocity_in_box: bool = False  #: of the image in the box, wherever `position` is
     time: float = 0.0
     strain_rate: float | None = None
+    notes: tuple[str, ...] = ()  #: what was assumed to read it
+
+    @property
+    def box(self) -> Box:
+        """That of the cell."""
+        return self.cell.box
+
+    def in_order_of(self, ids: Array | None, path: pathlib.Path) -> Configuration:
+        """By increasing id, [N]; as it is where there are none. Raises InputError where one is there twice."""
+        if ids is None:
+            return self
+        order = np.argsort(ids, kind="stable")
+        if len(twice := np.nonzero(np.diff(ids[order]) == 0)[0]):
+            raise InputError(f"{path}: {self.names[order[twice[0]]]} is there twice (each id must be there once); make the file again")
+
+        def of(values: Array | None) -> Array | None:
+            return None if values is None else values[order]
+
+        return replace(self, names=[self.names[k] for k in order], kind=[self.kind[k] for k in order], position=self.position[order],
+                       diameter=of(self.diameter), mass=of(self.mass), velocity=of(self.velocity), spin=of(self.spin))
 
 
 @dataclass(frozen=True)
@@ -38,14 +76,7 @@ class Wishes:
 
     frame: int = -1  #: from 0, or from the end
     atom_style: str | None = None  #: of a LAMMPS data file
-
-
-def opened(path: pathlib.Path) -> TextIO:
-    """A file of text. Raises FileError."""
-    try:
-        return open(path, encoding="utf-8", errors="strict")
-    except OSError as error:
-        raise FileError(f"{path} cannot be read: {error.strerror or error}") from error
+    bounds: str | None = None  #: of a tilted cell in a dump, "outer" or "edges"; None: as the file looks
 
 
 def chosen(path: pathlib.Path, frames: Sequence[int], wanted: int) -> int:
@@ -57,71 +88,24 @@ def chosen(path: pathlib.Path, frames: Sequence[int], wanted: int) -> int:
                          f"to {len(frames) - 1}, or -1 for the last") from None
 
 
-def numbers(words: Iterable[str], where: str) -> list[float]:
-    """Words as finite numbers. Raises InputError."""
-    found = []
-    for word in words:
-        try:
-            value = float(word)
-        except ValueError:
-            raise InputError(f"{where}: {word!r} is no number; mend the file, or make it again") from None
-        if not np.isfinite(value):
-            raise InputError(f"{where}: {word} (must be finite); the run that wrote it had failed by then")
-        found.append(value)
-    return found
-
-
-def whole_number(rows: Sequence[str], where: str) -> int:
-    """The first word of the first row. Raises InputError where there is none."""
-    words = rows[0].split()[:1] if rows else []
-    if not words or numbers(words, where)[0] != int(float(words[0])):
-        raise InputError(f"{where}: {' '.join(words) or 'nothing'} (must be a whole number); the file is damaged")
-    return int(float(words[0]))
-
-
-def table(rows: Sequence[str], columns: int, where: Callable[[int], str]) -> list[list[str]]:
-    """Rows of words, of at least this many columns. Raises InputError."""
-    split = [row.split() for row in rows]
-    for k, words in enumerate(split):
-        if len(words) < columns:
-            raise InputError(f"{where(k)}: {len(words)} columns (must be {columns}): {rows[k].strip()!r}; the file is "
-                             "cut short, or of another style")
-    return split
-
-
-def in_order(ids: Array, path: pathlib.Path) -> np.ndarray[tuple[int, ...], np.dtype[np.int64]]:
-    """Which rows to take for increasing ids. Raises InputError where one is there twice."""
-    order = np.argsort(ids, kind="stable")
-    twice = np.nonzero(np.diff(ids[order]) == 0)[0]
-    if len(twice):
-        raise InputError(f"{path}: atom {ids[order[twice[0]]]:.0f} is there twice (each id must be there once); make "
-                         "the file again")
-    return order.astype(np.int64)
-
-
-def sheared_box(path: pathlib.Path, vectors: Array) -> Box:
-    """The cell of three vectors, [3, 3] rows: (L_x, 0, 0), (tilt, L_y, 0), and the third along z."""
+def sheared_box(where: str, vectors: Array, remedy: str = "; turn the configuration") -> Box:
+    """The cell of three vectors, [3, 3] rows: (L_x, 0, 0), (tilt, L_y, 0), and the third along z. Raises InputError,
+    with `remedy` in the message."""
     (length, skew, _), (tilt, height, _), _ = vectors.tolist()
     size = float(np.abs(vectors[:2]).max())
     others = np.array([skew, vectors[0, 2], vectors[1, 2], vectors[2, 0], vectors[2, 1]])
     if not (length > 0 and height > 0) or np.abs(others).max() > 1e-12 * size:
-        raise InputError(f"{path}: cell vectors {vectors.tolist()} (must be (L_x, 0, 0), (tilt, L_y, 0), (0, 0, L_z): "
-                         "flow along x, gradient along y); turn the configuration")
+        raise InputError(f"{where}: cell vectors {vectors.tolist()} (must be (L_x, 0, 0), (tilt, L_y, 0), (0, 0, L_z): "
+                         f"flow along x, gradient along y){remedy}")
     return Box(length, height, tilt)
 
 
-def refuse_walls(path: pathlib.Path, x: str | bool, y: str | bool, periodic: str | bool) -> None:
-    """Only periodic boxes are sheared here."""
-    for name, found in (("x", x), ("y", y)):
+def refuse_walls(where: str, boundaries: Sequence[str], periodic: str) -> None:
+    """Only boxes that are periodic along x and y are sheared here."""
+    for name, found in zip("xy", boundaries):
         if found != periodic:
-            raise InputError(f"{path}: the boundary along {name} is {found} (must be {periodic}: periodic; there are no "
+            raise InputError(f"{where}: the boundary along {name} is {found} (must be {periodic}: periodic; there are no "
                              "walls here); take a configuration without walls")
-
-
-def text_or_refuse(path: pathlib.Path, error: UnicodeDecodeError) -> FileError:
-    """What to say of a file that is no text."""
-    return FileError(f"{path} is no text ({error.reason} at byte {error.start}): it is compressed or binary; unpack it, "
-                     "or write it as text")
 
 
 def name_of(path: str | os.PathLike[str]) -> pathlib.Path:

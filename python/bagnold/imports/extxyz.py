@@ -1,42 +1,47 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Extended XYZ, as `bagnold export` and ASE write it."""
+"""Extended XYZ, as `bagnold export`, ASE, OVITO and QUIP write it."""
 
 from __future__ import annotations
 
 import pathlib
 import re
+from itertools import islice
 
 import numpy as np
 
 from ..errors import InputError
 from ..frames import Array
-from .configuration import Configuration, Wishes, chosen, numbers, opened, refuse_walls, sheared_box, table
+from .columns import Columns, whole_ids
+from .comment_line import Words, numbers_in, truths_in
+from .configuration import Cell, Configuration, Wishes, chosen, refuse_walls, sheared_box
+from .lattice import vectors_of
+from .text import numbers, opened, refuse_cut_end, table
 
-#: What a property may be called, with its power of the radius or of the mass.
-RADII = {"radius": 2.0, "radii": 2.0, "diameter": 1.0, "diameters": 1.0}
-MASSES = ("masses", "mass")
-VELOCITIES = ("velo", "velocities", "velocity", "vel")
-SPINS = ("spin", "omega", "angular_velocity")
+PLAIN = "species:S:1:pos:R:3"  # Properties of a file that has none
 
 
 def read(path: pathlib.Path, wishes: Wishes) -> Configuration:
     """One frame of the file."""
-    line = chosen(path, _frames(path), wishes.frame)
+    begun = _frames(path)
+    line = chosen(path, begun, wishes.frame)
+    if line == begun[-1]:
+        refuse_cut_end(path)
     with opened(path) as file:
-        lines = [text for k, text in enumerate(file) if line <= k < line + 2]
-        count = int(lines[0])
-    with opened(path) as file:
-        rows = [text for k, text in enumerate(file) if line + 2 <= k < line + 2 + count]
-    words = _words(lines[1])
-    if "Lattice" not in words:
-        raise InputError(f"{path}, line {line + 2}: has no Lattice=\"...\", the box (plain XYZ has none); write extended XYZ")
-    columns = _columns(path, line + 3, words.get("Properties", "species:S:1:pos:R:3"), rows)
-    lattice = np.array(numbers(words["Lattice"].split(), f"{path}, line {line + 2}, Lattice"))
-    if lattice.size != 9:
-        raise InputError(f"{path}, line {line + 2}: Lattice has {lattice.size} numbers (must be 9, three vectors)")
-    x, y = (words.get("pbc", "T T F").split() + ["F", "F"])[:2]
-    refuse_walls(path, x[:1].upper(), y[:1].upper(), "T")
-    return _configuration(path, words, columns, lattice.reshape(3, 3), line)
+        head, about, *rest = islice(file, line, None)
+        rows = rest[:int(head)]
+    if int(head) == 0:
+        raise InputError(f"{path}, line {line + 1}: 0 disks (must be at least 2)")
+    where = f"{path}, line {line + 2}"
+    words = Words(where, about)
+    columns = _columns(path, where, line + 3, words.get("properties") or PLAIN, rows)
+    if (lattice := words.several("lattice")) is None:
+        raise InputError(f"{where}: has no Lattice=\"...\", the box (plain XYZ has none); write extended XYZ")
+    vectors, notes = vectors_of(where, numbers_in(lattice, f"{where}, Lattice"))
+    if (periodic := words.several("pbc")) is None:
+        notes.append("no pbc: periodic along x and y")
+    else:
+        refuse_walls(where, ["T" if one else "F" for one in truths_in(periodic, f"{where}, pbc")], "T")
+    return _configuration(path, where, words, columns, Cell(sheared_box(where, vectors), _origin(where, words), tuple(notes)))
 
 
 def _frames(path: pathlib.Path) -> list[int]:
@@ -49,7 +54,7 @@ def _frames(path: pathlib.Path) -> list[int]:
                 continue
             if not text.strip():
                 continue
-            if not re.fullmatch(r"\s*\d+\s*", text):
+            if not re.fullmatch(r"\s*\d{1,12}\s*", text, re.ASCII):
                 raise InputError(f"{path}, line {line + 1}: {text.strip()[:40]!r} (must be the number of disks of a frame); "
                                  "the file is cut short, or no XYZ")
             begun.append(line)
@@ -60,57 +65,42 @@ def _frames(path: pathlib.Path) -> list[int]:
     return begun
 
 
-def _words(text: str) -> dict[str, str]:
-    """key=value and key="several values" of the second line of a frame."""
-    return {key: (quoted or curly or plain)
-            for key, quoted, curly, plain in re.findall(r'(\w+)=(?:"([^"]*)"|\{([^}]*)\}|(\S+))', text)}
+def _origin(where: str, words: Words) -> Array:
+    """The lower left corner of the cell, [3], which OVITO writes."""
+    text = words.several("origin") or words.several("cell_origin")
+    found = [] if text is None else numbers_in(text, f"{where}, Origin")
+    return np.array([*found, 0.0, 0.0, 0.0][:3])
 
 
-def _columns(path: pathlib.Path, line: int, properties: str, rows: list[str]) -> dict[str, list[list[str]]]:
-    """{property: [N] rows of its words}."""
+def _columns(path: pathlib.Path, where: str, line: int, properties: str, rows: list[str]) -> Columns:
     parts = properties.split(":")
-    widths = parts[2::3]
-    if len(parts) % 3 or not all(width.isdigit() for width in widths):
-        raise InputError(f"{path}: Properties={properties} (must be name:type:columns, again and again)")
-    split = table(rows, sum(map(int, widths)), lambda k: f"{path}, line {line + k}")
-    out, first = {}, 0
-    for name, width in zip(parts[::3], map(int, widths)):
-        out[name] = [words[first:first + width] for words in split]
-        first += width
-    if "pos" not in out:
-        raise InputError(f"{path}: Properties={properties} has no pos, the positions")
-    return out
+    names, kinds, widths = parts[::3], parts[1::3], parts[2::3]
+    if len(parts) % 3 or not all(re.fullmatch(r"[1-9]\d?", width, re.ASCII) for width in widths):
+        raise InputError(f"{where}: Properties={properties} (must be name:type:columns, again and again)")
+    ends = np.cumsum([int(width) for width in widths]).tolist()
+
+    def row(k: int) -> str:
+        return f"{path}, line {line + k}"
+
+    each = [name for name, width in zip(names, widths) for _ in range(int(width))]
+    split = table(rows, each, row)
+    asked = ["numbers" if name == "Z" and kind == "I" else name for name, kind in zip(names, kinds)]  # elements of ASE
+    return Columns(f"{where}, Properties={properties}", asked,
+                   [[words[end - int(width):end] for words in split] for end, width in zip(ends, widths)], row)
 
 
-def _configuration(path: pathlib.Path, words: dict[str, str], columns: dict[str, list[list[str]]], lattice: Array,
-                   line: int) -> Configuration:
-    def found(names: tuple[str, ...]) -> tuple[str, Array | None]:
-        for name in names:
-            if name in columns:
-                return name, np.array([numbers(row, f"{path}, line {line + 3 + k}, {name}")
-                                       for k, row in enumerate(columns[name])])
-        return "", None
-
+def _configuration(path: pathlib.Path, where: str, words: Words, columns: Columns, cell: Cell) -> Configuration:
     def scalar(name: str) -> float | None:
-        return numbers([words[name]], f"{path}, line {line + 2}, {name}")[0] if name in words else None
+        text = words.get(name)
+        return None if text is None else numbers([text], f"{where}, {name}")[0]
 
-    _, position = found(("pos",))
-    assert position is not None
-    if position.shape[1] == 2:
-        position = np.column_stack([position, np.zeros(len(position))])
-    size, diameter = found(tuple(RADII))
-    _, mass = found(MASSES)
-    _, velocity = found(VELOCITIES)
-    _, spin = found(SPINS)
-    momenta = found(("momenta",))[1] if velocity is None else None
-    if momenta is not None:
-        if mass is None:
-            raise InputError(f"{path}: momenta without masses (velocities need both); write masses, or velocities")
-        velocity = momenta / mass
-    species = columns.get("species", columns.get("type", [["disk"]] * len(position)))
-    strain_rate = scalar("strain_rate")
+    ids = whole_ids(columns.words("id"), f"{where}, id")
+    position = columns.vector("position")
+    if position is None:
+        raise InputError(f"{columns.where} has no pos, the positions")
+    mass, count = columns.scalar("mass"), len(position)
     return Configuration(
-        names=[f"disk {k} (from 0)" for k in range(len(position))], kind=[row[0] for row in species], position=position,
-        box=sheared_box(path, lattice), diameter=None if diameter is None else RADII[size] * diameter[:, 0],
-        mass=None if mass is None else mass[:, 0], velocity=None if velocity is None else velocity[:, :2],
-        spin=None if spin is None else spin[:, -1], time=scalar("time") or 0.0, strain_rate=strain_rate)
+        names=[f"disk {k} (from 0)" for k in range(count)] if ids is None else [f"disk {one:.0f}" for one in ids],
+        kind=columns.words("type") or ["disk"] * count, position=position - cell.origin * [1, 1, 0], cell=cell,
+        diameter=columns.diameter(), mass=mass, velocity=columns.velocity(mass), spin=columns.spin(), time=scalar("time") or 0.0,
+        strain_rate=scalar("strain_rate"), notes=(*cell.notes, *columns.notes())).in_order_of(ids, path)

@@ -3,129 +3,186 @@
 
 from __future__ import annotations
 
-import csv
 import pathlib
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from itertools import islice
 
 import numpy as np
 
 from ..errors import InputError
 from ..frames import Array, Box
-from .configuration import Configuration, Wishes, chosen, in_order, numbers, opened, refuse_walls, table, whole_number
+from .columns import Columns, whole_ids
+from .configuration import Configuration, Wishes, chosen
+from .lammps_bounds import read_cell
+from .text import numbers, opened, refuse_cut_end, table, whole_number
 
-#: Columns of x and y, the better ones first; whether the box scales them; whether they leave it.
-PLACES = (("x", "y", "z", False, False), ("xu", "yu", "zu", False, True),
-          ("xs", "ys", "zs", True, False), ("xsu", "ysu", "zsu", True, True))
+KNOWN = ("TIMESTEP", "NUMBER OF ATOMS", "BOX BOUNDS", "ATOMS", "TIME", "UNITS")
+SCALED = 2.0  # beyond which a place is no share of the cell
+
+
+@dataclass
+class Item:
+    """What stands behind and below a line `ITEM: NAME`."""
+
+    words: str
+    rows: list[str]
+    line: int  #: of the file, from 1
 
 
 def read(path: pathlib.Path, wishes: Wishes) -> Configuration:
     """One frame of the dump."""
-    with opened(path) as file:
-        begun = [k for k, text in enumerate(file) if text.startswith("ITEM: TIMESTEP")]
+    begun = _frames(path)
     if not begun:
         raise InputError(f"{path}: has no ITEM: TIMESTEP (a LAMMPS dump has one a frame)")
     first = chosen(path, begun, wishes.frame)
     ends = [*begun[1:], None][begun.index(first)]
+    if ends is None:
+        refuse_cut_end(path)
     with opened(path) as file:
-        lines = [text for k, text in enumerate(file) if k >= first and (ends is None or k < ends)]
-    return _frame(path, first, _items(lines))
+        return _frame(path, wishes, _items(list(islice(file, first, ends)), first))
 
 
-def _items(lines: list[str]) -> dict[str, tuple[str, list[str], int]]:
-    """{ITEM: (the rest of its line, its lines, where they begin)}."""
-    names = ("TIMESTEP", "NUMBER OF ATOMS", "BOX BOUNDS", "ATOMS", "TIME", "UNITS")
-    out: dict[str, tuple[str, list[str], int]] = {}
+def _item(text: str) -> tuple[str, str] | None:
+    """The name of an item and the rest of its line; None for other lines."""
+    found = re.match(r"\s*ITEM:\s*(.*)", text, re.IGNORECASE)
+    if not found:
+        return None
+    rest = found[1].strip()
+    upper = rest.upper()
+    name = next((one for one in KNOWN if upper == one or upper.startswith(one + " ")), upper)
+    return name, rest[len(name):].strip()
+
+
+def _frames(path: pathlib.Path) -> list[int]:
+    """Lines, from 0, in which frames begin: with the first item behind the atoms of the one before, for LAMMPS writes the time
+    before the step; or with an item that the frame has already, where the one before was cut short."""
+    begun: list[int] = []
+    seen: set[str] = set()
+    steps = 0
+    with opened(path) as file:
+        for line, text in enumerate(file):
+            if (item := _item(text)) is None:
+                continue
+            if not seen or "ATOMS" in seen or item[0] in seen:
+                begun.append(line)
+                seen = set()
+            seen.add(item[0])
+            steps += item[0] == "TIMESTEP"
+    return begun if steps else []
+
+
+def _items(lines: list[str], first: int) -> dict[str, Item]:
+    out: dict[str, Item] = {}
     rows: list[str] = []
     for k, text in enumerate(lines):
-        if text.startswith("ITEM: "):
-            rest = text[6:].strip()
-            name = next((one for one in names if rest == one or rest.startswith(one + " ")), rest)
+        if item := _item(text):
             rows = []
-            out[name] = (rest[len(name):].strip(), rows, k + 1)
+            out[item[0]] = Item(item[1], rows, first + k + 1)
         elif text.strip():
             rows.append(text)
     return out
 
 
-def _frame(path: pathlib.Path, first: int, items: dict[str, tuple[str, list[str], int]]) -> Configuration:
-    for name in ("NUMBER OF ATOMS", "BOX BOUNDS", "ATOMS"):
+def _frame(path: pathlib.Path, wishes: Wishes, items: Mapping[str, Item]) -> Configuration:
+    first = min(item.line for item in items.values())
+    for name in ("TIMESTEP", "NUMBER OF ATOMS", "BOX BOUNDS", "ATOMS"):
         if name not in items:
-            raise InputError(f"{path}, line {first + 1}: the frame has no ITEM: {name}; the file is cut short, or no dump of "
-                             "atoms")
-    count = whole_number(items["NUMBER OF ATOMS"][1], f"{path}, NUMBER OF ATOMS")
-    words, rows, start = items["ATOMS"]
-    if len(rows) != count:
-        raise InputError(f"{path}, line {first + 1}: the frame has {len(rows)} of {count} atoms; the file is cut short")
-    names = words.split()
-    split = table(rows, len(names), lambda k: f"{path}, line {first + start + k + 1}")
-    data = {name: [row[k] for row in split] for k, name in enumerate(names)}
-    ids = np.array(numbers(data["id"], f"{path}, id")) if "id" in data else np.arange(1.0, count + 1)
-    order = in_order(ids, path)
-
-    def column(*wanted: str) -> Array | None:
-        for name in wanted:
-            if name in data:
-                return np.array(numbers(data[name], f"{path}, column {name}"))[order]
-        return None
-
-    box, origin = _box(path, first, items["BOX BOUNDS"])
-    position, unwrapped = _places(path, column, names, box, origin)
-    vx, vy, radius, diameter = column("vx"), column("vy"), column("radius"), column("diameter")
-    time, rate = _told(path, whole_number(items["TIMESTEP"][1], f"{path}, line {first + 1}, TIMESTEP"))
-    if "TIME" in items and items["TIME"][1]:
-        time = numbers(items["TIME"][1][:1], f"{path}, TIME")[0]
-    kinds = data.get("type", data.get("element", ["1"] * count))
+            raise InputError(f"{path}, line {first}: the frame has no ITEM: {name}; the file is cut short, or no dump of atoms")
+    count = whole_number(items["NUMBER OF ATOMS"].rows, f"{path}, line {first}, NUMBER OF ATOMS")
+    atoms, bounds = items["ATOMS"], items["BOX BOUNDS"]
+    if len(atoms.rows) != count or count < 1:
+        raise InputError(f"{path}, line {first}: the frame has {len(atoms.rows)} of {count} atoms; the file is cut short")
+    columns = _columns(path, atoms)
+    ids = whole_ids(columns.words("id"), f"{path}, line {atoms.line}, id")
+    where = f"{path}, line {bounds.line}"
+    scaled, unwrapped, position = _places(columns)
+    if scaled:
+        cell = read_cell(where, bounds.words, bounds.rows, wishes.bounds, None)
+        position = np.column_stack([position[:, :2] @ cell.box.matrix[:2, :2], np.zeros(count)])
+    else:
+        cell = read_cell(where, bounds.words, bounds.rows, wishes.bounds, None if unwrapped else position)
+        position = position - cell.origin * [1, 1, 0]
+    time, rate, told = _told(path, items, cell.box)
+    mass = columns.scalar("mass")
     return Configuration(
-        names=[f"atom {ids[k]:.0f}" for k in order], kind=[kinds[k] for k in order], position=position, box=box,
-        diameter=diameter if radius is None else 2 * radius, mass=column("mass"),
-        velocity=None if vx is None or vy is None else np.stack([vx, vy], axis=1), spin=column("omegaz"),
-        velocity_in_box=unwrapped, time=time, strain_rate=rate)
+        names=[f"atom {one:.0f}" for one in (np.arange(1, count + 1) if ids is None else ids)],
+        kind=columns.words("type") or ["1"] * count, position=position, cell=cell, diameter=columns.diameter(), mass=mass,
+        velocity=columns.velocity(mass), spin=columns.spin(), velocity_in_box=unwrapped, time=time, strain_rate=rate,
+        notes=(*cell.notes, *told, *columns.notes())).in_order_of(ids, path)
 
 
-def _box(path: pathlib.Path, first: int, item: tuple[str, list[str], int]) -> tuple[Box, list[float]]:
-    """The cell, and its lower left corner. Bounds in x are of what the tilted cell covers."""
-    words, rows, start = item
-    where = f"{path}, line {first + start + 1}, BOX BOUNDS"
-    tilted = words.startswith("xy xz yz")
-    if words.startswith("abc origin"):
-        raise InputError(f"{where} {words} (a cell by its vectors is not read); use `dump_modify triclinic/general no`")
-    values = [numbers(row, where) for row in table(rows[:3], 3 if tilted else 2, lambda _: where)]
-    if len(values) < 3:
-        raise InputError(f"{where}: {len(values)} lines (must be 3)")
-    flags = (words.split()[3:] if tilted else words.split()) or ["pp", "pp"]
-    refuse_walls(path, flags[0], flags[1], "pp")
-    tilt, xz, yz = (values[0][2], values[1][2], values[2][2]) if tilted else (0.0, 0.0, 0.0)
-    if xz or yz:
-        raise InputError(f"{where}: xz = {xz}, yz = {yz} (must be 0: flow along x, gradient along y)")
-    low, high = values[0][0] - min(0.0, tilt), values[0][1] - max(0.0, tilt)
-    length, height = high - low, values[1][1] - values[1][0]
-    if not (length > 0 and height > 0):
-        raise InputError(f"{where}: L_x = {length}, L_y = {height} (must be above 0)")
-    if abs(length - height) < 1e-12 * height:  # bounds that hold the tilt cost digits of L_x
-        length = height
-    return Box(length, height, tilt), [low, values[1][0]]
+def _columns(path: pathlib.Path, atoms: Item) -> Columns:
+    names = atoms.words.split()
+
+    def row(k: int) -> str:
+        return f"{path}, line {atoms.line + k + 1}"
+
+    split = table(atoms.rows, names, row)
+    return Columns(f"{path}, line {atoms.line}, ITEM: ATOMS {atoms.words}", names,
+                   [[[words[k]] for words in split] for k in range(len(names))], row)
 
 
-def _places(path: pathlib.Path, column: object, names: list[str], box: Box, origin: list[float]) -> tuple[Array, bool]:
-    for x, y, z, scaled, unwrapped in PLACES:
-        if x in names and y in names:
-            place = [column(one) for one in (x, y)]  # type: ignore[operator]
-            height = column(z)  # type: ignore[operator]
-            if scaled:
-                place = [place[0] * box.length + place[1] * box.tilt, place[1] * box.height]
-            else:
-                place = [place[0] - origin[0], place[1] - origin[1]]
-            return np.stack([*place, np.zeros_like(place[0]) if height is None or scaled else height], axis=1), unwrapped
-    raise InputError(f"{path}: ITEM: ATOMS {' '.join(names)} has no positions (must be x y, xu yu, xs ys or xsu ysu)")
+def _places(columns: Columns) -> tuple[bool, bool, Array]:
+    """Whether the cell scales the positions, whether they leave it, and these, [N, 3]."""
+    found = columns.vector("position")
+    if found is not None:
+        return False, False, found
+    for names, scaled, unwrapped in (("xu yu zu", False, True), ("xs ys zs", True, False), ("xsu ysu zsu", True, True)):
+        found = columns.of_axes(names.split())
+        if found is None:
+            continue
+        if scaled and not unwrapped and np.abs(found[:, :2] - 0.5).max(initial=0.0) > SCALED:
+            raise InputError(f"{columns.where}: xs ys from {found[:, :2].min():g} to {found[:, :2].max():g} (must be within 0 and 1, "
+                             "shares of the cell); call the columns x y, or xsu ysu, if they are these")
+        return scaled, unwrapped, found
+    raise InputError(f"{columns.where} has no positions (must be x y, xu yu, xs ys or xsu ysu)")
 
 
-def _told(path: pathlib.Path, step: int) -> tuple[float, float | None]:
-    """Time and rate of the step in the table that `bagnold export` writes beside a dump."""
+def _told(path: pathlib.Path, items: Mapping[str, Item], box: Box) -> tuple[float, float | None, list[str]]:
+    """Time, strain rate, and what was assumed."""
+    where = f"{path}, line {items['TIMESTEP'].line}"
+    step = _only_number(items["TIMESTEP"], f"{where}, TIMESTEP", "a whole number")
+    time, rate = 0.0, None
+    notes = []
+    if step % 1:
+        time = step
+        notes.append(f"TIMESTEP {step!r} is no whole number: read as the time")
+    elif beside := _beside(path, int(step), box):
+        time, rate = beside
+        notes.append(f"time and strain rate of {path.with_suffix('.frames.csv').name}")
+    if "TIME" in items:
+        time = _only_number(items["TIME"], f"{path}, line {items['TIME'].line}, TIME", "a number")
+    return time, rate, notes
+
+
+def _only_number(item: Item, where: str, kind: str) -> float:
+    words = " ".join(item.rows).split()
+    if len(words) != 1:
+        raise InputError(f"{where}: {' '.join(words)[:40] or 'nothing'} (must be {kind}); the file is damaged")
+    return numbers(words, where)[0]
+
+
+def _beside(path: pathlib.Path, step: int, box: Box) -> tuple[float, float] | None:
+    """Time and rate of the step in the table that `bagnold export` writes beside a dump. Raises InputError where it is
+    the table of another dump."""
     beside = path.with_suffix(".frames.csv")
     if not beside.is_file():
-        return 0.0, None
-    with open(beside, newline="", encoding="utf-8") as file:
-        for row in csv.DictReader(file):
-            if row.get("step") == str(step):
-                time, rate = numbers([row.get("time", "0"), row.get("strain_rate", "0")], f"{beside}, step {step}")
-                return time, rate
-    return 0.0, None
+        return None
+    refuse_cut_end(beside)
+    with opened(beside) as file:
+        rows = [line.strip().split(",") for line in file]
+    wanted = ("step", "time", "strain_rate", "tilt")
+    for k, row in enumerate(rows[1:]):
+        where = f"{beside}, line {k + 2}"
+        if len(row) != len(rows[0]) or any(name not in rows[0] for name in wanted):
+            raise InputError(f"{where}: {','.join(row)!r} (must have the columns {','.join(rows[0])}); export again, or take it away")
+        if row[rows[0].index("step")] != str(step):
+            continue
+        time, rate, tilt = numbers([row[rows[0].index(name)] for name in wanted[1:]], where)
+        if abs((tilt - box.tilt) - box.length * round((tilt - box.tilt) / box.length)) > 1e-6 * box.length:
+            raise InputError(f"{where}: tilt {tilt} at step {step} (must be that of {path.name}, {box.tilt}: it is of another dump); "
+                             "take it away")
+        return time, rate
+    return None

@@ -16,10 +16,12 @@ from ..contacts import pairs_within
 from ..errors import FileError, InputError
 from ..frames import Array, Box
 from ..scene import toml_text
+from .columns import UNREAD
 from .configuration import Configuration
 
 SMALL, BIG = 1.0, 1.4  # d_s
 LARGEST_OVERLAP = 0.2  # relative, above which a run stops
+NO_PACKING = 0.5  # relative overlap, above which disks lie at random, or the box is another
 STILL = 1e-9  # of the fastest disk: a mean velocity that is rounding
 
 
@@ -54,9 +56,13 @@ def write_state(read: Configuration, units: Units, out: pathlib.Path) -> Importe
     if len(read.position) < 2:
         raise InputError(f"the file has {len(read.position)} disks (must be at least 2)")
     found = _diameters(read, units)
+    if read.mass is not None and not np.all(read.mass > 0):
+        least = int(np.argmin(read.mass))
+        raise InputError(f"mass of {read.names[least]} = {float(read.mass[least])!r} (must be above 0); mend the file, or take the masses "
+                         "out of it")
     unit = float(found.min()) if units.length is None else units.length
     diameter, mass = _species(read, found / unit, units.tolerance), read.mass
-    notes = [f"{len(diameter)} disks; d_s = {unit!r} of the file, tau_e = {units.time!r}"]
+    notes = [f"{len(diameter)} disks; d_s = {unit!r} of the file, tau_e = {units.time!r}", *read.notes]
     rate = units.strain_rate if units.strain_rate is not None else read.strain_rate
     box, position, rows = _place(read, unit)
     velocity = _velocity(read, units, unit, rate, box, position, rows, notes)
@@ -66,16 +72,23 @@ def write_state(read: Configuration, units: Units, out: pathlib.Path) -> Importe
     spin = None if read.spin is None else read.spin * units.time
     if spin is None:
         notes.append("no spins: where the law rotates the run begins with -strain_rate/2")
+    if not all(np.isfinite(one).all() for one in (box.matrix, position, velocity, np.zeros(1) if spin is None else spin)):
+        raise InputError("positions, velocities, spins or the box are too large for numbers (must be of the size of disks in a "
+                         "simulation); look at the columns and at --unit")
+    deepest = _deepest(box, position, diameter)
+    _refuse_other_box(read, unit, diameter, deepest)
+    scene = _scene(out, box, deepest, diameter, mass, notes)
     _write(out, {"position": position, "velocity": velocity, "spin": spin, "diameter": diameter}, box,
            read.time / units.time, rate)
-    return ImportedState(out, _scene(out, box, position, diameter, mass, notes), notes)
+    return ImportedState(out, scene, notes)
 
 
 def _diameters(read: Configuration, units: Units) -> Array:
     """In the file's unit, [N]."""
     if not units.diameters:
         if read.diameter is None:
-            raise InputError("the file has no diameters; say them by type, --diameters "
+            left = next((f" ({note})" for note in read.notes if note.startswith(UNREAD)), "")
+            raise InputError(f"the file has no diameters{left}; say them by type, --diameters "
                              + ",".join(f"{kind}=D" for kind in sorted(set(read.kind))[:4]))
         least = int(np.argmin(read.diameter))
         if not read.diameter[least] > 0:
@@ -180,7 +193,26 @@ def _write(out: pathlib.Path, data: Mapping[str, Array | None], box: Box, time: 
         part.unlink(missing_ok=True)
 
 
-def _scene(out: pathlib.Path, box: Box, position: Array, diameter: Array, mass: Array | None, notes: list[str]
+def _deepest(box: Box, position: Array, diameter: Array) -> float:
+    """The largest relative overlap."""
+    i, j, away, _ = pairs_within(position, box, diameter, 0.0)
+    overlap = 1 - 2 * np.hypot(away[:, 0], away[:, 1]) / (diameter[i] + diameter[j])
+    return float(overlap.max(initial=0.0))
+
+
+def _refuse_other_box(read: Configuration, unit: float, diameter: Array, deepest: float) -> None:
+    """Where disks lie on each other in the box that was taken, and do not in the one that the file may mean too."""
+    other = read.cell.other
+    if other is None or deepest <= NO_PACKING:
+        return
+    box = Box(other.length / unit, other.height / unit, other.tilt / unit)
+    found = _deepest(box, box.wrapped(read.position[:, :2] / unit), diameter)
+    if found <= LARGEST_OVERLAP:
+        raise InputError(f"largest relative overlap {deepest:.3g} with L_x = {read.box.length:g}, {found:.3g} with L_x = {other.length:g} "
+                         f"(the bounds of the file may mean both); say {read.cell.remedy} for the second")
+
+
+def _scene(out: pathlib.Path, box: Box, deepest: float, diameter: Array, mass: Array | None, notes: list[str]
            ) -> dict[str, dict[str, Any]]:
     """The keys that the state asks for."""
     disks: dict[str, Any] = {"count": len(diameter),
@@ -190,14 +222,14 @@ def _scene(out: pathlib.Path, box: Box, position: Array, diameter: Array, mass: 
     if mass is not None and (kind := _masses(diameter, mass, notes)):
         disks["mass"] = kind
     start: dict[str, Any] = {"kind": "state", "file": str(out)}
-    i, j, away, _ = pairs_within(position, box, diameter, 0.0)
-    overlap = 1 - 2 * np.hypot(away[:, 0], away[:, 1]) / (diameter[i] + diameter[j])
-    deepest = float(overlap.max(initial=0.0))
-    notes.append(f"largest relative overlap: {deepest:.3g}" + (
-        f", above {LARGEST_OVERLAP:g}, where a run stops: start.relax pushes disks apart" if deepest > LARGEST_OVERLAP
-        else ""))
-    if deepest > LARGEST_OVERLAP:
+    said = f"largest relative overlap: {deepest:.3g}"
+    if deepest > NO_PACKING:
+        said += (f", above {NO_PACKING:g}: no packing has such (the box, L_x = {box.length:.6g}, L_y = {box.height:.6g}, tilt "
+                 f"{box.tilt:.6g} d_s, or the diameters are not those of the disks, unless they were put at random)")
+    elif deepest > LARGEST_OVERLAP:
+        said += f", above {LARGEST_OVERLAP:g}, where a run stops: start.relax pushes disks apart"
         start["relax"] = True
+    notes.append(said)
     return {"disks": disks, "start": start}
 
 

@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Text files of other programs: how they are opened, their words as numbers, their rows as columns."""
+
+from __future__ import annotations
+
+import codecs
+import pathlib
+import re
+from collections.abc import Callable, Iterable, Sequence
+from typing import TextIO
+
+import numpy as np
+
+from ..errors import FileError, InputError
+from ..frames import Array
+
+#: A number as C, Fortran ("1.0D-3") and Python write it; not "1_000", which only Python reads.
+NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eEdD][+-]?\d+)?")
+NOT_FINITE = re.compile(r"[+-]?(nan|inf|infinity)", re.IGNORECASE)
+CUT = "the file is cut short, of another style, or has rows of several lengths"
+HEAD = 1 << 16  # bytes that tell the encoding
+
+
+def opened(path: pathlib.Path) -> TextIO:
+    """A file of text: UTF-8, with or without a byte order mark, UTF-16 with one, else Latin-1, whose bytes above 127
+    can only be in comments and names. Raises FileError where it is no text."""
+    try:
+        with open(path, "rb") as file:
+            head = file.read(HEAD)
+        return open(path, encoding=_encoding(path, head), errors="strict")
+    except OSError as error:
+        if isinstance(error, FileError):
+            raise
+        raise FileError(f"{path} cannot be read: {error.strerror or error}") from error
+
+
+def _encoding(path: pathlib.Path, head: bytes) -> str:
+    if head.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        return "utf-16"
+    if found := re.search(rb"[\x00-\x08\x0e-\x1f]", head):
+        raise not_text(path, f"byte {head[found.start()]} at {found.start()}")
+    try:
+        codecs.getincrementaldecoder("utf-8")("strict").decode(head)  # a letter may go on behind the head
+    except UnicodeDecodeError:
+        return "latin-1"
+    return "utf-8-sig"
+
+
+def not_text(path: pathlib.Path, reason: str) -> FileError:
+    """What to say of a file that is no text."""
+    return FileError(f"{path} is no text ({reason}): it is compressed or binary; unpack it, or write it as text")
+
+
+def refuse_cut_end(path: pathlib.Path) -> None:
+    """Raises InputError where the last line has no end: its last number may be cut within, "0.12" of "0.125"."""
+    with opened(path) as file:
+        last = ""
+        for last in file:
+            pass
+    if last and not last.endswith("\n"):
+        raise InputError(f"{path}: the last line, {last.strip()[-40:]!r}, has no end of line (its last number may be cut); make "
+                         "the file again, take an earlier frame, or, if it is whole, add an end of line")
+
+
+def numbers(words: Iterable[str], where: str) -> list[float]:
+    """Words as finite numbers. Raises InputError."""
+    found = []
+    for word in words:
+        value = float(word.lower().replace("d", "e")) if NUMBER.fullmatch(word) else np.nan
+        if not np.isfinite(value):
+            if NUMBER.fullmatch(word) or NOT_FINITE.fullmatch(word):
+                raise InputError(f"{where}: {word} (must be finite); the run that wrote it had failed by then")
+            raise InputError(f"{where}: {word!r} is no number; mend the file, or make it again")
+        found.append(value)
+    return found
+
+
+def whole_number(rows: Sequence[str], where: str) -> int:
+    """The only word of the only row. Raises InputError where it is another."""
+    words = " ".join(rows).split()
+    if len(words) != 1 or numbers(words, where)[0] % 1:
+        raise InputError(f"{where}: {' '.join(words)[:40] or 'nothing'} (must be a whole number); the file is damaged")
+    return int(numbers(words, where)[0])
+
+
+def table(rows: Sequence[str], names: Sequence[str], where: Callable[[int], str], otherwise: Sequence[int] = ()
+          ) -> list[list[str]]:
+    """Rows of words, one for each name in each of them, or all of another length. Raises InputError."""
+    split = [row.split() for row in rows]
+    width = len(split[0]) if split and len(split[0]) in otherwise else len(names)
+    for k, words in enumerate(split):
+        if len(words) != width:
+            raise InputError(f"{where(k)}: {len(words)} columns (must be {width}{_told(names, width)}): {rows[k].strip()[:80]!r}; "
+                             + CUT)
+    return split
+
+
+def _told(names: Sequence[str], width: int) -> str:
+    text = " ".join(names)
+    return f", {text}" if width == len(names) and len(text) < 120 else ""
+
+
+def column(rows: Sequence[Sequence[str]], where: Callable[[int], str]) -> Array:
+    """The numbers of rows of words, [N, columns]."""
+    return np.array([numbers(row, where(k)) for k, row in enumerate(rows)])
