@@ -4,7 +4,7 @@ contact network. Functions take a frame or many (`r.frames[100:]`), contacts or 
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import Union
 
 import numpy as np
@@ -91,9 +91,12 @@ def structure_factor(frames: Configurations, q_max: float = 10.0, bins: int = 10
 
 
 def unwrapped(frames: Iterable[Frame]) -> Array:
-    """Positions without periodic images, [T, N, 2], d_s, also of files without `image`: between two
-    frames each disk is taken to go the way nearest to the mean flow, which holds while its non-affine
-    displacement stays below half the box."""
+    """Positions without periodic images, [T, N, 2], d_s, from those in the first frame on: by `image` where frames have it,
+    however far they lie apart. Of files without, between two frames each disk is taken to go the way nearest to the mean
+    flow, which holds while its non-affine displacement stays below half the box."""
+    frames = list(frames)
+    if all(frame.image is not None for frame in frames):
+        return _unwrapped_by_image(frames)
     rows: list[Array] = []
     last: Frame | None = None
     for frame in frames:
@@ -118,6 +121,17 @@ def unwrapped(frames: Iterable[Frame]) -> Array:
     return np.stack(rows) if rows else np.zeros((0, 0, 2))
 
 
+def _unwrapped_by_image(frames: list[Frame]) -> Array:
+    out = [frame.unwrapped for frame in frames]
+    for frame, place in zip(frames, out):  # back to the image that is in the box in the first frame, and moves with the flow
+        first = frames[0]
+        assert first.image is not None
+        columns, rows = first.image.T
+        shift = first.box.tilt + (frame.strain - first.strain) * frame.box.height
+        place -= np.stack([columns * frame.box.length + rows * shift, rows * frame.box.height], axis=1)
+    return np.stack(out) if out else np.zeros((0, 0, 2))
+
+
 def nonaffine_displacement(frames: Iterable[Frame]) -> tuple[Array, Array]:
     """Displacements since the first frame without the mean flow, sum of dr - dgamma y x_hat with y the
     mean of both ends of each interval. Returns strains since the first frame, [T], and displacements,
@@ -133,14 +147,41 @@ def nonaffine_displacement(frames: Iterable[Frame]) -> tuple[Array, Array]:
 
 
 def nonaffine_msd(frames: Iterable[Frame]) -> tuple[Array, Array]:
-    """Mean square non-affine displacement over all origins, for frames evenly spaced in strain.
+    """Mean square non-affine displacement at each lag of strain, over all pairs of frames so far apart.
 
-    Returns the strain of each lag, [T], and its mean over origins and disks along x and y, [T, 2], d_s^2."""
+    Returns the lags, [L], and the means over pairs and disks along x and y, [L, 2], d_s^2. Of T frames evenly spaced in
+    strain lag k is that of k frames, and L = T; of others pairs whose lags differ by less than 1% are taken together.
+    Each lag is the mean over its pairs. Raises InputError where strain does not grow from frame to frame."""
     strain, place = nonaffine_displacement(frames)
-    out = np.zeros((len(strain), 2))
-    for lag in range(1, len(strain)):
-        out[lag] = np.mean((place[lag:] - place[:-lag])**2, axis=(0, 1))
-    return strain, out
+    if len(strain) > 1 and not np.diff(strain).min() > 0:
+        at = int(np.argmin(np.diff(strain)))
+        raise InputError(f"strain goes from {strain[at]:g} to {strain[at + 1]:g} since the first frame, from frame {at} to {at + 1} "
+                         "(must grow); take the frames in the order of the run, each once")
+    lags, squares = [np.zeros(1)], [np.zeros(2)]
+    for i, j in _pairs_by_lag(strain):
+        lags.append(np.mean(strain[j] - strain[i], keepdims=True))
+        squares.append(np.mean((place[j] - place[i])**2, axis=(0, 1)))
+    return np.concatenate(lags), np.stack(squares)
+
+
+def _pairs_by_lag(strain: Array) -> Iterator[tuple[Integers, Integers]]:
+    """Pairs of frames i < j, those of one lag together, shorter ones first."""
+    count = len(strain)
+    even = np.arange(count) * (strain[-1] / max(1, count - 1))
+    if count < 3 or np.abs(strain - even).max() < even[1] / 8:  # frames come at the first step behind their strain
+        for apart in range(1, count):
+            first = np.arange(count - apart)
+            yield first, first + apart
+        return
+    i, j = np.triu_indices(count, 1)
+    lag = strain[j] - strain[i]
+    order = np.argsort(lag, kind="stable")
+    i, j, lag = i[order], j[order], lag[order]
+    begin = 0
+    while begin < len(lag):
+        end = int(np.searchsorted(lag, 1.01 * lag[begin]))
+        yield i[begin:end], j[begin:end]
+        begin = end
 
 
 def velocity_correlation(frames: Configurations, r_max: float = 10.0, bins: int = 100) -> tuple[Array, Array]:

@@ -143,6 +143,7 @@ class Exports(Folder):
             self.assertEqual(words["pbc"], "T T F")
             self.same_places(frame.box, columns["pos"][:, :2], frame.position)
             np.testing.assert_array_equal(columns["velo"][:, :2], frame.velocity)
+            np.testing.assert_array_equal(columns["momenta"][:, :2], frame.mass[:, None] * frame.velocity)  # what ASE reads
             np.testing.assert_array_equal(columns["spin"][:, 0], frame.spin)
             np.testing.assert_array_equal(columns["species"][:, 0] == "He", frame.species == 1)
             np.testing.assert_array_equal(columns["masses"][:, 0], frame.mass)
@@ -248,12 +249,15 @@ class Exports(Folder):
             self.assertEqual(list(atoms.pbc), [True, True, False])
             self.same_places(frame.box, atoms.positions[:, :2], frame.position)
             np.testing.assert_array_equal(atoms.arrays["velo"][:, :2], frame.velocity)
+            np.testing.assert_allclose(atoms.get_velocities()[:, :2], frame.velocity, rtol=1e-14)
             np.testing.assert_array_equal(atoms.get_masses(), frame.mass)
             self.assertEqual(atoms.info["strain"], frame.strain)
         _, (dump, _) = self.export("lammps", name="y")
         for frame, atoms in zip(run.frames, ase.io.read(dump, ":", format="lammps-dump-text"), strict=True):
             np.testing.assert_allclose(atoms.cell[:2, :2], frame.box.matrix[:2, :2], atol=1e-12)
             self.same_places(frame.box, atoms.positions[:, :2] - atoms.get_celldisp().ravel()[:2], frame.position)
+            scale = ase.units.Ang / ase.units.fs / 1000  # a dump has no units: ASE takes them for Angstrom and picoseconds
+            np.testing.assert_allclose(atoms.get_velocities()[:, :2] / scale, frame.velocity, rtol=1e-12)
 
     @needs("MDAnalysis")
     def test_mdanalysis(self):

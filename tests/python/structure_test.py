@@ -118,10 +118,63 @@ class Displacements(unittest.TestCase):
         expected = np.mean((walked[7:] - walked[:-7])**2, axis=(0, 1))
         np.testing.assert_allclose(msd[7], expected)
 
+    def test_frames_that_are_not_evenly_spaced(self):
+        """Frames left out change which lags there are, not what is found at a lag."""
+        frames, walked = self.walk(1.0, strain=0.125)
+        for chosen in ([0, 1, 2, 4, 8, 16, 32], [0, 3, 4, 5, 9, 30, 31], [*range(10), *range(10, 40, 5)], [0, 39], [7, 8, 20]):
+            some = [frames[k] for k in chosen]
+            lags, msd = structure.nonaffine_msd(some)
+            moved = structure.nonaffine_displacement(some)[1]
+            np.testing.assert_allclose(moved[..., 1], (walked - walked[chosen[0]])[chosen][..., 1], atol=1e-9)
+            expected = {}
+            for (m, a), (n, b) in itertools.combinations(enumerate(chosen), 2):
+                expected.setdefault(b - a, []).append((moved[n] - moved[m])**2)
+            np.testing.assert_array_equal(lags, [0, *(0.125 * lag for lag in sorted(expected))])
+            for k, lag in enumerate(sorted(expected)):
+                np.testing.assert_allclose(msd[k + 1], np.mean(expected[lag], axis=(0, 1)), err_msg=f"{chosen}, lag {lag}")
+
+    def test_frames_late_by_a_step(self):
+        """As the program writes them: lag k is still that of k frames, its strain the mean."""
+        frames, walked = self.walk(1.0, strain=0.125)
+        late = [dataclasses.replace(frame, strain=frame.strain + 0.01 * (k % 2)) for k, frame in enumerate(frames)]
+        lags, msd = structure.nonaffine_msd(late)
+        self.assertEqual(len(lags), 40)
+        np.testing.assert_allclose(lags[:5], [0, 0.125 + 0.01 / 39, 0.25, 0.375 + 0.01 / 37, 0.5])
+
+    def test_frames_far_apart_in_scale(self):
+        """Ballistic disks, at strains even in their logarithm: the square of the lag, within what 1% of it makes."""
+        frames = [dataclasses.replace(random_frame(2), strain=gamma, box=bagnold.Box(100, 100, 0),
+                                      position=np.array([[10, 10 + 3 * gamma], [20, 30 + 3 * gamma]]))
+                  for gamma in np.geomspace(1e-3, 10, 60)]
+        lags, msd = structure.nonaffine_msd(frames)
+        np.testing.assert_allclose(msd[:, 1], (3 * lags)**2, rtol=1e-4)
+        self.assertTrue((np.diff(lags) > 0).all())
+
+    def test_frames_out_of_order(self):
+        frames, _ = self.walk(1.0)
+        for wrong in (frames[::-1], [frames[0], frames[1], frames[1]]):
+            with self.assertRaisesRegex(bagnold.InputError, "strain goes from .*must grow"):
+                structure.nonaffine_msd(wrong)
+        self.assertEqual(structure.nonaffine_msd(frames[:1])[0].tolist(), [0])
+
     def test_images_unwrap_likewise(self):
         frames, _ = self.walk(1.0)
         by_image = np.array([frame.unwrapped for frame in frames])
         np.testing.assert_allclose(structure.unwrapped(frames), by_image, atol=1e-9)
+        without = [dataclasses.replace(frame, image=None) for frame in frames]
+        np.testing.assert_allclose(structure.unwrapped(without), by_image, atol=1e-9)
+        self.assertEqual(structure.unwrapped([]).shape, (0, 0, 2))
+
+    def test_images_unwrap_frames_far_apart(self):
+        """Disks that went further than half the box from frame to frame, from any frame on."""
+        frames, walked = self.walk(1.0)
+        whole = structure.unwrapped(frames)
+        for chosen in ([0, 39], [5, 38], [3, 20, 39]):
+            some = structure.unwrapped([frames[k] for k in chosen])
+            np.testing.assert_array_equal(some[0], frames[chosen[0]].position)
+            moved = structure.nonaffine_displacement([frames[k] for k in chosen])[1]
+            np.testing.assert_allclose(moved[..., 1], (walked[chosen] - walked[chosen[0]])[..., 1], atol=1e-9)
+        self.assertGreater(np.abs(np.diff(whole[[0, 39], :, 1], axis=0)).max(), 5)
 
     def test_without_image_or_strain(self):
         frame = random_frame()

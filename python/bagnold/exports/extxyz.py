@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Extended XYZ. Small disks are H, big ones He: readers want names of elements."""
+"""Extended XYZ. Small disks are H, big ones He: readers want names of elements. Velocities are there twice: OVITO reads
+`velo`, ASE `momenta`."""
 
 from __future__ import annotations
 
@@ -17,8 +18,10 @@ ELEMENTS = np.array(["H", "He"])
 def _frame(frame: Frame) -> str:
     position, image = in_cell(frame)
     zero = np.zeros(len(frame))
-    properties = "species:S:1:pos:R:3:velo:R:3:radius:R:1:masses:R:1"
-    columns = [ELEMENTS[frame.species], *position.T, zero, *frame.velocity.T, zero, frame.diameter / 2, frame.mass]
+    momentum = frame.mass[:, None] * frame.velocity
+    properties = "species:S:1:pos:R:3:velo:R:3:radius:R:1:masses:R:1:momenta:R:3"
+    columns = [ELEMENTS[frame.species], *position.T, zero, *frame.velocity.T, zero, frame.diameter / 2, frame.mass,
+               *momentum.T, zero]
     if frame.spin is not None:
         properties += ":spin:R:1"
         columns.append(frame.spin)
