@@ -129,23 +129,25 @@ struct ClosedContact {
     return (c.reduced_mass * (of.approach * of.approach + tangential + l * l * closer) + x * x) / 2;
   }
 
-  /// The largest distance, and speed, by which the relative motion may differ from that on the line
-  /// of after the contact, and the largest relative acceleration: bounds over 0 <= s <= duration.
-  Real largest_deviation() const {
-    Real const u = std::sqrt(dot(end.velocity, end.velocity)), l = largest_tangential();
-    return 1.05 * (amplitude() + (u + 2 * l) * duration);
+  /// Bounds over 0 <= s <= duration. Largest overlap, [d_s]:
+  Real largest_overlap() const {
+    return std::sqrt(cosine * cosine + sine * sine) + std::fabs(centrifugal[1]);
   }
-  Real largest_speed(Class const& c) const {
-    return 1.05 * (amplitude() * std::sqrt(c.frequency02) + largest_tangential());
-  }
+  /// Largest relative speed, [d_s / tau_e].
+  Real largest_speed(Class const& c) const { return normal_speed(c) + tangential_speed(c); }
+  /// Largest force over mu, [d_s / tau_e^2]; share_i of it is that of disk i.
   Real largest_acceleration(Class const& c) const {
-    Real const w0 = std::sqrt(c.frequency02);
-    return 1.05 * (amplitude() * (c.frequency02 + 2 * c.rates.damping * w0) +
-                   c.rates.sliding * std::fabs(sliding));
+    return c.frequency02 * (largest_overlap() + pushed()) +
+           c.rates.sliding * std::fabs(sliding) * stretch(c);
   }
-
-  /// Largest overlap at any phase, from above, [d_s].
-  Real amplitude() const { return std::fabs(cosine) + std::fabs(sine); }
+  /// Largest distance between the relative motion and the line on which it goes on after the
+  /// contact, [d_s]; share_i of it is that of disk i.
+  Real largest_deviation(Class const& c) const {
+    Real const l = tangential_speed(c), turn = l * duration * c.inverse_distance;
+    Real const slid = std::fabs(last.angular - (constant + sliding));
+    return std::max(largest_overlap(), -last.approach * duration) +
+           duration * (slid + turn * (l + normal_speed(c)));
+  }
 
  private:
   template <class T>
@@ -224,7 +226,14 @@ struct ClosedContact {
     return series::sine_cosine<7>(x);
   }
 
-  Real largest_tangential() const { return std::fabs(constant) + std::fabs(sliding); }
+  Real pushed() const { return centrifugal[0] + std::fabs(centrifugal[1]) + centrifugal[2]; }
+  Real stretch(Class const& c) const { return 1 + 5 * largest_overlap() * c.inverse_distance; }
+  Real normal_speed(Class const& c) const {
+    return c.frequency0 * largest_overlap() + 2 * c.rates.sliding * pushed();
+  }
+  Real tangential_speed(Class const& c) const {
+    return std::max(std::fabs(constant + sliding), std::fabs(constant)) * stretch(c);
+  }
 
   static ClosedContact with(Class const& c, PairMotion<Rotates> const& pair, bool fresh) {
     ClosedContact k;

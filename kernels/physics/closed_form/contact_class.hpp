@@ -2,15 +2,21 @@
 #pragma once
 
 #include <cmath>
+#include <concepts>
 #include <numbers>
 
 #include "kernels/physics/closed_form/contact_phase.hpp"
 #include "kernels/physics/closed_form/node_numbers.hpp"
 #include "kernels/physics/laws/contact.hpp"
 #include "kernels/physics/motion.hpp"
+#include "kernels/physics/repulsion/repulsion.hpp"
 #include "kernels/physics/species.hpp"
 
 namespace bagnold {
+
+/// Whether a contact of two alone is solved in closed form: a spring and dashpots that are linear.
+template <class Law, class Repulsion>
+concept HasClosedForm = LinearLaw<Law> && std::same_as<Repulsion, HarmonicRepulsion>;
 
 /// A disk, or the image of one, at one instant.
 template <bool Rotates>
@@ -55,7 +61,7 @@ struct ContactClass {
   Real spin_gain_i, spin_gain_j;  ///< mu d/(2 I) = 4 mu/(m d), [1 / d_s]; spins per sliding
   Real normal_damping;            ///< k_n, [m / tau_e]
   Real tangential_damping;        ///< k_t
-  Real frequency02;               ///< omega_0^2, [1 / tau_e^2]
+  Real frequency0, frequency02;   ///< omega_0, [1 / tau_e], and its square
   ContactRates rates;             ///< b, omega, a, [1 / tau_e]
   Real inverse_frequency;         ///< 1/omega, [tau_e]
   Real push[3];                   ///< (q a - b)^2 + omega^2, q = 0, 1, 2, [1 / tau_e^2]
@@ -88,6 +94,7 @@ struct ContactClass {
     c.normal_damping = law.normal_damping();
     c.tangential_damping = law.tangential_damping();
     c.frequency02 = 1 / (c.reduced_mass * c.distance * c.distance);
+    c.frequency0 = std::sqrt(c.frequency02);
     Real const b = c.normal_damping / (2 * c.reduced_mass);
     Real const a = tangential_mobility(Rotates) * c.tangential_damping / c.reduced_mass;
     Real const frequency2 = c.frequency02 - b * b;
