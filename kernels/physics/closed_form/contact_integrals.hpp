@@ -49,7 +49,8 @@ struct ContactIntegrals {
     Closed const& contact;
     Real half;                        ///< of the time between the two, [tau_e]
     PolarMotion<Real> before, after;  ///< at the two phases
-    AtNodes time, tangential, roll;   ///< s, v_t, and (d_i thetadot_i + d_j thetadot_j)/(2 d_ij)
+    AtNodes time, closer, stretched;  ///< s, r/d_ij, d_ij/r
+    AtNodes tangential, roll;         ///< v_t, and (d_i thetadot_i + d_j thetadot_j)/(2 d_ij)
     PolarMotion<AtNodes> polar;
     Vec2<AtNodes> separation, velocity;
 
@@ -62,14 +63,13 @@ struct ContactIntegrals {
       Real const w = weight * half, k_n = c.normal_damping, k_t = c.tangential_damping;
       auto const& n = polar.normal;
       AtNodes const xx = n.x * n.x, xy = n.x * n.y, yy = n.y * n.y;
-      AtNodes const closer = AtNodes(1) - polar.overlap * AtNodes(c.inverse_distance);  // r/d_ij
       AtNodes const elastic = AtNodes(c.inverse_distance) * polar.overlap * closer;
       to[C::elastic_xx] += w * (elastic * xx).integral();
       to[C::elastic_xy] += w * (elastic * xy).integral();
       to[C::elastic_yy] += w * (elastic * yy).integral();
       // theta' = d_ij l/r^2 = v_t/r
       AtNodes const turned = AtNodes(k_n / 2) * polar.overlap * (AtNodes(1) + closer) *
-                             (tangential / closer);  // G theta'
+                             (tangential * stretched);  // G theta'
       Real const twice = 2 * w * (turned * xy).integral();
       Real const across = -w * (turned * (xx - yy)).integral();
       Vec2<Real> const &a = before.normal, &b = after.normal;
@@ -113,15 +113,15 @@ struct ContactIntegrals {
       add(mass_i, c.share_i);
       add(mass_j, -c.share_j);
       if constexpr (Rotates) {
-        add_spin(integrated, contact.spin(contact.start.spin_i, c.spin_gain_i, polar));
-        add_spin(integrated, contact.spin(contact.start.spin_j, c.spin_gain_j, polar));
+        add_spin(integrated, contact.spin_i(c, polar));
+        add_spin(integrated, contact.spin_j(c, polar));
       }
     }
 
     void add_contact_motion(ContactMotion& to, Real weight = 1) const {
       using M = ContactMotion;
       Real const w = weight * half;
-      AtNodes const r = AtNodes(of.c.distance) - polar.overlap, &vn = polar.approach;
+      AtNodes const& vn = polar.approach;
       auto const add = [&](int column, AtNodes const& value) {
         to.value[column] += w * value.integral();
       };
@@ -132,7 +132,7 @@ struct ContactIntegrals {
       to.value[M::normal] += weight * (after.overlap - before.overlap);
       to.value[M::contacts] += 2 * w;
       if constexpr (Rotates) {
-        AtNodes const rolled = r * roll;
+        AtNodes const rolled = AtNodes(of.c.distance) * closer * roll;
         add(M::rotational2, rolled * rolled);
         add(M::tangential_rotational, -(tangential * rolled));
         add(M::rotational_normal, vn * rolled);
@@ -201,15 +201,26 @@ struct ContactIntegrals {
       }
       return c.rates.earlier(c.rates.phase(middle), AtNodes(-half) * AtNodes::abscissas());
     }();
-    Nodes n{*this, contact, half, before, after, phases.time, {}, {}, contact.polar(c, phases),
-            {},    {}};
-    AtNodes const r = AtNodes(c.distance) - n.polar.overlap;
-    n.tangential = contact.tangential(c, n.polar);
-    n.separation = r * n.polar.normal;
-    n.velocity = n.tangential * perpendicular(n.polar.normal) - n.polar.approach * n.polar.normal;
+    auto const polar = contact.polar(c, phases);
+    AtNodes const closer = AtNodes(1) - polar.overlap * AtNodes(c.inverse_distance);
+    AtNodes const stretched = AtNodes(1) / closer, r = AtNodes(c.distance) * closer;
+    AtNodes const tangential = polar.angular * stretched;
+    Nodes n{*this,
+            contact,
+            half,
+            before,
+            after,
+            phases.time,
+            closer,
+            stretched,
+            tangential,
+            AtNodes(0),
+            polar,
+            r * polar.normal,
+            tangential * perpendicular(polar.normal) - polar.approach * polar.normal};
     if constexpr (Rotates)
-      n.roll = AtNodes(c.arm_i) * contact.spin(contact.start.spin_i, c.spin_gain_i, n.polar) +
-               AtNodes(c.arm_j) * contact.spin(contact.start.spin_j, c.spin_gain_j, n.polar);
+      n.roll =
+          AtNodes(c.arm_i) * contact.spin_i(c, polar) + AtNodes(c.arm_j) * contact.spin_j(c, polar);
     return n;
   }
 
@@ -221,7 +232,7 @@ struct ContactIntegrals {
   /// Up to a constant, [m d_s^2 / tau_e^2]; I times spin_gain is mu d/2.
   Real rotational_energy(Closed const& contact, PolarMotion<Real> const& at) const {
     Real const slid = at.angular - (contact.constant + contact.sliding);
-    Real const mean = c.arm_i * contact.start.spin_i + c.arm_j * contact.start.spin_j;
+    Real const mean = c.arm_i * contact.spins.i + c.arm_j * contact.spins.j;
     return c.reduced_mass * slid * (slid - c.distance * mean);
   }
 };

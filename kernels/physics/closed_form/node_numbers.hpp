@@ -35,13 +35,16 @@ struct AtNodes {
                  0.7966664774136267396,  0.9602898564975362317};
   }
 
+  static AtNodes weights() {
+    return Lanes{0.1012285362903762591, 0.2223810344533744706, 0.3137066458778872873,
+                 0.3626837833783619830, 0.3626837833783619830, 0.3137066458778872873,
+                 0.2223810344533744706, 0.1012285362903762591};
+  }
+
   /// Over (-1, 1).
   Real integral() const {
-    constexpr Real weight[count / 2] = {0.1012285362903762591, 0.2223810344533744706,
-                                        0.3137066458778872873, 0.3626837833783619830};
-    Real pair[count / 2];
-    for (int k = 0; k < count / 2; ++k) pair[k] = weight[k] * (v[k] + v[count - 1 - k]);
-    return (pair[0] + pair[1]) + (pair[2] + pair[3]);
+    Lanes const w = v * weights().v;
+    return ((w[0] + w[4]) + (w[1] + w[5])) + ((w[2] + w[6]) + (w[3] + w[7]));
   }
 
   AtNodes& operator+=(AtNodes const& b) {

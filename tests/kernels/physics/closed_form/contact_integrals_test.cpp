@@ -192,7 +192,7 @@ TYPED_TEST(OfContacts, ObeyTheVirialTheorem) {
       auto const found = Found<Law>().add(disks, contact, 0, contact.duration);
       auto const& v = found.sums.value;
       Real const change = dot(contact.end.separation, contact.end.velocity) -
-                          dot(contact.start.separation, contact.start.velocity);
+                          dot(disks.pair().separation, disks.pair().velocity);
       Real const kinetic = found.motion.value[M::normal2] + found.motion.value[M::tangential2];
       Real const virial =
           v[C::elastic_xx] + v[C::elastic_yy] + v[C::dissipative_xx] + v[C::dissipative_yy];
