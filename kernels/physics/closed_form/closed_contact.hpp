@@ -315,11 +315,12 @@ struct ClosedContact {
     search_end(c);
   }
 
-  /// Anywhere: Newton's method in a bracket.
+  /// Anywhere: Newton's method in a bracket. Without the centrifugal term, which pulls the disks
+  /// apart, the overlap would be 0 at `high`: there it is not above 0, and it has been 0 once.
   void search_end(Class const& c) {
     Real const w = c.rates.frequency;
-    Real low = 0, high = (std::numbers::pi - std::atan2(cosine, sine)) / w;
-    while (radial(c, c.rates.phase(high)).overlap > 0) high += 0.1 / w;
+    Real const swing = (approach + c.rates.damping * overlap) * c.inverse_frequency;
+    Real low = 0, high = (std::numbers::pi - std::atan2(overlap, swing)) * c.inverse_frequency;
     Real s = high;
     if (overlap == 0) {  // a grazing contact is a chord
       Real const l = constant + sliding;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <random>
 
 #include "tests/kernels/physics/closed_form/two_disks.hpp"
 #include "tests/reference/binary_collision.hpp"
@@ -284,6 +285,45 @@ TYPED_TEST(ClosedContacts, BothSearchesFindTheSameEnd) {
         Real const scale = contact.approach / speed;  // a touch of rounding moves the begin
         EXPECT_NEAR(other.duration / contact.duration, 1, 1e-15 / speed / scale + 1e-14) << name;
       }
+}
+
+/// Of any contact the first end is found, at most half a period on, and so is it from any phase:
+/// grazing ones, disks that spin fast or against each other, near critical damping.
+TYPED_TEST(ClosedContacts, OfAnyKindEndOnce) {
+  using Law = TypeParam;
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<Real> unit(0, 1);
+  std::normal_distribution<Real> normal;
+  for (int n = 0; n < 20000; ++n) {
+    Real const Q = 0.55 * std::pow(10.0, 3 * unit(random) * unit(random));
+    auto const law = Law::make({Q, 0.3 + unit(random), 2 * unit(random)});
+    auto const table = make_species_table(unit(random) < 0.5);
+    auto const c = ContactClass<Law::rotates>::of(law, table, random() % 2, random() % 2);
+    if (!c.underdamped()) continue;
+    Real const speed = std::pow(10.0, -8 + 6 * unit(random)), slip = speed * normal(random);
+    Real const approach = speed * std::pow(10.0, -5 * unit(random) * unit(random));
+    Real const angle = 6 * unit(random);
+    Vec2<Real> const out{std::cos(angle), std::sin(angle)};
+    PairMotion<Law::rotates> pair;
+    pair.separation = c.distance * out;
+    pair.velocity = slip * perpendicular(out) + (-approach) * out;
+    if constexpr (Law::rotates) {
+      pair.spin_i = 3 * speed * normal(random);
+      pair.spin_j = 3 * speed * normal(random);
+    }
+    auto const contact = ClosedContact<Law::rotates>::begin(c, pair);
+    auto const where = std::string(Law::name) + ", " + std::to_string(n);
+    ASSERT_GT(contact.duration, 0) << where;
+    ASSERT_LE(contact.duration, c.half_period * (1 + 1e-14)) << where;
+    for (int k = 1; k < 12; ++k)
+      EXPECT_GT(contact.polar(c, k * contact.duration / 12).overlap, -1e-21 * speed) << where;
+    Real const s = unit(random) * contact.duration;
+    auto const rest = ClosedContact<Law::rotates>::resume(c, contact.at(c, s));
+    Real const e = speed * c.half_period / c.distance;
+    Real const rounding = 1e-15 / (1e-15 - contact.last.approach);  // of r_ij
+    EXPECT_NEAR(s + rest.duration, contact.duration, (30 * e * e + rounding) * c.half_period)
+        << where;
+  }
 }
 
 /// A chord of two disks that hardly touch: T = 2 u d/v_t^2.
