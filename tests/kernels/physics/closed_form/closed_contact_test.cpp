@@ -300,8 +300,9 @@ TYPED_TEST(ClosedContacts, OfAnyKindEndOnce) {
     auto const table = make_species_table(unit(random) < 0.5);
     auto const c = ContactClass<Law::rotates>::of(law, table, random() % 2, random() % 2);
     if (!c.underdamped()) continue;
-    Real const speed = std::pow(10.0, -8 + 6 * unit(random)), slip = speed * normal(random);
-    Real const approach = speed * std::pow(10.0, -5 * unit(random) * unit(random));
+    Real const speed = std::pow(10.0, -8 + 6 * unit(random));
+    Real const slip = speed * normal(random) * std::pow(10.0, -4 * unit(random) * unit(random));
+    Real const approach = speed * std::pow(10.0, -7 * unit(random) * unit(random));
     Real const angle = 6 * unit(random);
     Vec2<Real> const out{std::cos(angle), std::sin(angle)};
     PairMotion<Law::rotates> pair;
