@@ -307,8 +307,7 @@ struct ClosedContact {
         auto const p = c.rates.slightly_earlier(c.end, early, slight < 1.0 / 16);
         q = radial(c, p);
         Real const change = q.overlap / q.approach;
-        if (std::fabs(change) * w < 1e-9)
-          return end_at(c, c.rates.earlier_by_nothing_squared(p, change));
+        if (std::fabs(change) * w < 1e-9) return end_at(c, c.rates.barely_earlier(p, change));
         early += change;
       }
     }
@@ -332,7 +331,7 @@ struct ClosedContact {
       (q.overlap > 0 ? low : high) = s;
       Real const change = q.overlap / q.approach;
       if (q.approach < 0 && std::fabs(change) * w < 1e-9) {
-        p = c.rates.earlier_by_nothing_squared(p, change);
+        p = c.rates.barely_earlier(p, change);
         break;
       }
       s = q.approach < 0 ? s - change : (low + high) / 2;

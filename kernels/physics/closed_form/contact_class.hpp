@@ -72,8 +72,8 @@ struct ContactClass {
   ContactPhase<AtNodes> nodes;    ///< at the nodes between 0 and half_period
 
   /// Whether contacts end of themselves. An overdamped one has no end in closed form: Q below
-  /// d_ij/(2 sqrt(mu)) for k_n = 1/Q, so below 0.564 and 0.714 .. 0.99 for masses by area and equal
-  /// ones.
+  /// d_ij/(2 sqrt(mu)) for k_n = 1/Q, which is 0.564 to 0.588 for masses by area, 0.707 to 0.990
+  /// for equal ones.
   bool underdamped() const { return rates.frequency > 0; }
 
   template <LinearLaw Law>

@@ -47,7 +47,7 @@ struct ContactRates {
   }
 
   /// A phase earlier by a time of which the square of largest() times it is nothing.
-  ContactPhase<Real> earlier_by_nothing_squared(ContactPhase<Real> const& p, Real by) const {
+  ContactPhase<Real> barely_earlier(ContactPhase<Real> const& p, Real by) const {
     return {p.time - by,
             p.decay + damping * by * p.decay,
             p.cosine + frequency * by * p.sine,
