@@ -197,7 +197,9 @@ TYPED_TEST(ClosedContacts, MomentaAreKeptToRounding) {
   using Law = TypeParam;
   Real const speed = 1e-2;
   for (Real Q : elasticities)
-    for (auto const& [name, disks] : scenes(law_at<Law>(Q), speed)) {
+    for (auto const& scene : scenes(law_at<Law>(Q), speed)) {
+      auto const& name = scene.name;
+      auto const& disks = scene.disks;
       auto const c = disks.contact_class();
       auto const t = disks.table();
       auto const contact = disks.begin();

@@ -151,7 +151,9 @@ TYPED_TEST(OfContacts, DissipativePressureIsNothingToRounding) {
 TYPED_TEST(OfContacts, DissipateWhatTheDisksLose) {
   using Law = TypeParam;
   for (Real Q : elasticities)
-    for (auto const& [name, disks] : scenes(law_at<Law>(Q), 1e-2)) {
+    for (auto const& scene : scenes(law_at<Law>(Q), 1e-2)) {
+      auto const& name = scene.name;
+      auto const& disks = scene.disks;
       auto const c = disks.contact_class();
       auto const t = disks.table();
       auto const contact = disks.begin();
