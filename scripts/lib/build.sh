@@ -53,13 +53,19 @@ drop_stale_build() {
   done < <(sed -n 's/^CMAKE_\(MAKE_PROGRAM\|CXX_COMPILER\|COMMAND\):[A-Z]*=//p' "$cache")
 }
 
+# choose_generator FOLDER leaves in `fresh` what names the generator of a build folder: only of a new one may it
+# be chosen.
+choose_generator() {
+  fresh=()
+  [ -f "$1/CMakeCache.txt" ] || fresh=("${generator[@]}")
+}
+
 # configure PRESET ARGUMENT...
 configure() {
   local preset="$1" folder="$root/build/$1"
   shift
   drop_stale_build "$folder"
-  local fresh=() # only then may the generator be chosen
-  [ -f "$folder/CMakeCache.txt" ] || fresh=("${generator[@]}")
+  choose_generator "$folder"
   say "Configuring build/$preset"
   if ! (cd "$root" && "$cmake" --preset "$preset" "${fresh[@]}" "${kokkos_arguments[@]}" "$@" </dev/null); then
     is_debian_12 || print_requirements

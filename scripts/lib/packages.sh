@@ -7,7 +7,14 @@ build_packages=(
   librandom123-dev libxxhash-dev
 )
 picture_packages=(python3 python3-h5py python3-matplotlib)
-test_packages=(libgtest-dev libbenchmark-dev python3-numpy python3-yaml help2man zsh)
+package_packages=(dpkg-dev file help2man) # what cpack asks to make Debian packages
+test_packages=(
+  libgtest-dev libbenchmark-dev clang-format-14 python3-numpy python3-yaml zsh
+  "${package_packages[@]}"
+  mypy python3-ase python3-gsd python3-pandas # other programs that read and write what is exported and imported
+  python3-nbclient python3-ipykernel          # notebooks
+)
+fuzz_packages=(clang libclang-rt-14-dev)
 
 print_requirements() {
   cat >&2 <<'END'
