@@ -57,7 +57,7 @@ class Contacts:
     @property
     def normal_force(self) -> Array:
         """f . n, positive where disks push, [M], m d_s/tau_e^2."""
-        return self.force[:, 0] * self.normal[:, 0] + self.force[:, 1] * self.normal[:, 1]
+        return np.asarray(self.force[:, 0] * self.normal[:, 0] + self.force[:, 1] * self.normal[:, 1], np.float64)
 
     @property
     def tangential_force(self) -> Array:

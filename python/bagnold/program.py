@@ -167,7 +167,7 @@ def _call(program: str, words: list[str], progress: Progress, name: str, of_swee
         shown.end()
     lines = [line.removeprefix("bagnold: ") for line in "".join(told).splitlines() if line.strip()]
     if child.returncode != 0:
-        kind = ERRORS.get(child.returncode, InternalError)
+        kind = ERRORS.get(child.returncode or 0, InternalError)
         raise kind("\n".join(lines) or f"{program} ended with code {child.returncode}")
     for line in lines:
         if line.startswith("note: "):  # in the run's notes

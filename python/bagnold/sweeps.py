@@ -95,7 +95,7 @@ class Sweep(Sequence[Point]):
                                  "pip install pandas)") from error
         return pandas.DataFrame({
             "folder": [str(point.folder) for point in self], "status": [point.status for point in self],
-            **self.varied, **self._observables,
+            **dict[str, Any](self.varied), **dict[str, Any](self._observables),
             "warnings": [" ".join(point.warnings) for point in self]})
 
 

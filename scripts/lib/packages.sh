@@ -11,7 +11,7 @@ package_packages=(dpkg-dev file help2man) # what cpack asks to make Debian packa
 test_packages=(
   libgtest-dev libbenchmark-dev clang-format-14 python3-numpy python3-yaml zsh
   "${package_packages[@]}"
-  mypy python3-ase python3-gsd python3-pandas # other programs that read and write what is exported and imported
+  mypy python3-ase python3-gsd python3-mdanalysis python3-pandas # other programs that read and write what is exported and imported
   python3-nbclient python3-ipykernel          # notebooks
 )
 fuzz_packages=(clang libclang-rt-14-dev)

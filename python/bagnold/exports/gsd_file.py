@@ -21,13 +21,16 @@ def write(frames: Frames, contacts: ContactFrames | None, target: pathlib.Path) 
         import gsd.hoomd as hoomd
     except ImportError as error:
         raise MissingLibrary(
-            "--to gsd needs the library gsd: `python3 -m venv ENV && ENV/bin/pip install gsd h5py`, then "
-            "BAGNOLD_PYTHON=ENV/bin/python by its absolute path, or --to lammps, which needs nothing") from error
+            "--to gsd needs the library gsd (Debian: apt install python3-gsd; else `python3 -m venv ENV && ENV/bin/pip "
+            "install gsd h5py`, then BAGNOLD_PYTHON=ENV/bin/python by its absolute path), or --to lammps, which needs "
+            "nothing") from error
+    new = hasattr(hoomd, "Frame")  # from 2.8 on; Debian 12 has 2.7
+    made = hoomd.Frame if new else hoomd.Snapshot
     part = target.with_name(target.name + ".part")
     try:
-        with hoomd.open(str(part), "w") as file:
+        with hoomd.open(str(part), "w" if new else "wb") as file:
             for k, frame in enumerate(frames):
-                file.append(_frame(hoomd.Frame(), frame, None if contacts is None else contacts[k]))
+                file.append(_frame(made(), frame, None if contacts is None else contacts[k]))
         os.replace(part, target)
     finally:
         part.unlink(missing_ok=True)

@@ -87,7 +87,7 @@ class Columns:
             if not found[k]:
                 raise InputError(f"{self.where}: has {names[1 - k]} and no {names[k]} (the plane of the disks is x y); write both")
         agreed = [self._agreed(name, [(one, values[:, 0]) for one, values in got]) for name, got in zip(names, found)]
-        return np.stack([np.zeros(len(found[0][0][1])) if one is None else one for one in agreed], axis=1)
+        return np.column_stack([np.zeros(len(found[0][0][1])) if one is None else one for one in agreed])
 
     def diameter(self) -> Array | None:
         """[N], of radii or diameters."""
