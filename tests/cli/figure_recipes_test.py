@@ -10,6 +10,7 @@ import json
 import pathlib
 import shutil
 import tempfile
+import tomllib
 import unittest
 
 import numpy as np
@@ -227,6 +228,20 @@ class RecipesTest(CliTest):
             self.assertNotIn("not found", "\n".join(lines), name)
         figure_page.plt.close(figure)
         return axes, states
+
+    def test_quick_figures_state_what_their_data_can_tell(self):
+        """A number is found for each that a quick figure states, and no other analysis lacks its points."""
+        listed = tomllib.loads(FIGURES.read_text())
+        names = [name for name, figure in listed.items() if "quick" in figure]
+        self.assertIn("P2-4", names)
+        for name in names:
+            with self.subTest(figure=name):
+                out = self.place / "quick"
+                result = self.bagnold("figure", name, "--quick", "--figures", self.figures, "--data", self.data,
+                                      "--out", out, env=environment() | {"BAGNOLD_PYTHON": "/bin/true"})
+                self.assertEqual(result.returncode, 0, result.stderr)
+                self.assertNotIn("not found", result.stdout)
+                self.assertNotRegex(result.stderr, "leaves no point|not varied|no table")
 
     def check(self, axes, wanted, states, name):
         if isinstance(wanted, Found):

@@ -178,7 +178,7 @@ def write_tables(figures, target):
     a state being keys and values."""
     made = {}
     for path in sorted(figures.parent.glob("*.toml")):
-        if path == figures or path.stem.endswith("_quick"):
+        if path == figures:
             continue
         rows, stored = [], []
         for phi, q, seed, rate, ramp, count, aspect in states_of(path):
