@@ -13,10 +13,15 @@ than it stands there:
   options against --help, presets of cmake, files of the repository.
 - So they are of programs that install, build, take hours or need a cluster (NAMES_ONLY).
 
-With BAGNOLD_DOCUMENTATION=full in the environment nothing is cut (minutes; the test cli.readme_in_full).
+A block of "text" behind commands shows what the last of them prints: these lines, in this order, of the scene in
+its full length.
+
+With BAGNOLD_DOCUMENTATION=full in the environment nothing is cut (minutes; the tests cli.readme_in_full and
+cli.tutorial_in_full).
 """
 
 import contextlib
+import csv
 import io
 import json
 import os
@@ -25,6 +30,8 @@ import shlex
 import shutil
 import subprocess
 import unittest
+
+import numpy as np
 
 from bagnold import PROGRAM, SOURCE, CliTest, environment, read_summary
 
@@ -122,6 +129,34 @@ class Documentation(CliTest):
 
     def test_the_chain_of_the_readme(self):
         self.check_page("README.md")
+        if FULL:
+            self.check_place_of_the_readme()
+
+    def check_place_of_the_readme(self):
+        """Its sweep ends without a warning, at the Q* that stands beside it."""
+        text = text_of("README.md")
+        sweep = self.folder / "results/sweep_elasticity"
+        with open(sweep / "sweep.csv", newline="") as file:
+            self.assertEqual({row["warnings"] for row in csv.DictReader(file)}, {""})
+        with open(sweep / "crossover.csv", newline="") as file:
+            (row,) = csv.DictReader(file)
+        found, error = float(row["Q_star"]), float(row["Q_star_error"])
+        self.assertIn(f"Q* = {found:.1f}({10 * error:.0f})", text)
+        self.assertEqual(row["failure"], "")
+
+    def test_the_tutorial(self):
+        self.check_page("docs/tutorial.md")
+
+    def test_both_places_of_the_readme(self):
+        """What its sweep finds, what the reproduction finds and what P1 states are one, within two errors."""
+        text = text_of("README.md")
+        own = re.search(r"Q\* = (\d+)\.(\d)\((\d)\)", text)
+        ours = re.search(r"Q\* at φ = 0.78 is ([\d.]+) ± ([\d.]+) \(P1: about ([\d.]+)\)", text)
+        value, error = float(f"{own[1]}.{own[2]}"), float(own[3]) / 10
+        place, its_error, stated = map(float, ours.groups())
+        self.assertLess(abs(value - place), 2 * np.hypot(error, its_error))
+        self.assertLess(abs(value - stated), 2 * np.hypot(error, 0.05))
+        self.assertLess(abs(place - stated), 2 * its_error)
 
     def test_docs(self):
         for name in PAGES[1:]:
@@ -135,19 +170,46 @@ class Documentation(CliTest):
                 self.check_names(line.replace("...", ""), line.replace("...", "").split())
 
     def check_page(self, name):
-        for language, lines in blocks(text_of(name)):
+        found = blocks(text_of(name))
+        for (language, lines), below in zip(found, [*found[1:], ("", [])]):
             if file := toml_file(language, lines):
                 (self.folder / file).write_text(cut("\n".join(lines) + "\n"))
-            for line, words in commands(language, lines):
+            called = commands(language, lines)
+            for line, words in called:
                 with self.subTest(file=name, line=line):
-                    self.check_line(line, words)
+                    said = self.check_line(line, words)
+                    if FULL and below[0] == "text" and (line, words) == called[-1]:
+                        self.check_said(said, below[1])
+
+    def test_runs_print_what_stands_below_them(self):
+        """Of full length, in every case: they take seconds."""
+        found = 0
+        for name in PAGES:
+            shown = blocks(text_of(name))
+            for (language, lines), (below, said) in zip(shown, shown[1:]):
+                if file := toml_file(language, lines):
+                    (self.folder / file).write_text("\n".join(lines) + "\n")
+                words = [words for _, words in commands(language, lines)][-1:]
+                if below == "text" and words and words[0][1] == "run":
+                    self.check_said(self.run_line([*words[0], "--set", "output.plot=false"]), said)
+                    found += 1
+        self.assertGreater(found, 0)
+
+    def check_said(self, said, lines):
+        """All of these lines, in their order. Other compilers and processors make other bits."""
+        if not re.search(r"^compiler +g\+\+ 12\b(?s:.*)^SIMD +avx", self.shell([PROGRAM, "info"]).stdout, re.M):
+            self.skipTest("numbers of another compiler or processor")
+        rest = iter(line.rstrip() for line in said.splitlines())
+        for line in lines:
+            self.assertIn(line.rstrip(), rest, said)
 
     def check_line(self, line, words):
         lacking = [word for word in words if word.startswith("docs/data/") and not (SOURCE / word).exists()]
         if words[0] in NAMES_ONLY or words[0].startswith("scripts/") or PLACEHOLDER.search(line) or lacking:
             self.check_names(line, words)
         else:
-            self.run_line(words)
+            return self.run_line(words)
+        return ""
 
     def run_line(self, words):
         words = [PROGRAM if word in PROGRAMS[:2] else word for word in words]
@@ -158,6 +220,7 @@ class Documentation(CliTest):
             words.append("--quick")
         result = self.shell(words)
         self.assertEqual(result.returncode, 0, result.stderr)
+        return result.stdout
 
     def shell(self, words):
         return subprocess.run(words, cwd=self.folder, env=environment(), capture_output=True, text=True,

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The session of docs/python.md, and the notebooks in examples/: every block and cell runs."""
 
+import base64
 import contextlib
+import importlib.machinery
 import importlib.util
 import io
 import json
@@ -13,9 +15,13 @@ import warnings
 from made import SOURCE, Folder, bagnold
 
 import matplotlib  # noqa: E402
+import matplotlib.figure  # noqa: E402
 
 matplotlib.use("Agg")
 NOTEBOOKS = sorted((SOURCE / "examples").glob("*.ipynb"))
+LOADER = importlib.machinery.SourceFileLoader("notebooks", str(SOURCE / "scripts/notebooks"))
+SCRIPT = importlib.util.module_from_spec(importlib.util.spec_from_loader("notebooks", LOADER))
+LOADER.exec_module(SCRIPT)
 
 
 class Documentation(Folder):
@@ -58,31 +64,39 @@ class Documentation(Folder):
                 self.run_notebook(path)
 
     def run_notebook(self, path):
-        """By nbclient where a kernel is installed too, else its cells as they stand."""
+        """By nbclient where a kernel is installed too, as scripts/notebooks does, else its cells as they stand: what is
+        kept in the notebook comes out."""
         notebook = json.loads(path.read_text())
-        cells = [cell for cell in notebook["cells"] if cell["cell_type"] == "code"]
-        self.assertTrue(cells and not any(cell["outputs"] or cell["execution_count"] for cell in cells),
-                        "kept without outputs")
+        shown = SCRIPT.shown(notebook)
+        self.assertTrue(any(shown), "kept with outputs")
         if all(importlib.util.find_spec(name) for name in ("nbclient", "nbformat", "ipykernel")):
-            import nbclient
-            import nbformat
-            environment = {"PYTHONPATH": str(SOURCE / "python"), "BAGNOLD_SOURCE": str(SOURCE)}
-            before = {name: os.environ.get(name) for name in environment}
-            os.environ.update(environment)
-            try:
-                nbclient.NotebookClient(nbformat.read(path, as_version=4), timeout=120, kernel_name="python3",
-                                        resources={"metadata": {"path": str(self.folder)}}).execute()
-            finally:
-                for name, value in before.items():
-                    os.environ.pop(name) if value is None else os.environ.update({name: value})
+            self.assertEqual(SCRIPT.differences(notebook, SCRIPT.run(path, os.environ["BAGNOLD"])), [])
             return
         os.environ["BAGNOLD_SOURCE"] = str(SOURCE)
         names = {}
-        with warnings.catch_warnings(), contextlib.redirect_stdout(io.StringIO()), \
-                contextlib.redirect_stderr(io.StringIO()):
-            warnings.simplefilter("ignore")
-            for number, cell in enumerate(cells):
-                exec(compile("".join(cell["source"]), f"{path.name}, cell {number + 1}", "exec"), names)
+        cells = [cell for cell in notebook["cells"] if cell["cell_type"] == "code"]
+        for number, (cell, outputs) in enumerate(zip(cells, shown), 1):
+            said = io.StringIO()
+            with warnings.catch_warnings(), contextlib.redirect_stdout(said), contextlib.redirect_stderr(io.StringIO()):
+                warnings.simplefilter("ignore")
+                exec(compile("".join(cell["source"]), f"{path.name}, cell {number}", "exec"), names)
+            self.assertEqual(said.getvalue(), "".join(text for text in outputs if not text.startswith("<Figure")))
+
+    def test_what_is_kept_is_compared(self):
+        """Another text, another size of a picture, and an output that is gone are told."""
+        text, picture = {"output_type": "stream", "name": "stdout", "text": "p = 1.0\n"}, io.BytesIO()
+        matplotlib.figure.Figure((2, 1), dpi=100).savefig(picture, dpi=100)
+        drawn = {"output_type": "display_data", "data": {
+            "text/plain": "<Figure>", "image/png": base64.b64encode(picture.getvalue()).decode()}}
+
+        def notebook(*outputs):
+            return {"cells": [{"cell_type": "code", "outputs": [SCRIPT.kept(output) for output in outputs]}]}
+
+        one = notebook(text, drawn)
+        self.assertEqual(SCRIPT.shown(one), [["p = 1.0\n", "<Figure> 200 x 100 pixels"]])
+        self.assertEqual(SCRIPT.differences(one, json.loads(json.dumps(one))), [])
+        for other in (notebook(text), notebook(text | {"text": "p = 1.1\n"}, drawn), notebook(drawn, text)):
+            self.assertEqual(len(SCRIPT.differences(one, other)), 1)
 
 
 if __name__ == "__main__":
