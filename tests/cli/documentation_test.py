@@ -133,11 +133,14 @@ class Documentation(CliTest):
             self.check_place_of_the_readme()
 
     def check_place_of_the_readme(self):
-        """Its sweep ends without a warning, at the Q* that stands beside it."""
+        """Its sweep ends without a warning, at the Q* that stands beside it; and its figure without one."""
         text = text_of("README.md")
         sweep = self.folder / "results/sweep_elasticity"
-        with open(sweep / "sweep.csv", newline="") as file:
-            self.assertEqual({row["warnings"] for row in csv.DictReader(file)}, {""})
+        (figure,) = (self.folder / "results/figures/data").iterdir()
+        for folder in (sweep, figure):
+            with open(folder / "sweep.csv", newline="") as file:
+                self.assertEqual({row["warnings"] for row in csv.DictReader(file)}, {""})
+        self.assertNotIn("not found", next((self.folder / "results/figures").glob("*/stated.csv")).read_text())
         with open(sweep / "crossover.csv", newline="") as file:
             (row,) = csv.DictReader(file)
         found, error = float(row["Q_star"]), float(row["Q_star_error"])

@@ -107,7 +107,7 @@ class FigureTest(CliTest):
                 text = re.sub(r"\nstrain = .*", "\nstrain = 0.1", text)
                 text = re.sub(r"strain_rates = .*", "strain_rates = [1e-3, 1e-4]", text)
                 text = text.replace("ramp_rate = 1e-4", "ramp_rate = 1e-3")
-                text = text.replace('"disks.seed" = [1, 2]', '"disks.seed" = [1]')
+                text = text.replace('"disks.seed" = [1, 2]', '"disks.seed" = [1]').replace("replicas = 4\n", "")
                 text = text.replace("[0.60, 0.70, 0.78, 0.82]", "[0.60, 0.78, 0.82]")
                 text = text.replace("[0.70, 0.76, 0.79, 0.81, 0.83]", "[0.70, 0.81]")
                 text = text.replace("[output]", "[output]\nsample_strain = 5e-3"
