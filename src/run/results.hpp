@@ -11,6 +11,7 @@
 #include "src/engine/observables.hpp"
 #include "src/run/run_folder.hpp"
 #include "src/run/run_measured.hpp"
+#include "src/start/mean_motion.hpp"
 #include "src/statistics/replicas.hpp"
 
 namespace bagnold {
@@ -23,6 +24,7 @@ struct Replica {
   std::optional<ObserverState>
       saved_frames;            ///< of the checkpoint it goes on from; none: it begins
   bool discards_more = false;  ///< than at the checkpoint: the run was made longer since
+  std::optional<MeanMotion> end_motion = {};  ///< of all disks together, once it is done
   Measurement measurement;
 };
 

@@ -328,6 +328,7 @@ void Runner::finish() {
     simulations_[r]->give_back_scratch();
     note_engine(r, simulations_[r]->snapshot());
     states.push_back(simulations_[r]->state());
+    run_.replicas[r].end_motion = mean_motion(states.back(), run_.scene);
   }
   write_result_file(folder_, run_);
   io::write_states(folder_.state(), std::move(states));

@@ -14,6 +14,7 @@
 #include "src/run/make_longer.hpp"
 #include "src/run/messages.hpp"
 #include "src/run/runner.hpp"
+#include "src/run/warnings/checks.hpp"
 #include "src/start/deep_overlaps.hpp"
 
 namespace bagnold {
@@ -75,6 +76,14 @@ RunEnd run_from_checkpoint(RunFolder const& folder, io::Checkpoint checkpoint, S
   return runner.run();
 }
 
+/// Of the state that had most of it; "" where none had any.
+std::string mean_motion_taken_off(std::vector<StartedState> const& started) {
+  MeanMotion most{};
+  for (auto const& one : started)
+    if (one.mean_motion && one.mean_motion->share > most.share) most = *one.mean_motion;
+  return most.share > 0 ? mean_motion_in_words(most.velocity, most.share) + " is taken off" : "";
+}
+
 /// The scene beside a checkpoint, where it is that of the checkpoint with more strain. InputError
 /// where it is neither that nor the checkpoint's.
 std::optional<Longer> longer_than(Scene const& before, RunFolder const& folder) {
@@ -116,6 +125,8 @@ RunEnd run_from_start(RunFolder const& folder, Scene const& scene, Machine const
   run.replicas.resize(replicas);
   monitor.status(fmt::format("{}, a step of {:.6g} tau_e", scheme_of(scene), plan.time_step));
   std::vector<std::optional<Snapshot>> snapshots(replicas);
+  if (auto const what = mean_motion_taken_off(started); !what.empty())
+    monitor.status(fmt::format("{}: {}", scene.start.file, what));
   if (scene.start.relax)
     monitor.status(fmt::format("relaxing the overlaps of {}", scene.start.file));
   for (std::size_t r = 0; r < started.size(); ++r) {

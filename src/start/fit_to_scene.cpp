@@ -7,6 +7,7 @@
 #include "kernels/physics/species.hpp"
 #include "src/config/errors.hpp"
 #include "src/start/copies.hpp"
+#include "src/start/mean_motion.hpp"
 #include "src/start/start.hpp"
 
 namespace bagnold {
@@ -60,13 +61,26 @@ void refuse_other_number(std::vector<State> const& states, Scene const& scene) {
         "state a replica); set disks.replicas = {}{}",
         states.size(), states.size() == 1 ? "" : "s", replicas, states.size(),
         replicas == 1 ? "" : ", or give a state file with as many"));
-  for (std::size_t a = 0; a < states.size(); ++a)
+}
+
+/// Whether two states, without the motion of all disks together, differ by rounding at most.
+bool are_alike(State const& one, State const& other, double strain_rate) {
+  if (one.position != other.position) return false;
+  double const rounding = 1e-9 * strain_rate * small_diameter;
+  return std::ranges::equal(one.velocity, other.velocity, [&](auto const& v, auto const& w) {
+    return std::abs(v[0] - w[0]) <= rounding && std::abs(v[1] - w[1]) <= rounding;
+  });
+}
+
+void refuse_alike(std::vector<StartedState> const& started, Scene const& scene) {
+  for (std::size_t a = 0; a < started.size(); ++a)
     for (std::size_t b = 0; b < a; ++b)
-      if (states[a].position == states[b].position && states[a].velocity == states[b].velocity)
-        refuse(
-            fmt::format("states {} and {} (from 0) are the same (must differ, or their replicas "
-                        "run alike); make one of them anew, with another seed",
-                        b, a));
+      if (are_alike(started[a].state, started[b].state, scene.shear.strain_rate))
+        throw InputError(fmt::format(
+            "{}: states {} and {} (from 0) are the same (must differ by more than the motion of "
+            "all disks together, or their replicas run alike); make one of them anew, with "
+            "another seed",
+            scene.start.file, b, a));
 }
 
 StartedState fit_one(State state, Scene const& scene) {
@@ -101,8 +115,21 @@ StartedState fit_one(State state, Scene const& scene) {
     started.record["start_velocity_scale"] = ratio;
   }
   state.strain_rate = scene.shear.strain_rate;
+  started.mean_motion = take_off_mean_motion(state, scene);
   started.state = std::move(state);
   return started;
+}
+
+/// What was taken off any of the states, of all: records have the same names.
+void record_mean_motions(std::vector<StartedState>& started) {
+  if (std::ranges::none_of(started, [](auto const& one) { return one.mean_motion.has_value(); }))
+    return;
+  for (auto& one : started) {
+    auto const off = one.mean_motion.value_or(MeanMotion{});
+    one.record[start_mean_velocity_x] = off.velocity[0];
+    one.record[start_mean_velocity_y] = off.velocity[1];
+    one.record[start_mean_motion_share] = off.share;
+  }
 }
 
 }  // namespace
@@ -111,6 +138,8 @@ std::vector<StartedState> fit_to_scene(std::vector<State> states, Scene const& s
   refuse_other_number(states, scene);
   std::vector<StartedState> started;
   for (State& state : states) started.push_back(fit_one(std::move(state), scene));
+  refuse_alike(started, scene);
+  record_mean_motions(started);
   return started;
 }
 

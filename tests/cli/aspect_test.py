@@ -11,7 +11,7 @@ import numpy as np
 
 from bagnold import (
     PAPERS, SCENE, TWO_STAGE, CliTest, Raw, box_length, lattice_state, read_series, read_state,
-    read_summary, same_bits, scene_text, write_state,
+    read_summary, same_bits, scene_text, without_mean_motion, write_state,
 )
 
 RATE = 2.0**-7
@@ -122,6 +122,7 @@ class FromState(CliTest):
             length, height = state["box_length"], aspect * state["box_length"]
             state["velocity"][0] = [0.1, -height / 48]  # from a height of 1/8 through y = 0
             state["velocity"][15] = [0.1, height / 48]  # through y = L_y
+            state = without_mean_motion(state, RATE)
             final = read_state(self.run_from(state, name, disks__count=16, shear__strain=2.0**-4,
                                              disks__packing_fraction=0.01, **shape))
             free = state["position"] + 2.0**-4 / RATE * state["velocity"]

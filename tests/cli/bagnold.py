@@ -267,6 +267,14 @@ def lattice_state(count=64, packing_fraction=0.1, small_first=True):
     }
 
 
+def without_mean_motion(state, rate, by_area=False):
+    """The state as a run at this rate begins with it: sum m (v - gammadot y x^) = 0, of each replica."""
+    mass = (state["diameter"] ** 2 if by_area else np.ones_like(state["diameter"]))[..., None]
+    own = state["velocity"] - rate * state["position"][..., 1:] * [1.0, 0.0]
+    mean = (mass * own).sum(-2, keepdims=True) / mass.sum(-2, keepdims=True)
+    return {**state, "velocity": state["velocity"] - mean}
+
+
 def files_of(folder):
     """Every file of a folder with its bytes and times: equal when nothing was touched."""
     return {

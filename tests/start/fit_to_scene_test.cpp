@@ -10,20 +10,23 @@
 namespace bagnold {
 namespace {
 
-/// Fits scene_from_state, disks in an order that no random start has; made at the scene's rate.
-State some_state() {
+/// Fits scene_from_state, disks in an order that no random start has; made at the scene's rate, or
+/// another one, and at rest on average against its flow.
+State some_state(double rate = 3e-3) {
   State state;
   for (int i = 0; i < 20; ++i) {
     double const x = i;
     state.position.push_back({0.3 + 0.2 * x, 5 - 0.1 * x});
-    state.velocity.push_back({1e-3 * x, -2e-3 / (x + 1)});
+    double const fluctuation = i < 10 ? 1 + 0.1 * x : -1 - 0.1 * (x - 10);  // sum: 0
+    state.velocity.push_back({rate * state.position.back()[1] + 1e-3 * fluctuation,
+                              i % 3 == 0 && i < 18 ? 2e-3 * (i % 6 == 0 ? 1 : -1) : 0});
     state.spin.push_back(-1e-3 + 1e-4 * x);
     state.diameter.push_back(i % 2 == 0 ? 1.4 : 1.0);
   }
   state.box_length = scene_from_state("CD").box_length();
   state.offset = 1.25;
   state.time = 77;
-  state.strain_rate = 3e-3;
+  state.strain_rate = rate;
   return state;
 }
 
@@ -58,8 +61,7 @@ TEST(FitToScene, KeepsEveryBitAtTheSameRate) {
 
 /// P2 Eqs. (40)-(41): v and thetadot are multiplied by the ratio of the rates.
 TEST(FitToScene, ScalesToAnotherRate) {
-  State state = some_state();
-  state.strain_rate = 6e-3;
+  State const state = some_state(6e-3);
   auto const started = fit(state, scene_from_state("CD_rot"));
   for (std::size_t i = 0; i < state.count(); ++i) {
     for (int a = 0; a < 2; ++a)
@@ -100,7 +102,8 @@ TEST(FitToScene, MissingSpinsAreThoseOfTheFlowAndRecorded) {
   auto started = fit(state, scene_from_state("CD_rot"));
   EXPECT_EQ(started.state.spin, std::vector<double>(20, -1.5e-3));
   EXPECT_EQ(started.record.at("start_spins_assumed"), 1);
-  state.strain_rate = 6e-3;  // scaled with the velocities: those of the new flow
+  state = some_state(6e-3);  // scaled with the velocities: those of the new flow
+  state.spin.clear();
   started = fit(state, scene_from_state("CD_rot"));
   ASSERT_EQ(started.state.spin.size(), 20u);
   for (double const spin : started.state.spin) EXPECT_DOUBLE_EQ(spin, -1.5e-3);
@@ -170,6 +173,8 @@ TEST(FitToScene, EachReplicaNeedsAStateOfItsOwn) {
   auto states = some_states(3);
   states[2] = states[0];
   EXPECT_TRUE(names(refusal_of_states(states, 3), {"states 0 and 2", "the same", "seed"}));
+  for (auto& v : states[2].velocity) v = {v[0] + 0.02, v[1] - 0.01};  // it is taken off
+  EXPECT_TRUE(names(refusal_of_states(states, 3), {"states 0 and 2", "the same"}));
   states[2].velocity[0][0] += 1;
   EXPECT_EQ(refusal_of_states(states, 3), "accepted");
 }
@@ -178,7 +183,7 @@ TEST(FitToScene, EachStateIsFitted) {
   Scene scene = scene_from_state("CD_rot");
   scene.disks.replicas = 2;
   auto states = some_states(2);
-  states[1].strain_rate = 6e-3;
+  states[1] = some_state(6e-3);
   auto const started = fit_to_scene(states, scene);
   ASSERT_EQ(started.size(), 2u);
   EXPECT_EQ(started[0].state.velocity[1], states[0].velocity[1]);

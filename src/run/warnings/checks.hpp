@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+
 #include "src/run/warnings/warning.hpp"
 
 /// Each looks at one thing that may be wrong with a result, in a file of its own, and warns or not.
@@ -52,6 +54,9 @@ Check error_bar;
 /// So few collisions that the state cannot have forgotten its start.
 Check few_collisions;
 
+/// All disks move together on top of the shear flow, which p_kin counts as fluctuations.
+Check net_momentum;
+
 /// The motion is that of the whole box: bands, or a box too small.
 Check box_size;
 
@@ -60,10 +65,13 @@ Check contact_durations;
 
 /// All of them, in the order of the summary.
 inline constexpr Check* all_checks[] = {
-    above_jamming,        hard_core_limit,  large_overlap,    energy_balance,
-    dissipative_pressure, rotation_balance, collision_loss,   implicit_inertia,
-    quasi_static_inertia, contact_network,  steady_state,     error_bar,
-    few_collisions,       box_size,         contact_durations};
+    above_jamming,        hard_core_limit,  large_overlap,  energy_balance,
+    dissipative_pressure, rotation_balance, collision_loss, implicit_inertia,
+    quasi_static_inertia, contact_network,  steady_state,   error_bar,
+    few_collisions,       net_momentum,     box_size,       contact_durations};
+
+/// "the mean motion against the shear flow, (-0.03, 0) d_s/tau_e, 97% of the kinetic energy"
+std::string mean_motion_in_words(std::array<double, 2> const& velocity, double share);
 
 /// The command that runs the scene with half its time step.
 std::string half_the_step(FinishedRun const& finished);

@@ -29,6 +29,7 @@ struct Flow {
   double torque = 0.0;       ///< torque_power
   double spin2 = 0.5;        ///< <(thetadot/gammadot)^2>
   double kinetic = 0.0;      ///< p_kin / p
+  double along = 0.0;        ///< (<dv_x^2> - <dv_y^2>)^(1/2) over gammadot L_y, masses being 1
 };
 
 /// A run whose windows are flow(window) with noise of 5%, so that what is to be found is known.
@@ -59,6 +60,9 @@ class Checks : public testing::Test {
     row[C::dissipative_xx] = row[C::dissipative_yy] =
         pressure * area * flow.dissipative / (1 - flow.dissipative);
     row[C::kinetic_xx] = row[C::kinetic_yy] = pressure * area * flow.kinetic / (1 - flow.kinetic);
+    double const excess = std::pow(flow.along * scene.shear.strain_rate * scene.box_height(), 2);
+    row[C::kinetic_xx] += n * excess / 2;
+    row[C::kinetic_yy] -= n * excess / 2;
     row[C::torque_power] = flow.torque * flow.friction * pressure * scene.shear.strain_rate * area;
     row[C::spin2] = n * flow.spin2 * scene.shear.strain_rate * scene.shear.strain_rate;
     row[C::contacts] = flow.contacts * n;
@@ -309,12 +313,92 @@ TEST_F(Checks, TooFewCollisions) {
   }
 }
 
+/// A run in which nothing happens, sum p = 0, has nothing but that to say: no "-nan%".
+TEST_F(Checks, WithoutACollisionOnlyThatIsSaid) {
+  for (double const overlap : {0.0, 1e-300}) {
+    auto const list = warnings_of(Flow{.overlap = overlap, .contacts = 0, .spin2 = 0});
+    ASSERT_EQ(names(list), "few_collisions");
+    for (auto const& warning : list) EXPECT_EQ(warning.reason.find("nan"), std::string::npos);
+  }
+}
+
+/// (u_x, u_y) at the end of a measured strain of 10, on top of T_g: of 1024 disks of m = 1.
+TEST_F(Checks, DisksThatMoveTogether) {
+  struct Case {
+    double x, y, share;
+  };
+  double const kinetic = 1e-4, mean2 = 2 * kinetic;  // <dv^2> from p_kin = n T_g
+  auto const flow = [&](double) {
+    double const pressure = 1e-5 * 2 * 1024 / 4 / scene.box_length() / scene.box_height();
+    double const of_kinetic = kinetic * 1024 / scene.box_length() / scene.box_height();
+    return Flow{.kinetic = of_kinetic / (of_kinetic + pressure)};
+  };
+  double const u = std::sqrt(mean2);
+  for (auto const& [x, y, share] : {Case{0, 0, 0},
+                                    {0.09 * u, 0, 0.0081},
+                                    {0.11 * u, 0, 0.0121},
+                                    {-0.11 * u, 0, 0.0121},
+                                    {0, 0.016 * u, 0.0088},
+                                    {0, 0.018 * u, 0.0111},
+                                    {-0.1 * u, 0.01 * u, 0.0034}}) {
+    warnings_of(flow);
+    run.replicas.front().end_motion = MeanMotion{{x, y}, 0.5};
+    auto const list = found();
+    ASSERT_EQ(names(list), share > 0.01 ? "net_momentum" : "") << x << " " << y;
+    if (list.empty()) continue;
+    EXPECT_FALSE(list[0].is_note);
+    EXPECT_NEAR(number(list[0], "share"), share, 0.02 * share);
+  }
+  warnings_of(Flow{.anisotropy = 50, .along = 0.13});  // which is theirs, and no bands
+  run.replicas.front().end_motion = MeanMotion{{0.13 * 1e-4 * scene.box_height(), 0}, 0.9};
+  EXPECT_EQ(names(found()), "net_momentum");
+}
+
+/// The mean of N disks in a bath has 1/N of the kinetic energy.
+TEST_F(Checks, DisksInABathMoveTogetherByChance) {
+  scene.disks.count = 256;
+  warnings_of(Flow{.kinetic = 0.5});
+  auto const list = estimates(run);
+  double const p_kin = FinishedRun{run, list}.mean("p_kin");
+  double const mean2 = 2 * p_kin * scene.box_length() * scene.box_height() / 256;  // m = 1
+  for (auto const& [drive, share, warned] : {std::tuple("none", 0.03, true),
+                                             {"thermal", 0.03, false},
+                                             {"stokes", 0.03, false},
+                                             {"thermal", 0.05, true}}) {
+    run.scene.drive.kind = drive;
+    run.replicas.front().end_motion = MeanMotion{{std::sqrt(share * mean2), 0}, 0.5};
+    EXPECT_EQ(net_momentum({run, list}).has_value(), warned) << drive << " " << share;
+  }
+}
+
+TEST_F(Checks, AMeanMotionThatWasTakenOffIsNoted) {
+  for (int r = 0; r < 2; ++r) {
+    add_replica([](std::int64_t) { return Flow{}; });
+    run.replicas.back().start_record = {{"start_mean_velocity_x", -0.03},
+                                        {"start_mean_velocity_y", 0.001},
+                                        {"start_mean_motion_share", r == 0 ? 0.0 : 0.97}};
+    run.replicas.back().end_motion = MeanMotion{{1e-19, 0}, 1e-30};
+  }
+  auto const list = found();
+  ASSERT_EQ(names(list), "net_momentum");
+  EXPECT_TRUE(list[0].is_note);
+  EXPECT_EQ(number(list[0], "start_mean_motion_share"), 0.97);
+  EXPECT_NE(
+      list[0].reason.find("(-0.03, 0.001) d_s/tau_e, 97% of the kinetic energy, was taken off"),
+      std::string::npos)
+      << list[0].reason;
+}
+
 TEST_F(Checks, BandsAndSmallBoxes) {
-  EXPECT_EQ(names(warnings_of(Flow{.anisotropy = 1.9})), "");
-  EXPECT_EQ(names(warnings_of(Flow{.anisotropy = 2.1})), "box_size");
+  EXPECT_EQ(names(warnings_of(Flow{.anisotropy = 1.9, .along = 0.13})), "");
+  EXPECT_EQ(names(warnings_of(Flow{.anisotropy = 2.1, .along = 0.13})), "box_size");
+  // CD, phi = 0.60, Q = 0.2 to 5: a homogeneous flow of any N
+  for (double const along : {0.077, 0.042, 0.023})
+    EXPECT_EQ(names(warnings_of(Flow{.anisotropy = 4.7, .along = along})), "") << along;
   for (double const share : {0.0, 0.009, 0.03}) {
-    auto const banded = warnings_of(Flow{.anisotropy = 50, .kinetic = share});
+    auto const banded = warnings_of(Flow{.anisotropy = 50, .kinetic = share, .along = 0.13});
     ASSERT_EQ(names(banded), "box_size");
+    EXPECT_NEAR(number(banded[0], "excess_along_flow"), 0.13, 1e-9);
     EXPECT_NEAR(number(banded[0], "p_kin_share"), share, 1e-12);
     EXPECT_EQ(banded[0].reason.find("p_kin") != std::string::npos, share > 0.01);
   }

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/start/mean_motion.hpp"
+
+#include "kernels/physics/species.hpp"
+
+namespace bagnold {
+
+MeanMotion mean_motion(State const& state, Scene const& scene) {
+  double const rate = state.strain_rate.value_or(scene.shear.strain_rate);
+  double masses = 0, x = 0, y = 0, squares = 0;
+  for (std::size_t i = 0; i < state.count(); ++i) {
+    double const mass = disk_mass(scene.mass_by_area(), state.diameter[i]);
+    double const dv_x = state.velocity[i][0] - rate * state.position[i][1];
+    double const dv_y = state.velocity[i][1];
+    masses += mass;
+    x += mass * dv_x;
+    y += mass * dv_y;
+    squares += mass * (dv_x * dv_x + dv_y * dv_y);
+  }
+  double const share = squares > 0 ? (x * x + y * y) / (masses * squares) : 0;
+  return {{x / masses, y / masses}, share};
+}
+
+std::optional<MeanMotion> take_off_mean_motion(State& state, Scene const& scene) {
+  // Of states of our own rounding has left less than 1e-20. A strain of 1e4 makes 1e-4 of this.
+  constexpr double rounding = 1e-12;
+  auto const found = mean_motion(state, scene);
+  auto const [x, y] = found.velocity;
+  double const rate = state.strain_rate.value_or(scene.shear.strain_rate);
+  bool const against_shear = x * x + y * y > rounding * rate * rate;  // over a length of d_s
+  if (!(found.share > rounding && against_shear)) return std::nullopt;
+  for (auto& v : state.velocity) v = {v[0] - found.velocity[0], v[1] - found.velocity[1]};
+  return found;
+}
+
+}  // namespace bagnold
