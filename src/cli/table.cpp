@@ -10,6 +10,7 @@
 #include "src/run/paper_values.hpp"
 #include "src/run/protocols/ramp/hysteresis.hpp"
 #include "src/run/rounded.hpp"
+#include "src/run/target_error.hpp"
 #include "src/run/warnings/warning.hpp"
 
 namespace bagnold {
@@ -63,17 +64,18 @@ std::string typed(std::string const& command, std::string const& folder) {
 
 /// Where a run that looks at errors ended, and what "auto" discarded.
 void print_ends(Run const& run, std::string const& folder) {
-  auto const longer = typed(longer_run(run, 2), folder);
   if (!run.scene.shear.discard)
     fmt::print("\nsteady {} (MSER-5): {} of {} windows discarded\n",
-               run.steady_found ? "state found" : "state not found, so half discarded" + longer,
+               run.steady_found
+                   ? "state found"
+                   : "state not found, so half discarded" + typed(longer_run(run, 2), folder),
                run.plan.discarded_windows, run.plan.windows);
   for (auto const& [name, error] : run.reached)
     fmt::print("relative error of {}: {} wanted, {} reached at strain {:.4g}\n", name,
                run.scene.shear.target_error.at(name),
                error ? fmt::format("{:.2g}", *error) : "none", run.plan.strain(run.plan.steps));
   if (!run.reached.empty() && !run.target_met)
-    fmt::print("not reached at two looks in a row{}\n", longer);
+    fmt::print("not reached at two looks in a row{}\n", typed(until_target(run), folder));
 }
 
 /// What is without an error, or has a rough one, and what would do.

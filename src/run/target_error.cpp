@@ -10,6 +10,8 @@
 #include "src/config/errors.hpp"
 #include "src/config/nearest_word.hpp"
 #include "src/measure/make_frames.hpp"
+#include "src/run/collisions.hpp"
+#include "src/run/warnings/warning.hpp"
 #include "src/statistics/steady_start.hpp"
 #include "src/statistics/stopping.hpp"
 
@@ -19,9 +21,18 @@ namespace {
 
 bool has_target(Scene const& scene) { return !scene.shear.target_error.empty(); }
 
+/// None where nothing was measured: of a mean of 0, or of a series that does not vary.
 std::optional<double> relative_error(statistics::Estimate const& of) {
-  if (!of.mean || !of.error) return {};
+  if (!of.mean || !of.error || *of.mean == 0 || *of.error == 0) return {};
   return *of.error / std::abs(*of.mean);
+}
+
+/// Measured strain of a run of so many windows, the first of which are discarded.
+double measured_strain(Plan const& plan, std::int64_t windows, std::size_t discarded) {
+  auto const end_of = [&](std::int64_t count) {
+    return count == 0 ? 0.0 : plan.strain(plan.window_end(count - 1));
+  };
+  return end_of(windows) - end_of(static_cast<std::int64_t>(discarded));
 }
 
 /// Where the steady state of the first `windows` windows starts, by B_p and B_sigma, averaged over
@@ -55,7 +66,8 @@ std::vector<std::string> names_of_frames(Scene scene) {
   return names;
 }
 
-/// Whether the first `windows` windows meet the target of every name.
+/// Whether the first `windows` windows meet the target of every name, and disks have collided often
+/// enough in them.
 bool met_at(Run const& run, std::int64_t windows) {
   std::vector<statistics::Windows> so_far;
   for (auto const& replica : run.replicas)
@@ -66,8 +78,14 @@ bool met_at(Run const& run, std::int64_t windows) {
   auto const& wanted = run.scene.shear.target_error;
   for (auto const& observable : observables(run.scene, run.box_length)) {
     auto const target = wanted.find(std::string(observable.name));
-    if (target == wanted.end()) continue;
+    bool const is_contacts = observable.name == "Z";
+    if (target == wanted.end() && !is_contacts) continue;
     auto const found = statistics::estimate(addresses, discarded, observable.value);
+    if (is_contacts &&
+        !(collisions_per_disk(run.scene, found.all.mean.value_or(0),
+                              measured_strain(run.plan, windows, discarded)) >= fewest_collisions))
+      return false;
+    if (target == wanted.end()) continue;
     auto const error = relative_error(statistics::cautious(found));
     if (!statistics::long_enough(found) || !error || *error > target->second) return false;
   }
@@ -86,6 +104,15 @@ void judge_errors(Run& run) {
   }
   run.target_met = statistics::met_twice(
       run.plan.windows, [&](std::int64_t windows) { return met_at(run, windows); });
+}
+
+std::string until_target(Run const& run) {
+  double times = 0;
+  for (auto const& [name, error] : run.reached) {
+    if (!error) return {};
+    times = std::max(times, std::pow(*error / run.scene.shear.target_error.at(name), 2));
+  }
+  return longer_run(run, statistics::look_factor * times);
 }
 
 void discard_transient(Run& run) {

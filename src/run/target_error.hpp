@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
+
 #include "src/run/results.hpp"
 
 namespace bagnold {
@@ -9,6 +11,11 @@ namespace bagnold {
 /// and run.target_met (src/statistics/stopping.hpp). Depends on the windows of the run only, so
 /// that a resumed run ends where an undisturbed one does.
 void judge_errors(Run& run);
+
+/// The command that makes a run that missed its targets long enough for them: errors fall with the
+/// root of the strain, so it takes (reached/wanted)^2 times the strain, and 1.5 times that for the
+/// look before to meet them too. "" where one has no error.
+std::string until_target(Run const& run);
 
 /// Where the scene leaves it open ("auto"): the windows to discard, by steady_start() of B_p and
 /// B_sigma, averaged over replicas; the later one counts. Where the scene has a target error it is

@@ -25,6 +25,9 @@ namespace bagnold::statistics {
 /// Windows, first discarded ones included, at the first look.
 inline constexpr std::int64_t first_look = 100;
 
+/// Windows of a look over those of the look before.
+inline constexpr double look_factor = 1.5;
+
 /// Fewest independent windows of each replica, n / (2 tau_int).
 inline constexpr double fewest_independent = 32;
 

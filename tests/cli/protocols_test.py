@@ -3,6 +3,7 @@
 
 import os
 import random
+import re
 import shutil
 import signal
 import time
@@ -11,8 +12,8 @@ import unittest
 import h5py
 import numpy as np
 
-from bagnold import (STEP_STRAIN, CliTest, Raw, discarded_windows, read_series, read_state, read_summary,
-                     same_bits)
+from bagnold import (STEP_STRAIN, CliTest, Raw, discarded_windows, lattice_state, read_series, read_state, read_summary,
+                     same_bits, write_state)
 from sweeps import SweepTest, rows
 
 RATES = [2.0**-5, 2.0**-6, 2.0**-7]
@@ -303,6 +304,38 @@ class Steady(ProtocolTest):
         summary = read_summary(out)
         self.assertFalse(summary["target_error_reached"])
         self.assertEqual(summary["strain"]["total"], 2.0**-3)
+
+    def test_a_missed_target_tells_the_strain_that_it_takes(self):
+        """Errors fall with the root of the strain; the look before the last has two thirds of it."""
+        path, out = self.scene(**self.LONG, shear__target_error=Raw("{ B_p = 0.03, Z = 0.5 }")), self.folder / "short"
+        said = self.run_scene(path, out).stdout
+        found = read_summary(out)["target_error"]["B_p"]
+        times = (found["reached"] / found["wanted"]) ** 2
+        self.assertGreater(times, 1.5)
+        strain = float(re.search(r"not reached at two looks in a row; `bagnold resume \S+ --strain ([\d.]+)`", said)[1])
+        self.assertGreaterEqual(strain, 2.0**5 * 1.5 * times * 0.999)
+        self.assertLess(strain, 2.0**5 * 1.5 * times * 1.11)  # rounded up to two digits
+
+    def test_a_target_is_not_reached_by_disks_that_have_not_met(self):
+        """16 disks of phi = 0.15 meet no one for a while: B_p is rounding, and does not change."""
+        dilute = {"disks__model": "CD_n", "disks__count": 16, "disks__packing_fraction": 0.15, "disks__elasticity": 0.5,
+                  "disks__seed": 1, "shear__strain_rate": 1e-3, "integration__time_step": None, "measure__every": None,
+                  "output__sample_strain": None, "shear__target_error": Raw("{ B_p = 0.05, Z = 0.05 }")}
+        for strain, enough in ((10.0, False), (400.0, True)):
+            out = self.folder / f"strain{strain:g}"
+            result = self.run_scene(self.scene(**dilute, shear__strain=strain), out)
+            summary = read_summary(out)
+            self.assertEqual(summary["target_error_reached"], enough)
+            self.assertGreater(summary["strain"]["total"], 5.0)
+            self.assertNotIn("nan", result.stdout + result.stderr)
+            few = [one["name"] for one in summary["warnings"]].count("few_collisions")
+            self.assertFalse(few and enough)
+        self.assertGreater(summary["observables"]["B_p"]["mean"], 0.1)
+        still = lattice_state(16, 0.15)
+        still["velocity"][:, 0] = 1e-3 * still["position"][:, 1]
+        write_state(self.folder / "start.h5", still)
+        out = self.run_new("still", **dilute, start__kind="state", start__file="start.h5", shear__strain=1.5)
+        self.assertEqual([read_summary(out)["target_error"][name]["reached"] for name in ("B_p", "Z")], [None, None])
 
     def test_kills_change_no_bit(self):
         path = self.scene(**self.LONGER, shear__target_error=Raw("{ B_p = 0.12 }"), disks__replicas=2,

@@ -34,7 +34,7 @@ std::optional<EnergyGap> energy_gap_beyond(double most, FinishedRun const& finis
   auto const& found = named->estimate.all;
   if (!found.mean || !found.error || found.rough) return {};
   EnergyGap const gap{*found.mean, *found.error, stored_share(finished)};
-  if (std::abs(gap.gap) < most + standard_errors * gap.error + gap.stored) return {};
+  if (!(std::abs(gap.gap) >= most + standard_errors * gap.error + gap.stored)) return {};
   return gap;
 }
 

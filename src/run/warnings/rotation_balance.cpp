@@ -34,7 +34,7 @@ std::optional<Warning> rotation_balance(FinishedRun const& finished) {
   double const power = *found->estimate.all.mean, error = *found->estimate.all.error;
   double const changed = finished.change([&](std::size_t w) { return energy(finished, w); });
   double const kept = changed / std::abs(finished.mean("sigma") * finished.measured_strain());
-  if (std::abs(power) < most_power + standard_errors * error + kept) return {};
+  if (!(std::abs(power) >= most_power + standard_errors * error + kept)) return {};
   return Warning{
       "rotation_balance",
       {{"torque_power", power}, {"error", error}, {"stored", kept}},

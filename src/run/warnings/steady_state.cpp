@@ -44,9 +44,9 @@ std::optional<Warning> steady_state(FinishedRun const& finished) {
     bool const settles = start.found && 4 * start.first <= measured.size();
     auto const error = found->estimate.all.rough ? std::nullopt : found->estimate.all.error;
     double const apart = error ? std::abs(second - first) / (2 * *error) : 0.0;
-    if (std::abs(drift) < (error ? least_drift : least_without_error)) continue;
+    if (!(std::abs(drift) >= (error ? least_drift : least_without_error))) continue;
     if (settles && !error) continue;
-    if (error && apart < (settles ? most_if_settled : most_if_not)) continue;
+    if (error && !(apart >= (settles ? most_if_settled : most_if_not))) continue;
     return Warning{
         "steady_state",
         {{"drift", drift},
