@@ -16,16 +16,22 @@ struct Launches {
 
   template <class Body>
   void for_all(char const* label, std::int64_t count, Body const& body) const {
-    side_by_side::parallel_for(label, Policy(space, 0, count), body);
+    side_by_side::parallel_for(label, policy(count), body);
   }
   template <class Body, class Reducer>
   void reduce(char const* label, std::int64_t count, Body const& body,
               Reducer const& reducer) const {
-    side_by_side::parallel_reduce(label, Policy(space, 0, count), body, reducer);
+    side_by_side::parallel_reduce(label, policy(count), body, reducer);
   }
 
  private:
-  using Policy = Kokkos::RangePolicy<Space, Kokkos::IndexType<std::int64_t>>;
+  /// Light-weight: a functor goes to the device with its launch, up to 4 KB. Those beyond 512 bytes
+  /// would else go by constant memory, and wait there for the launch before.
+  auto policy(std::int64_t count) const {
+    using Policy = Kokkos::RangePolicy<Space, Kokkos::IndexType<std::int64_t>>;
+    return Kokkos::Experimental::require(Policy(space, 0, count),
+                                         Kokkos::Experimental::WorkItemProperty::HintLightWeight);
+  }
 };
 
 /// The same loops by the threads of one team, from inside a kernel, with a barrier after each.

@@ -35,8 +35,18 @@ inline constexpr int pair_classes = 3;
 
 KOKKOS_INLINE_FUNCTION constexpr int pair_class(Species a, Species b) { return a + b; }
 
-constexpr Real class_distance(int pair_class) {  ///< d_ij, [d_s]
-  return small_diameter + pair_class * (big_diameter - small_diameter) / 2;
+/// Contact distance of a class, d_ij = (d_i + d_j)/2, [d_s]. Chosen, not computed: constants.
+KOKKOS_INLINE_FUNCTION constexpr Real class_distance(int pair_class) {
+  return pair_class == 0   ? small_diameter
+         : pair_class == 1 ? (small_diameter + big_diameter) / 2
+                           : big_diameter;
+}
+
+/// 1/d_ij, [1/d_s].
+KOKKOS_INLINE_FUNCTION constexpr Real inverse_class_distance(int pair_class) {
+  return pair_class == 0   ? 1 / small_diameter
+         : pair_class == 1 ? 1 / ((small_diameter + big_diameter) / 2)
+                           : 1 / big_diameter;
 }
 
 /// Mass m of a disk of diameter d: 1 (P2, `equal`), or (pi/2) d^2 (P1, `area`: m_0 = rho_0

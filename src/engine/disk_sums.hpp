@@ -28,7 +28,8 @@ std::vector<Sums<false>> disk_sums(Scene const& scene, State const& state,
           disks.trial_position =
               decltype(disks.trial_position)("measure::trial_position", state.count());
         disks.trial_motion = decltype(disks.trial_motion)("measure::trial_motion", state.count());
-        disks.neighbors = make_neighbor_rows(Space{}, search, NeighborRows<Space>{});
+        NeighborRows<Space> const none;
+        disks.neighbors = make_neighbor_rows(Space{}, search, none);
         disks.step.allocate(law, system.table, system.time_step, state.count());
         system.begin_step(Launches<Space>{}, search.box);  // engines stop for deep overlaps
         auto const forces = system.measured_forces(search.box);

@@ -6,14 +6,13 @@
 
 namespace bagnold {
 
-/// A system's disks as they are on the device, outside the box perhaps. diameter: [N], [d_s].
-template <bool Rotates, class Space>
-State download_state(Kokkos::View<Vec2<Real>*, Space> const& position,
-                     Kokkos::View<Motion<Rotates>*, Space> const& motion,
-                     std::vector<double> const& diameter, Clock const& clock, std::int64_t step) {
+/// A system's disks as they were on the device, outside the box perhaps. All [N].
+template <bool Rotates>
+State state_of(std::vector<Vec2<Real>> const& position, std::vector<Motion<Rotates>> const& motion,
+               std::vector<double> const& diameter, Clock const& clock, std::int64_t step) {
   State state;
-  state.position = pairs(to_host(position));
-  split_motions(to_host(motion), state);
+  state.position = pairs(position);
+  split_motions(motion, state);
   state.diameter = diameter;
   clock.tell(state, step);
   return state;

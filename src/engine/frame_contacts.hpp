@@ -17,11 +17,12 @@ FrameContacts frame_contacts(Scene const& scene, State const& state, HostSearch 
   using Space = Kokkos::Serial;
   return with_repulsion(scene.disks, [&]<class Repulsion>(Repulsion const& repulsion) {
     auto const law = make_law<Law>(scene.disks);
+    NeighborRows<Space> const none;
     ContactForces<Law, Repulsion, Space> const forces{
         search.position,
         to_device<Space>("measure::motion", motions<Law::rotates>(state)),
         search.species,
-        make_neighbor_rows(Space{}, search, NeighborRows<Space>{}),
+        make_neighbor_rows(Space{}, search, none),
         make_species_table(scene.mass_by_area()),
         search.box,
         law,
@@ -29,8 +30,9 @@ FrameContacts frame_contacts(Scene const& scene, State const& state, HostSearch 
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     FrameContacts contacts;
     for (std::uint32_t i = 0; i < state.count(); ++i)
-      forces.each_contact(i, [&](std::uint32_t j, Vec2<Real> const& separation, Real distance2,
+      forces.each_contact(i, [&](Neighbor neighbor, Vec2<Real> const& separation, Real distance2,
                                  Real inverse_distance, Vec2<Real> const& velocity, Real spins) {
+        auto const j = neighbor.index();
         if (j < i) return;
         auto const pair =
             pair_force(law, repulsion, separation, distance2, velocity, inverse_distance, spins);

@@ -17,6 +17,16 @@ namespace bagnold {
 
 namespace detail {
 
+/// Disks from which on it pays that they lie in memory by where they are: a cache holds fewer.
+inline constexpr std::size_t sorted_from = 4096;
+
+/// A device goes on alone for some steps. Contacts and drives go by the order of the start.
+template <class Space>
+LaunchPlan launch_plan(Scene const& scene, Snapshot const& snapshot) {
+  return {is_device<Space> ? 32 : 1,
+          snapshot.state.count() > sorted_from && !scene.measure.contacts && !scene.driven()};
+}
+
 template <ContactLaw Law>
 std::unique_ptr<Simulation> make_reference(Scene const& scene, Snapshot const& snapshot,
                                            std::optional<DriveSetup> const& drive,
@@ -26,7 +36,8 @@ std::unique_ptr<Simulation> make_reference(Scene const& scene, Snapshot const& s
     return on_backend<Made>(backend, [&]<class Space>(std::type_identity<Space>) -> Made {
       return std::make_unique<ReferenceEngine<Law, R, Space, S>>(
           law, make_species_table(scene.mass_by_area()), strain_rates(scene), time_step(scene),
-          skin(scene), snapshot, make_device_drive<Law::rotates, Space>(drive));
+          skin(scene), snapshot, make_device_drive<Law::rotates, Space>(drive),
+          launch_plan<Space>(scene, snapshot));
     });
   });
 }

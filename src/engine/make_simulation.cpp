@@ -92,7 +92,7 @@ std::unique_ptr<Simulation> make_simulation(Scene const& scene, Snapshot&& snaps
       static_cast<std::int64_t>(snapshot.state.count()) <= most_disks_of_a_team)
     return std::move(make_simulations(scene, {snapshot}, chosen).front());
   auto const length = implicit_step_length(scene);
-  if (length > 1 && !is_device_backend(chosen) && is_one_of(backend_names(), chosen))
+  if (length > 1 && is_one_of(backend_names(), chosen))
     return make_choosing(scene, length, std::move(snapshot), chosen);
   auto made = make_engine(scene, snapshot, chosen);
   if (!made)

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
+
 #include "kernels/device/dynamics/relaxation.hpp"
 #include "src/engine/failure.hpp"
 
 namespace bagnold {
 
 /// Throws the NumericalError of a system with a number that is none or an overlap beyond its limit.
-/// forces: at `step`; state: there.
-template <ContactLaw Law, class Repulsion, class Space>
+/// forces: at `step`; state: there; original: place in it of the disk at a place of `forces`.
+template <ContactLaw Law, class Repulsion, class Space, class Original = std::identity>
 [[noreturn]] void throw_unsound(Space const& space,
                                 ContactForces<Law, Repulsion, Space> const& forces,
-                                Clock const& clock, std::int64_t step, State const& state) {
+                                Clock const& clock, std::int64_t step, State const& state,
+                                Original const& original = {}) {
   failure::check_finite(clock, step, state);
   Kokkos::ValLocScalar<Real, std::int64_t> deepest{};
   side_by_side::parallel_reduce("dynamics::LargestOverlap",
@@ -19,7 +22,7 @@ template <ContactLaw Law, class Repulsion, class Space>
                                     space, 0, static_cast<std::int64_t>(state.count())),
                                 LargestOverlap<Law, Repulsion, Space>{forces},
                                 Kokkos::MaxLoc<Real, std::int64_t>(deepest));
-  failure::too_deep(clock, step, static_cast<std::size_t>(deepest.loc), deepest.val);
+  failure::too_deep(clock, step, original(static_cast<std::size_t>(deepest.loc)), deepest.val);
 }
 
 }  // namespace bagnold

@@ -94,4 +94,11 @@ fs::path RunFolder::trajectory(std::optional<std::int64_t> seed) const {
   return path_ / (seed ? fmt::format("trajectory_{}.h5md", *seed) : "trajectory.h5md");
 }
 
+bool begun(std::filesystem::path const& folder) {
+  for (auto const* name :
+       {"checkpoint.h5", "checkpoint.previous.h5", "checkpoint.h5.tmp", "result.h5"})
+    if (std::filesystem::exists(folder / name)) return true;
+  return false;
+}
+
 }  // namespace bagnold

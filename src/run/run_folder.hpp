@@ -43,4 +43,7 @@ class RunFolder {
   std::unique_ptr<io::RunLock> lock_;
 };
 
+/// Whether a run in a folder has come to its first checkpoint, whole or not, or lost it since.
+bool begun(std::filesystem::path const& folder);
+
 }  // namespace bagnold

@@ -109,13 +109,6 @@ std::vector<StartedState> states_in_file(Scene const& scene) {
   return started;
 }
 
-bool begun(std::filesystem::path const& folder) {
-  for (auto const* name :
-       {"checkpoint.h5", "checkpoint.previous.h5", "checkpoint.h5.tmp", "result.h5"})
-    if (std::filesystem::exists(folder / name)) return true;
-  return false;
-}
-
 RunEnd run_from_start(RunFolder const& folder, Scene const& scene, Machine const& machine,
                       RunMonitor& monitor, std::vector<StartedState> started) {
   KokkosScope const kokkos(machine, scene);

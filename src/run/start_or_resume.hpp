@@ -16,9 +16,6 @@ namespace bagnold {
 /// made.
 std::vector<StartedState> states_in_file(Scene const& scene);
 
-/// Whether a run in a folder has come to its first checkpoint, whole or not, or lost it since.
-bool begun(std::filesystem::path const& folder);
-
 /// Runs a resolved scene of one run from its beginning, in a folder made for it.
 RunEnd run_from_start(RunFolder const& folder, Scene const& scene, Machine const& machine,
                       RunMonitor& monitor, std::vector<StartedState> started);

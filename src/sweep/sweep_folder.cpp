@@ -9,7 +9,7 @@
 #include "src/config/scene_file.hpp"
 #include "src/io/atomic_file.hpp"
 #include "src/run/make_longer.hpp"
-#include "src/run/start_or_resume.hpp"
+#include "src/run/run_folder.hpp"
 
 namespace bagnold::sweep {
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Kokkos_Core.hpp>
+#include <type_traits>
 
 #include "kernels/device/neighbors/neighbor_rows.hpp"
 #include "kernels/physics/box/sheared_box.hpp"
@@ -42,18 +43,22 @@ struct ContactForces {
   Law law;
   Repulsion repulsion;
 
+  /// An observer is shown each pair, and the neighbour if it asks for it.
   template <class Observer>
   KOKKOS_FUNCTION Load<rotates> operator()(std::uint32_t i, Observer&& observe) const {
     Load<rotates> total;
     Real const diameter_i = table.diameter[species(i)];
-    each_contact(i, [&](std::uint32_t, Vec2<Real> const& separation, Real distance2,
+    each_contact(i, [&](Neighbor neighbor, Vec2<Real> const& separation, Real distance2,
                         Real inverse_distance, Vec2<Real> const& velocity, Real spins) {
       auto const pair =
           pair_force(law, repulsion, separation, distance2, velocity, inverse_distance, spins);
       total.force += pair.elastic + pair.dissipative;
       if constexpr (rotates)
         total.torque += diameter_i * pair.torque_per_diameter(inverse_distance);
-      observe(pair);
+      if constexpr (std::is_invocable_v<Observer, PairForce<Real> const&, Neighbor>)
+        observe(pair, neighbor);
+      else
+        observe(pair);
     });
     return total;
   }
@@ -70,32 +75,61 @@ struct ContactForces {
   /// The configuration.
   KOKKOS_FUNCTION ContactForces const& now() const { return *this; }
 
-  /// visit(j, r_ij, r_ij^2, 1/d_ij, v_ij, thetadot_i d_i + thetadot_j d_j) for all disks j that i
-  /// touches.
+  /// visit(neighbour j, r_ij, r_ij^2, 1/d_ij, v_ij, thetadot_i d_i + thetadot_j d_j) for all disks
+  /// j that i touches.
   template <class Visit>
   KOKKOS_FUNCTION void each_contact(std::uint32_t i, Visit const& visit) const {
-    Vec2<Real> const position_i = position(i);
-    Motion<rotates> const motion_i = motion(i);
-    Real const diameter_i = table.diameter[species(i)];
-
+    Own const own = own_of(i);
     for (auto k = neighbors.begin(i); k < neighbors.end(i); ++k) {
       Neighbor const neighbor = neighbors.entry(k);
-      std::uint32_t const j = neighbor.index();
-      Image const image = neighbor.image();
-      Vec2<Real> const separation = (position_i - position(j)) - box.shift(image);
-      Real const diameter_j = table.diameter[species(j)];
-      Real const contact_distance = (diameter_i + diameter_j) / 2;
+      Vec2<Real> const separation = separation_from(own, neighbor);
       Real const distance2 = dot(separation, separation);
-      if (distance2 >= contact_distance * contact_distance) continue;
-
-      Motion<rotates> const motion_j = motion(j);
-      Vec2<Real> velocity = motion_i.velocity - motion_j.velocity;
-      velocity.x -= box.velocity_shift(image);
-      Real const inverse_distance = 1 / contact_distance;
-      Real spins = 0;
-      if constexpr (rotates) spins = motion_i.spin * diameter_i + motion_j.spin * diameter_j;
-      visit(j, separation, distance2, inverse_distance, velocity, spins);
+      Real const reach = class_distance(own.pair_class_with(neighbor));
+      if (distance2 < reach * reach) show(own, neighbor, separation, distance2, visit);
     }
+  }
+
+  /// The same for disks that i is known to touch: touching(k), k < count.
+  template <class Touching, class Visit>
+  KOKKOS_FUNCTION void each_of(std::uint32_t i, int count, Touching const& touching,
+                               Visit const& visit) const {
+    Own const own = own_of(i);
+    for (int k = 0; k < count; ++k) {
+      Neighbor const neighbor = touching(k);
+      Vec2<Real> const separation = separation_from(own, neighbor);
+      show(own, neighbor, separation, dot(separation, separation), visit);
+    }
+  }
+
+ private:
+  struct Own {
+    Vec2<Real> position;
+    Motion<rotates> motion;
+    Species species;
+
+    KOKKOS_FUNCTION int pair_class_with(Neighbor neighbor) const {
+      return pair_class(species, neighbor.big());
+    }
+  };
+
+  KOKKOS_FUNCTION Own own_of(std::uint32_t i) const { return {position(i), motion(i), species(i)}; }
+
+  KOKKOS_FUNCTION Vec2<Real> separation_from(Own const& own, Neighbor neighbor) const {
+    return (own.position - position(neighbor.index())) - box.shift(neighbor.image());
+  }
+
+  template <class Visit>
+  KOKKOS_FUNCTION void show(Own const& own, Neighbor neighbor, Vec2<Real> const& separation,
+                            Real distance2, Visit const& visit) const {
+    Motion<rotates> const other = motion(neighbor.index());
+    Vec2<Real> velocity = own.motion.velocity - other.velocity;
+    velocity.x -= box.velocity_shift(neighbor.image());
+    Real spins = 0;
+    if constexpr (rotates)
+      spins = own.motion.spin * table.diameter[own.species] +
+              other.spin * table.diameter[neighbor.big()];
+    visit(neighbor, separation, distance2, inverse_class_distance(own.pair_class_with(neighbor)),
+          velocity, spins);
   }
 };
 

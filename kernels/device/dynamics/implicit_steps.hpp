@@ -57,14 +57,15 @@ struct DampingForces {
   template <class Visit>
   KOKKOS_FUNCTION void each_contact(std::uint32_t i, Visit const& visit) const {
     Real const diameter_i = forces.table.diameter[forces.species(i)];
-    forces.each_contact(i, [&](std::uint32_t j, Vec2<Real> const& separation, Real distance2,
+    forces.each_contact(i, [&](Neighbor neighbor, Vec2<Real> const& separation, Real distance2,
                                Real inverse_distance, Vec2<Real> const& velocity, Real spins) {
       auto const at_contact = [&](Vec2<Real> const& of_centres, Real of_spins) {
         return velocity_at_contact<Law>(of_centres, separation, inverse_distance, of_spins);
       };
+      auto const j = neighbor.index();
       Real moving_spins = 0;
       if constexpr (rotates) {
-        Real const diameter_j = forces.table.diameter[forces.species(j)];
+        Real const diameter_j = forces.table.diameter[neighbor.big()];
         moving_spins = moving(i).spin * diameter_i + moving(j).spin * diameter_j;
       }
       Contact<Real> contact = make_contact(separation, distance2, inverse_distance);
@@ -193,17 +194,19 @@ Kokkos::View<DampingBound*, Space> bound_on_device(Law const& law, SpeciesTable 
   return bound;
 }
 
-/// What iterations go to, in turns, and the bound.
+/// What iterations go to, in turns, the bound, and the roots.
 template <bool Rotates, ImplicitScheme Scheme, class Space>
 struct StepViews<Rotates, Scheme, Space> {
   Kokkos::View<Motion<Rotates>*, Space> iterate[2];  ///< [N]
   Kokkos::View<DampingBound const*, Space> bound;    ///< [1]
+  ChebyshevRoots roots;
 
   template <class Law>
   void allocate(Law const& law, SpeciesTable const& table, Real, std::size_t disks) {
     for (auto& each : iterate)
       each = Kokkos::View<Motion<Rotates>*, Space>("dynamics::iterate", disks);
     bound = bound_on_device<Space>(law, table);
+    roots = ChebyshevRoots::make(Scheme::terms(Law::rotates));
   }
 };
 
@@ -211,10 +214,12 @@ template <bool Rotates, ImplicitScheme Scheme, class Space>
 struct StepTables<Rotates, Scheme, Space> {
   SystemTable<Motion<Rotates>, Space> iterate[2];
   Kokkos::View<DampingBound*, Space> bound;
+  ChebyshevRoots roots;
 
   KOKKOS_FUNCTION StepViews<Rotates, Scheme, Space> of(std::size_t s) const {
     return {{part(iterate[0], s), part(iterate[1], s)},
-            Kokkos::View<DampingBound const*, Space>(bound.data(), 1)};
+            Kokkos::View<DampingBound const*, Space>(bound.data(), 1),
+            roots};
   }
 
   template <class Law>
@@ -223,6 +228,7 @@ struct StepTables<Rotates, Scheme, Space> {
     for (auto& each : iterate)
       each = SystemTable<Motion<Rotates>, Space>("dynamics::iterate", systems, disks);
     bound = bound_on_device<Space>(law, table);
+    roots = ChebyshevRoots::make(Scheme::terms(Law::rotates));
   }
 };
 
@@ -257,7 +263,7 @@ struct DeviceStep<Scheme> {
                  Kokkos::Max<Real>(rate));
     if (!(rate < Kokkos::reduction_identity<Real>::min())) return false;
     Real const weighed = Scheme::theta * system.time_step;
-    ChebyshevIterations const iterations(weighed * rate, Scheme::terms(Law::rotates));
+    ChebyshevIterations const iterations(weighed * rate, disks.step.roots);
     auto now = disks.trial_motion;
     for (int k = 0; k < passes<Law>; ++k) {
       auto const next = disks.step.iterate[k % 2];

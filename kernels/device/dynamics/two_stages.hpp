@@ -11,19 +11,37 @@
 
 namespace bagnold {
 
-/// First stage of a TwoStageScheme: what the forces change, and how many contacts each disk has.
+/// Contacts of each disk as the first stage of a step finds them, for the second stage and for
+/// sums: how many, and with whom, as far as there is room. Entry k of all disks lies side by side,
+/// so that threads side by side read side by side.
+template <class Space>
+struct TouchingDisks {
+  static constexpr int room = 8;  ///< a disk with more contacts is searched for again
+
+  Kokkos::View<int*, Space> count;           ///< [N]
+  Kokkos::View<Neighbor*, Space> neighbors;  ///< [room N]
+
+  KOKKOS_FUNCTION Neighbor& of(std::uint32_t i, int k) const {
+    return neighbors(static_cast<std::size_t>(k) * count.extent(0) + i);
+  }
+};
+
+/// First stage of a TwoStageScheme: what the forces change, and which disks touch.
 template <ContactLaw Law, class Repulsion, class Space, TwoStageScheme Scheme>
 struct FirstStage {
   ContactForces<Law, Repulsion, Space> forces;  ///< at t
   Real time_step;                               ///< dt, [tau_e]
   Kokkos::View<Motion<Law::rotates>*, Space> change;
-  Kokkos::View<int*, Space> contacts;
+  TouchingDisks<Space> touching;
 
-  struct Counter {
-    int& contacts;
+  struct Lister {
+    TouchingDisks<Space> const& touching;
+    std::uint32_t disk;
+    int& count;
     bool& too_deep;
-    KOKKOS_FUNCTION void operator()(PairForce<Real> const& pair) const {
-      ++contacts;
+    KOKKOS_FUNCTION void operator()(PairForce<Real> const& pair, Neighbor neighbor) const {
+      if (count < TouchingDisks<Space>::room) touching.of(disk, count) = neighbor;
+      ++count;
       too_deep = too_deep || pair.relative_overlap > largest_relative_overlap;
     }
   };
@@ -32,13 +50,13 @@ struct FirstStage {
   KOKKOS_FUNCTION void operator()(std::uint32_t i, Real& failed) const {
     int count = 0;
     bool too_deep = false;
-    auto const load = forces(i, Counter{count, too_deep});
+    auto const load = forces(i, Lister{touching, i, count, too_deep});
     TimePerMass const per(time_step, forces.table, forces.species(i));
     Motion<Law::rotates> changed;
     changed.velocity = Scheme::change(load.force, per.mass);
     if constexpr (Law::rotates) changed.spin = Scheme::change(load.torque, per.inertia);
     change(i) = changed;
-    contacts(i) = count < SecondStage::most ? count : SecondStage::most;
+    touching.count(i) = count;
     if (too_deep) failed = 1;
   }
 };
@@ -55,7 +73,7 @@ struct ChangeForces {
   static constexpr bool rotates = Law::rotates;
   ContactForces<Law, Repulsion, Space> forces;  ///< at t
   Kokkos::View<Motion<rotates> const*, Space> change;
-  Kokkos::View<int const*, Space> contacts;
+  TouchingDisks<Space> touching;
   Kokkos::View<SecondStage const*, Space> shares;  ///< [1]: looked up by index, so in memory
   Real time_step;                                  ///< dt, [tau_e]
 
@@ -93,21 +111,26 @@ struct ChangeForces {
   template <class Observer>
   KOKKOS_FUNCTION Damping damping(std::uint32_t i, Observer&& observe) const {
     Damping total;
-    Real const diameter_i = forces.table.diameter[forces.species(i)];
-    forces.each_contact(i, [&](std::uint32_t j, Vec2<Real> const& separation, Real distance2,
-                               Real inverse_distance, Vec2<Real> const& velocity, Real spins) {
-      Real const diameter_j = forces.table.diameter[forces.species(j)];
+    Species const own = forces.species(i);
+    Real const diameter_i = forces.table.diameter[own];
+    Motion<rotates> const change_i = change(i);
+    int const contacts_i = touching.count(i);
+    auto const visit = [&](Neighbor neighbor, Vec2<Real> const& separation, Real distance2,
+                           Real inverse_distance, Vec2<Real> const& velocity, Real spins) {
+      auto const j = neighbor.index();
+      Real const diameter_j = forces.table.diameter[neighbor.big()];
+      Motion<rotates> const change_j = change(j);
       auto const at_contact = [&](Vec2<Real> const& of_centres, Real of_spins) {
         return velocity_at_contact<Law>(of_centres, separation, inverse_distance, of_spins);
       };
       Real changed_spins = 0;
       if constexpr (rotates)
-        changed_spins = change(i).spin * diameter_i + change(j).spin * diameter_j;
-      auto const changed = at_contact(change(i).velocity - change(j).velocity, changed_spins);
+        changed_spins = change_i.spin * diameter_i + change_j.spin * diameter_j;
+      auto const changed = at_contact(change_i.velocity - change_j.velocity, changed_spins);
       auto const before = at_contact(velocity, spins);
-      int const most = contacts(i) > contacts(j) ? contacts(i) : contacts(j);
-      int const n = most % SecondStage::most;
-      int const c = forces.species(i) + forces.species(j);
+      int const contacts_j = touching.count(j);
+      int const n = SecondStage::index(contacts_i > contacts_j ? contacts_i : contacts_j);
+      int const c = pair_class(own, neighbor.big());
       Contact<Real> contact = make_contact(separation, distance2, inverse_distance);
       SecondStage const& share = shares(0);
       contact.velocity = second_stage_velocity<Law>(changed, contact.normal, share.normal[c][n],
@@ -124,7 +147,12 @@ struct ChangeForces {
       pair.dissipative = forces.law.dissipative_force(contact);
       add(total.both);
       observe(pair);
-    });
+    };
+    if (contacts_i <= TouchingDisks<Space>::room)
+      forces.each_of(
+          i, contacts_i, [&](int k) { return touching.of(i, k); }, visit);
+    else
+      forces.each_contact(i, visit);
     return total;
   }
 };
@@ -188,15 +216,17 @@ Kokkos::View<SecondStage*, Space> shares_on_device(Law const& law, SpeciesTable 
   return shares;
 }
 
-/// How many contacts each disk has, and the shares of the second stage.
+/// Who touches whom, and the shares of the second stage.
 template <bool Rotates, TwoStageScheme Scheme, class Space>
 struct StepViews<Rotates, Scheme, Space> {
-  Kokkos::View<int*, Space> contacts;              ///< [N]
+  TouchingDisks<Space> touching;
   Kokkos::View<SecondStage const*, Space> shares;  ///< [1]
 
   template <class Law>
   void allocate(Law const& law, SpeciesTable const& table, Real time_step, std::size_t disks) {
-    contacts = Kokkos::View<int*, Space>("dynamics::contacts", disks);
+    touching = {
+        Kokkos::View<int*, Space>("dynamics::contacts", disks),
+        Kokkos::View<Neighbor*, Space>("dynamics::touching", TouchingDisks<Space>::room * disks)};
     shares = shares_on_device<Scheme, Space>(law, table, time_step);
   }
 };
@@ -204,16 +234,20 @@ struct StepViews<Rotates, Scheme, Space> {
 template <bool Rotates, TwoStageScheme Scheme, class Space>
 struct StepTables<Rotates, Scheme, Space> {
   SystemTable<int, Space> contacts;
+  SystemTable<Neighbor, Space> touching;
   Kokkos::View<SecondStage*, Space> shares;
 
   KOKKOS_FUNCTION StepViews<Rotates, Scheme, Space> of(std::size_t s) const {
-    return {part(contacts, s), Kokkos::View<SecondStage const*, Space>(shares.data(), 1)};
+    return {{part(contacts, s), part(touching, s)},
+            Kokkos::View<SecondStage const*, Space>(shares.data(), 1)};
   }
 
   template <class Law>
   void allocate(Law const& law, SpeciesTable const& table, Real time_step, std::size_t systems,
                 std::size_t disks) {
     contacts = SystemTable<int, Space>("dynamics::contacts", systems, disks);
+    touching = SystemTable<Neighbor, Space>("dynamics::touching", systems,
+                                            TouchingDisks<Space>::room * disks);
     shares = shares_on_device<Scheme, Space>(law, table, time_step);
   }
 };
@@ -226,7 +260,7 @@ struct DeviceStep<Scheme> {
   KOKKOS_FUNCTION static ChangeForces<Law, Repulsion, Space> measured_forces(
       SteppedSystem<Law, Repulsion, Space, Scheme> const& system, ShearedBox const& box) {
     auto const& disks = system.disks;
-    return {system.forces(box), disks.trial_motion, disks.step.contacts, disks.step.shares,
+    return {system.forces(box), disks.trial_motion, disks.step.touching, disks.step.shares,
             system.time_step};
   }
 
@@ -237,7 +271,7 @@ struct DeviceStep<Scheme> {
     Real failed = 0;
     loops.reduce("dynamics::FirstStage", disks.count(),
                  FirstStage<Law, Repulsion, Space, Scheme>{system.forces(box), system.time_step,
-                                                           disks.trial_motion, disks.step.contacts},
+                                                           disks.trial_motion, disks.step.touching},
                  Kokkos::Max<Real>(failed));
     return !(failed > 0);
   }

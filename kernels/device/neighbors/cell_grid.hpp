@@ -71,18 +71,25 @@ struct Fill {
   }
 };
 
+/// By index, or by the rank of each disk where that is given.
 template <class Space>
 struct Sort {
   CellGrid<Space> grid;
+  Kokkos::View<std::uint32_t*, Space> rank;  ///< [N], or empty
 
   KOKKOS_FUNCTION void operator()(std::int64_t c) const {
     for (auto k = grid.first(c) + 1; k < grid.first(c + 1); ++k) {
       std::uint32_t const member = grid.members(k);
       auto slot = k;
-      for (; slot > grid.first(c) && grid.members(slot - 1) > member; --slot)
+      for (; slot > grid.first(c) && rank_of(grid.members(slot - 1)) > rank_of(member); --slot)
         grid.members(slot) = grid.members(slot - 1);
       grid.members(slot) = member;
     }
+  }
+
+ private:
+  KOKKOS_FUNCTION std::uint32_t rank_of(std::uint32_t member) const {
+    return rank.extent(0) == 0 ? member : rank(member);
   }
 };
 
@@ -106,18 +113,41 @@ CellGrid<Space> empty_cell_grid(ShearedBox const& box, Real reach, std::int64_t 
   return grid;
 }
 
-/// Sort disks into cells. position: [N], in the box, [d_s]; reach: [d_s].
+/// Memory for a grid, kept from one to the next.
 template <class Space>
-CellGrid<Space> make_cell_grid(Space const& space, Kokkos::View<Vec2<Real>*, Space> const& position,
-                               ShearedBox const& box, Real reach) {
-  using Counts = Kokkos::View<std::uint32_t*, Space>;
+struct CellGridRoom {
+  Kokkos::View<std::uint32_t*, Space> first, members, filled;  ///< [cells + 1], [N], [cells + 1]
+
+  /// Zeros in all but members.
+  void make(Space const& space, std::int64_t cells, std::int64_t disks) {
+    using Counts = Kokkos::View<std::uint32_t*, Space>;
+    if (static_cast<std::int64_t>(first.extent(0)) != cells + 1 ||
+        static_cast<std::int64_t>(members.extent(0)) != disks) {
+      first = Counts("neighbors::first", cells + 1);
+      filled = Counts("neighbors::filled", cells + 1);
+      members = Counts("neighbors::members", disks);
+    } else {
+      Kokkos::deep_copy(space, first, 0u);
+      Kokkos::deep_copy(space, filled, 0u);
+    }
+  }
+};
+
+/// Sort disks into cells, in `room`. position: [N], in the box, [d_s]; reach: [d_s]; rank: [N], the
+/// order inside a cell, or empty: by index.
+template <class Space>
+CellGrid<Space> make_cell_grid_in(CellGridRoom<Space>& room, Space const& space,
+                                  Kokkos::View<Vec2<Real>*, Space> const& position,
+                                  ShearedBox const& box, Real reach,
+                                  Kokkos::View<std::uint32_t*, Space> const& rank) {
   using Range = Kokkos::RangePolicy<Space>;
   auto const count = static_cast<std::int64_t>(position.extent(0));
   auto grid = empty_cell_grid<Space>(box, reach, count);
   auto const cells = grid.cells();
-  grid.first = Counts("neighbors::first", cells + 1);
-  grid.members = Counts("neighbors::members", count);
-  Counts const filled("neighbors::filled", cells);
+  room.make(space, cells, count);
+  grid.first = room.first;
+  grid.members = room.members;
+  auto const& filled = room.filled;
 
   side_by_side::parallel_for("neighbors::CellGrid::count", Range(space, 0, count),
                              cell_grid::Count<Space>{position, grid});
@@ -126,8 +156,17 @@ CellGrid<Space> make_cell_grid(Space const& space, Kokkos::View<Vec2<Real>*, Spa
   side_by_side::parallel_for("neighbors::CellGrid::fill", Range(space, 0, count),
                              cell_grid::Fill<Space>{position, grid, filled});
   side_by_side::parallel_for("neighbors::CellGrid::sort", Range(space, 0, cells),
-                             cell_grid::Sort<Space>{grid});
+                             cell_grid::Sort<Space>{grid, rank});
   return grid;
+}
+
+/// The same, in memory of its own and by index.
+template <class Space>
+CellGrid<Space> make_cell_grid(Space const& space, Kokkos::View<Vec2<Real>*, Space> const& position,
+                               ShearedBox const& box, Real reach) {
+  CellGridRoom<Space> room;
+  Kokkos::View<std::uint32_t*, Space> const by_index;
+  return make_cell_grid_in(room, space, position, box, reach, by_index);
 }
 
 }  // namespace bagnold

@@ -87,7 +87,7 @@ struct NeighborSearch {
                                      Vec2<Real> const& shift, Visitor&& visit) const {
     Vec2<Real> const separation = (query.point - position(j)) - shift;
     if (dot(separation, separation) < query.reach2[species(j)] && j != query.disk)
-      visit(Neighbor::make(j, image));
+      visit(Neighbor::make(j, image, species(j) != 0));
   }
 };
 
@@ -106,11 +106,12 @@ struct Count {
   }
 };
 
-/// Each row sorted by neighbour index.
+/// Each row sorted by neighbour index, or by the rank of each disk where that is given.
 template <class Space>
 struct Fill {
   NeighborSearch<Space> search;
   NeighborRows<Space> rows;
+  Kokkos::View<std::uint32_t*, Space> rank;  ///< [N], or empty
 
   KOKKOS_FUNCTION void operator()(std::int64_t i) const {
     auto const& entries = rows.entries;
@@ -118,19 +119,27 @@ struct Fill {
     auto end = begin;
     search(static_cast<std::uint32_t>(i), [&](Neighbor const& neighbor) {
       auto slot = end++;
-      for (; slot > begin && entries(slot - 1).packed > neighbor.packed; --slot)
+      auto const own = rank_of(neighbor);
+      for (; slot > begin && rank_of(entries(slot - 1)) > own; --slot)
         entries(slot) = entries(slot - 1);
       entries(slot) = neighbor;
     });
+  }
+
+ private:
+  KOKKOS_FUNCTION std::uint32_t rank_of(Neighbor neighbor) const {
+    return rank.extent(0) == 0 ? neighbor.packed : rank(neighbor.index());
   }
 };
 
 }  // namespace neighbor_rows
 
-/// All rows of neighbours within d_ij + skin, sorted by neighbour index.
+/// All rows of neighbours within d_ij + skin, in the memory of `rows` as far as that goes; sorted
+/// by the rank of each disk, [N], or by neighbour index where that is empty.
 template <class Space>
-NeighborRows<Space> make_neighbor_rows(Space const& space, NeighborSearch<Space> const& search,
-                                       NeighborRows<Space> rows) {
+NeighborRows<Space> make_ranked_rows(Space const& space, NeighborSearch<Space> const& search,
+                                     NeighborRows<Space> rows,
+                                     Kokkos::View<std::uint32_t*, Space> const& rank) {
   using Range = Kokkos::RangePolicy<Space>;
   auto const count = static_cast<std::int64_t>(search.position.extent(0));
   if (rows.row.extent(0) == 0)
@@ -149,8 +158,16 @@ NeighborRows<Space> make_neighbor_rows(Space const& space, NeighborSearch<Space>
         Kokkos::view_alloc(Kokkos::WithoutInitializing, "neighbors::entries"), total + total / 8);
   }
   side_by_side::parallel_for("neighbors::NeighborRows::fill", Range(space, 0, count),
-                             neighbor_rows::Fill<Space>{search, rows});
+                             neighbor_rows::Fill<Space>{search, rows, rank});
   return rows;
+}
+
+/// The same, sorted by neighbour index.
+template <class Space>
+NeighborRows<Space> make_neighbor_rows(Space const& space, NeighborSearch<Space> const& search,
+                                       NeighborRows<Space> const& rows) {
+  Kokkos::View<std::uint32_t*, Space> const by_index;
+  return make_ranked_rows(space, search, rows, by_index);
 }
 
 }  // namespace bagnold

@@ -23,7 +23,7 @@ struct TeamList {
     team::scan(members, count + 1, RunningSum<Space>{rows.row});
     std::uint32_t const total = rows.row(count);
     if (total <= rows.entries.extent(0))
-      team::for_all(members, count, neighbor_rows::Fill<Space>{search, rows});
+      team::for_all(members, count, neighbor_rows::Fill<Space>{search, rows, {}});
     return total;
   }
 
@@ -41,7 +41,7 @@ struct TeamList {
     team::for_all(members, count, cell_grid::Count<Space>{search.position, grid});
     team::scan(members, cells + 1, RunningSum<Space>{grid.first});
     team::for_all(members, count, cell_grid::Fill<Space>{search.position, grid, filled});
-    team::for_all(members, cells, cell_grid::Sort<Space>{grid});
+    team::for_all(members, cells, cell_grid::Sort<Space>{grid, {}});
   }
 };
 

@@ -32,22 +32,15 @@ struct MeasureDisk {
   }
 };
 
-/// Disks whose parts are added in their order; such blocks are added in order afterwards. So the
-/// result does not depend on threads.
-inline constexpr std::uint32_t measured_block = 64;
-
 template <class Forces, class Space>
-struct MeasureBlock {
+struct MeasureDisks {
   Forces forces;
-  Kokkos::View<Sums<Forces::rotates>*, Space> block_sums;  ///< [ceil(N / measured_block)]
+  Kokkos::View<Sums<Forces::rotates>*, Space> of_disk;  ///< [N], by rank
+  Kokkos::View<std::uint32_t*, Space> rank;             ///< [N], or empty: by index
 
-  KOKKOS_FUNCTION void operator()(std::int64_t block) const {
-    Sums<Forces::rotates> sums;
-    auto const count = static_cast<std::int64_t>(forces.now().position.extent(0));
-    std::int64_t const begin = block * measured_block, full = begin + measured_block;
-    for (std::int64_t i = begin; i < (full < count ? full : count); ++i)
-      sums += MeasureDisk<Forces>{forces}(static_cast<std::uint32_t>(i));
-    block_sums(block) = sums;
+  KOKKOS_FUNCTION void operator()(std::int64_t i) const {
+    auto const place = rank.extent(0) == 0 ? i : static_cast<std::int64_t>(rank(i));
+    of_disk(place) = MeasureDisk<Forces>{forces}(static_cast<std::uint32_t>(i));
   }
 };
 

@@ -50,16 +50,18 @@ KOKKOS_INLINE_FUNCTION void wrap(ShearedBox const& box, Vec2<Real>& position, Re
   if (m != 0) position.x -= m * box.length;
 }
 
-/// A neighbour of a disk: its index and its image in one word.
+/// A neighbour of a disk: its index, its size and its image in one word, which orders as the index.
 struct Neighbor {
   std::uint32_t packed;
 
-  static constexpr std::uint32_t max_count = 1u << 28;
+  static constexpr std::uint32_t max_count = 1u << 27;
 
-  KOKKOS_FUNCTION static Neighbor make(std::uint32_t index, Image const& image) {
-    return {(index << 4) | static_cast<std::uint32_t>((image.n + 1) * 5 + (image.m + 2))};
+  KOKKOS_FUNCTION static Neighbor make(std::uint32_t index, Image const& image, bool big = false) {
+    return {(index << 5) | (static_cast<std::uint32_t>(big) << 4) |
+            static_cast<std::uint32_t>((image.n + 1) * 5 + (image.m + 2))};
   }
-  KOKKOS_FUNCTION std::uint32_t index() const { return packed >> 4; }
+  KOKKOS_FUNCTION std::uint32_t index() const { return packed >> 5; }
+  KOKKOS_FUNCTION bool big() const { return (packed & 16u) != 0; }
   KOKKOS_FUNCTION Image image() const {
     int const code = static_cast<int>(packed & 15u);
     int const row = code / 5;

@@ -10,10 +10,17 @@
 
 namespace bagnold {
 
-/// Every contact law there is: the program, its messages and its typed tests read this list.
-using Laws = std::tuple<CD,     //
-                        CDn,    //
-                        CDrot,  //
-                        CDnt>;
+/// Every contact law there is: the program, its messages and its typed tests read this list, or
+/// what a developer's build chooses of it (BAGNOLD_LAWS).
+using AllLaws = std::tuple<CD,     //
+                           CDn,    //
+                           CDrot,  //
+                           CDnt>;
+
+#ifdef BAGNOLD_CHOSEN_LAWS
+using Laws = std::tuple<BAGNOLD_CHOSEN_LAWS>;
+#else
+using Laws = AllLaws;
+#endif
 
 }  // namespace bagnold

@@ -23,6 +23,24 @@ struct ChebyshevIteration {
   }
 };
 
+/// 1 - cos((2 j - 1) pi/(2 n)) of the roots of Chebyshev's polynomial T_n, in the order of the
+/// iterations. Made on the host: the cosine of a device may differ in the last bit.
+struct ChebyshevRoots {
+  static constexpr int most = 9;
+  int terms;  ///< n, 2 to most
+  Real of[most];
+
+  static ChebyshevRoots make(int terms) {
+    ChebyshevRoots roots{terms, {}};
+    for (int k = 0; k < terms; ++k) {
+      int const j = k % 2 == 0 ? terms - k / 2 : k / 2 + 1;
+      Real const angle = (2 * j - 1) * std::numbers::pi / (2 * terms);
+      roots.of[k] = 1 - std::cos(angle);
+    }
+    return roots;
+  }
+};
+
 /// The iterations of (1 + B) w = a for a B whose eigenvalues lie in [0, bound], Saad, Iterative
 /// Methods (2nd ed.), Sec. 12.3.2: Richardson's, by the roots 1/g of Chebyshev's polynomial T_n,
 ///
@@ -36,17 +54,13 @@ struct ChebyshevIteration {
 ///
 /// w_1 is never worked out: the first iteration takes `a` for u.
 struct ChebyshevIterations {
-  static constexpr int most = 8;
+  static constexpr int most = ChebyshevRoots::most - 1;
   ChebyshevIteration iteration[most];  ///< that make w_2, w_3 ...
   int count;                           ///< of them
 
-  /// To w_`terms`, 2 to most + 1.
-  KOKKOS_FUNCTION ChebyshevIterations(Real bound, int terms) : iteration{}, count(terms - 1) {
-    auto const inverse_root = [&](int k) {
-      int const j = k % 2 == 0 ? terms - k / 2 : k / 2 + 1;
-      Real const angle = (2 * j - 1) * std::numbers::pi / (2 * terms);
-      return 1 / (1 + bound / 2 * (1 - std::cos(angle)));
-    };
+  KOKKOS_FUNCTION ChebyshevIterations(Real bound, ChebyshevRoots const& roots)
+      : iteration{}, count(roots.terms - 1) {
+    auto const inverse_root = [&](int k) { return 1 / (1 + bound / 2 * roots.of[k]); };
     for (int k = 0; k < count; ++k) {
       Real const g = inverse_root(k + 1);
       iteration[k] = {g, g, 1 - g};
@@ -55,6 +69,10 @@ struct ChebyshevIterations {
     iteration[0].of_coupling *= first;
     iteration[0].of_now *= first;
   }
+
+  /// To w_`terms`, 2 to most + 1, on the host.
+  ChebyshevIterations(Real bound, int terms)
+      : ChebyshevIterations(bound, ChebyshevRoots::make(terms)) {}
 };
 
 }  // namespace bagnold

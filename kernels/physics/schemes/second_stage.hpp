@@ -16,8 +16,12 @@ namespace bagnold {
 struct SecondStage {
   static constexpr int most = 8;     ///< N beyond it counts as it
   static constexpr int classes = 3;  ///< small-small, small-big, big-big
-  Real normal[classes][most];        ///< by N mod 8
-  Real tangential[classes][most];    ///< by N mod 8
+  Real normal[classes][most];        ///< by index(N)
+  Real tangential[classes][most];    ///< by index(N)
+
+  KOKKOS_FUNCTION static constexpr int index(int contacts) {
+    return contacts < most ? contacts : 0;
+  }
 
   template <TwoStageScheme Scheme, TwoStageLaw Law>
   static SecondStage of(Law const& law, SpeciesTable const& table, Real time_step) {

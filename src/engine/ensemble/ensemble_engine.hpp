@@ -153,13 +153,15 @@ class EnsembleEngine final : public Ensemble {
 
   void take_samples_from_device(std::vector<SystemProgress> const& before,
                                 Sampling const& sampling) {
+    if (std::ranges::all_of(progress_, [](auto const& p) { return p.samples == 0; })) return;
+    auto const& table = views_.samples;  // all systems in one copy
+    auto const sums = to_host(Kokkos::View<Sums<rotates>*, Space>(table.data(), table.size()));
     for (std::size_t s = 0; s < systems(); ++s) {
       auto& p = progress_[s];
-      if (p.samples == 0) continue;
-      auto const sums = to_host(part(views_.samples, s));
       auto at = sampling.next(before[s].step);
+      auto const* of_system = sums.data() + s * table.extent(1);
       for (std::int32_t k = 0; k < p.samples; ++k, at = sampling.next(at + 1))
-        pending_[s].push_back({sampling.window(at), sums[static_cast<std::size_t>(k)]});
+        pending_[s].push_back({sampling.window(at), of_system[k]});
       p.samples = 0;
       if (p.wait == Wait::for_samples) p.wait = Wait::none;
     }
@@ -203,8 +205,9 @@ class EnsembleEngine final : public Ensemble {
   }
 
   State raw_state(std::size_t system) const {
-    return download_state<rotates>(part(views_.position, system), part(views_.motion, system),
-                                   diameter_[system], clocks_[system], progress_[system].step);
+    return state_of<rotates>(to_host(part(views_.position, system)),
+                             to_host(part(views_.motion, system)), diameter_[system],
+                             clocks_[system], progress_[system].step);
   }
 
   Space space_{};

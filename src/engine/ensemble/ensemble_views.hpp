@@ -3,7 +3,7 @@
 
 #include "kernels/device/dynamics/stepped_system.hpp"
 #include "kernels/device/neighbors/neighbor_search.hpp"
-#include "kernels/device/sums/measure.hpp"
+#include "kernels/device/sums/add_up.hpp"
 #include "kernels/device/system_table.hpp"
 #include "src/engine/clock.hpp"
 
@@ -17,7 +17,7 @@ struct SystemViews {
 
   DiskViews<Rotates, Space, Scheme> disks;
   Row<std::uint32_t> cell_first, cell_members, cell_filled;
-  Row<Sums<Rotates>> disk_sums, block_sums;  ///< [N], [ceil(N / measured_block)]
+  Row<Sums<Rotates>> disk_sums, group_sums;  ///< [N], [groups_of_sums(N)]
   Row<Sums<Rotates>> samples;                ///< those measured since the host took them
 };
 
@@ -36,7 +36,7 @@ struct EnsembleViews {
   Table<std::uint32_t> row;
   Table<Neighbor> entries;
   Table<std::uint32_t> cell_first, cell_members, cell_filled;
-  Table<Sums<Rotates>> disk_sums, block_sums, samples;
+  Table<Sums<Rotates>> disk_sums, group_sums, samples;
   StepTables<Rotates, Scheme, Space> step;
 
   EnsembleViews() = default;
@@ -50,8 +50,8 @@ struct EnsembleViews {
         row("neighbors::row", systems, disks + 1),
         cell_members("neighbors::members", systems, disks),
         disk_sums("observables::disk_sums", systems, disks),
-        block_sums("observables::block_sums", systems,
-                   (disks + measured_block - 1) / measured_block),
+        group_sums("observables::group_sums", systems,
+                   static_cast<std::size_t>(groups_of_sums(static_cast<std::int64_t>(disks)))),
         samples("observables::samples", systems, room_for_samples) {}
 
   /// Room for grids of up to so many cells.
@@ -81,7 +81,7 @@ struct EnsembleViews {
             part(cell_members, s),
             part(cell_filled, s),
             part(disk_sums, s),
-            part(block_sums, s),
+            part(group_sums, s),
             part(samples, s)};
   }
 };

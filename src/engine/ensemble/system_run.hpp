@@ -4,7 +4,7 @@
 #include "kernels/device/dynamics/scale_motion.hpp"
 #include "kernels/device/dynamics/stepped_system.hpp"
 #include "kernels/device/neighbors/team_list.hpp"
-#include "kernels/device/sums/team_sums.hpp"
+#include "kernels/device/sums/add_up.hpp"
 #include "kernels/device/team.hpp"
 #include "src/engine/ensemble/ensemble_views.hpp"
 #include "src/engine/ensemble/system_progress.hpp"
@@ -143,8 +143,8 @@ class SystemRun {
 
   KOKKOS_FUNCTION void measure() {
     auto const forces = system_.measured_forces(box_);
-    TeamSums<std::remove_cv_t<decltype(forces)>, Space>{
-        forces, views_.disk_sums, views_.block_sums}(team_, views_.samples(progress_.samples));
+    AddUp<std::remove_cv_t<decltype(forces)>, Space>{
+        forces, views_.disk_sums, views_.group_sums, {}}(loops_, views_.samples, progress_.samples);
     ++progress_.samples;
   }
 

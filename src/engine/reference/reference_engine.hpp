@@ -9,10 +9,12 @@
 #include "kernels/device/dynamics/device_drive.hpp"
 #include "kernels/device/dynamics/scale_motion.hpp"
 #include "kernels/device/dynamics/stepped_system.hpp"
-#include "kernels/device/neighbors/verlet_list.hpp"
-#include "kernels/device/sums/measure.hpp"
+#include "kernels/device/launch_queue.hpp"
+#include "kernels/device/neighbors/neighbor_search.hpp"
+#include "kernels/device/sums/add_up.hpp"
 #include "src/engine/download_state.hpp"
 #include "src/engine/drive_columns.hpp"
+#include "src/engine/reference/disk_order.hpp"
 #include "src/engine/reference/row_contacts.hpp"
 #include "src/engine/run_clock.hpp"
 #include "src/engine/simulation.hpp"
@@ -20,6 +22,12 @@
 #include "src/engine/wrap_state.hpp"
 
 namespace bagnold {
+
+/// How ReferenceEngine goes about its launches. No bit depends on it.
+struct LaunchPlan {
+  std::int64_t queued = 1;  ///< steps that the host does not wait between
+  bool sorts = false;       ///< disks lie in memory by where they are, see DiskOrder
+};
 
 /// A scheme plainly: a full neighbour list, every disk sums its own contacts. What the faster
 /// engines are held against.
@@ -31,13 +39,17 @@ class ReferenceEngine final : public Simulation {
   /// A start: `snapshot.list_position` empty means no list yet.
   ReferenceEngine(Law law, SpeciesTable table, StrainRates const& rates, double time_step,
                   double skin, Snapshot const& snapshot,
-                  std::unique_ptr<DeviceDrive<rotates, Space> const> drive)
+                  std::unique_ptr<DeviceDrive<rotates, Space> const> drive,
+                  LaunchPlan const& plan = {})
       : drive_(std::move(drive)),
         skin_(skin),
         clock_(rates, time_step, snapshot),
         step_(snapshot.step),
         builds_(snapshot.list_builds),
-        diameter_(snapshot.state.diameter) {
+        diameter_(snapshot.state.diameter),
+        plan_(plan),
+        order_(static_cast<std::int64_t>(snapshot.state.count()), plan.sorts),
+        queue_(loops_.space, 2 * plan.queued) {
     State const& state = snapshot.state;
     system_.table = table;
     system_.law = law;
@@ -51,7 +63,10 @@ class ReferenceEngine final : public Simulation {
     disks.trial_motion = Motions("dynamics::trial_motion", count);
     disks.at_build = Positions("neighbors::at_build", count);
     disks.step.allocate(law, table, time_step, count);
-    block_sums_ = Kokkos::View<Sums<rotates>*, Space>("observables::block_sums", blocks());
+    if (order_.sorts()) other_species_ = Kokkos::View<Species*, Space>("state::other", count);
+    disk_sums_ = SumsRow("observables::disk_sums", count);
+    group_sums_ = SumsRow("observables::group_sums", groups_of_sums(disks.count()));
+    totals_ = SumsRow("observables::totals", plan.queued);
     if (snapshot.list_position.empty()) {
       renew_list();
     } else {
@@ -66,7 +81,14 @@ class ReferenceEngine final : public Simulation {
   std::int64_t step() const override { return step_; }
 
   void advance(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) override {
+    bool const each_alone = plan_.queued == 1 || drive_ || windows.contacts || !queueable;
     for (auto const end = std::min(step_ + steps, sampling.last_step); step_ < end;) {
+      if (!each_alone) {
+        do_queued(std::min({plan_.queued, end - step_, clock_.rate_end - step_}), sampling,
+                  windows);
+        if (step_ == clock_.rate_end) change_rate();
+        continue;
+      }
       if (!system_.begin_step(loops_, box_at(step_))) stop_unsound();
       if (drive_) drive_->kick(loops_.space, driven(), system_.disks.trial_motion);
       auto const step = step_;
@@ -85,7 +107,7 @@ class ReferenceEngine final : public Simulation {
   Snapshot snapshot() const override {
     Snapshot s;
     s.state = raw_state();
-    s.list_position = pairs(to_host(system_.disks.at_build));
+    s.list_position = pairs(order_.in_first_order(to_host(system_.disks.at_build)));
     s.list_step = list_.step;
     s.step = step_;
     s.initial_offset = clock_.initial_offset;
@@ -98,23 +120,64 @@ class ReferenceEngine final : public Simulation {
 
  private:
   static constexpr bool trial_is_change = TwoStageScheme<Scheme>;
+  /// Not where the host needs a number from the disks within a step.
+  static constexpr bool queueable = TwoStageScheme<Scheme> || PredictCorrectScheme<Scheme>;
+  using SumsRow = Kokkos::View<Sums<rotates>*, Space>;
   using Positions = Kokkos::View<Vec2<Real>*, Space>;
   using Motions = Kokkos::View<Motion<rotates>*, Space>;
-
-  std::int64_t blocks() const {
-    return (system_.disks.count() + measured_block - 1) / measured_block;
-  }
 
   ShearedBox box_at(std::int64_t step) const { return clock_.box(step, list_); }
 
   [[noreturn]] void stop_unsound() const {
-    throw_unsound(loops_.space, system_.forces(box_at(step_)), clock_, step_, raw_state());
+    throw_unsound(loops_.space, system_.forces(box_at(step_)), clock_, step_, raw_state(),
+                  [this](std::size_t place) { return order_.original(place); });
   }
 
   /// The disks as the drive sees them where the step begins.
   DrivenViews<rotates, Space> driven() const {
     auto const& disks = system_.disks;
     return {disks.position, disks.motion, disks.species, clock_.strain_rate, step_};
+  }
+
+  /// So many steps, or fewer where the list is outrun, without waiting between them.
+  void do_queued(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) {
+    queue_.begin();
+    QueuedLoops<Space> const queued{&queue_};
+    std::int64_t totals = 0;
+    for (auto step = step_; step < step_ + steps; ++step) {
+      double const strain = clock_.strain_since(list_, step + 1);
+      double const next_strain = clock_.strain_since(list_, step + 2);
+      queue_.set_limit({});
+      system_.begin_step(queued, box_at(step));
+      if (sampling.sampled(step)) add_up(queued, system_.measured_forces(box_at(step)), totals++);
+      queue_.set_limit(
+          QueuedLimit::of_list(std::max(std::abs(strain), std::abs(next_strain)), skin_));
+      system_.end_step(queued, box_at(step), box_at(step + 1), strain, next_strain);
+    }
+    take_queued(steps, totals, sampling, windows);
+  }
+
+  /// Reads how far the queue came, and stands there.
+  void take_queued(std::int64_t steps, std::int64_t totals, Sampling const& sampling,
+                   OpenWindows& windows) {
+    auto const sums = totals == 0 ? std::vector<Sums<rotates>>{} : to_host(totals_);
+    auto next_sums = sums.begin();
+    bool stopped = false, sound = true;
+    for (auto const& [value, limit] : queue_.results()) {
+      stopped = !limit.allows(value);
+      if (limit.by_list) {
+        if (sampling.sampled(step_)) windows.add(sampling.window(step_), next_sums++->value, 1);
+        ++step_;
+        --steps;
+      }
+      if (!stopped) continue;
+      sound = limit.by_list && value != std::numeric_limits<Real>::max();
+      break;
+    }
+    if (trial_is_change && steps % 2 != 0)  // taken for done when they were queued
+      std::swap(system_.disks.position, system_.disks.trial_position);
+    if (!sound) stop_unsound();
+    if (stopped) renew_list();
   }
 
   /// The drive's powers, if they are asked for.
@@ -208,16 +271,25 @@ class ReferenceEngine final : public Simulation {
     double const strain = clock_.strain_since(list_, step_ + 1);
     auto const farthest = system_.farthest_of_next_step(loops_, strain);
     if (!list_holds(std::abs(strain), farthest.val, skin_))
-      failure::too_fast(clock_, step_, static_cast<std::size_t>(farthest.loc),
+      failure::too_fast(clock_, step_, order_.original(static_cast<std::size_t>(farthest.loc)),
                         std::sqrt(farthest.val), skin_);
   }
 
   /// The list of the disks at the last build.
   void build_list() {
     auto& disks = system_.disks;
-    VerletList<Space> list{skin_, disks.at_build, std::move(disks.neighbors)};
-    bagnold::build_list(loops_.space, list, disks.species, system_.table, clock_.box(list_));
-    disks.neighbors = std::move(list.rows);
+    auto const box = clock_.box(list_);
+    auto const grid = make_cell_grid_in(room_, loops_.space, disks.at_build, box,
+                                        big_diameter + skin_, order_.original());
+    if (order_.sorts())
+      order_.sort(loops_, grid, std::pair{&disks.position, &disks.trial_position},
+                  std::pair{&disks.at_build, &disks.trial_position},
+                  std::pair{&disks.motion, &disks.trial_motion},
+                  std::pair{&disks.species, &other_species_});
+    NeighborSearch<Space> const search{disks.at_build, disks.species, grid,
+                                       system_.table,  box,           skin_};
+    disks.neighbors =
+        make_ranked_rows(loops_.space, search, std::move(disks.neighbors), order_.original());
   }
 
   Sums<rotates> measure() {
@@ -231,11 +303,13 @@ class ReferenceEngine final : public Simulation {
 
   template <class Forces>
   Sums<rotates> sums_of(Forces const& forces) {
-    loops_.for_all("observables::MeasureBlock", blocks(),
-                   MeasureBlock<Forces, Space>{forces, block_sums_});
-    Sums<rotates> total;
-    for (auto const& block : to_host(block_sums_)) total += block;
-    return total;
+    add_up(loops_, forces, 0);
+    return to_host(totals_).front();
+  }
+
+  template <class Loops, class Forces>
+  void add_up(Loops const& loops, Forces const& forces, std::int64_t place) const {
+    AddUp<Forces, Space>{forces, disk_sums_, group_sums_, order_.original()}(loops, totals_, place);
   }
 
   /// What the drive's second stage will change.
@@ -246,7 +320,10 @@ class ReferenceEngine final : public Simulation {
   }
 
   State raw_state() const {
-    return download_state(system_.disks.position, system_.disks.motion, diameter_, clock_, step_);
+    auto const& disks = system_.disks;
+    return state_of<rotates>(order_.in_first_order(to_host(disks.position)),
+                             order_.in_first_order(to_host(disks.motion)), diameter_, clock_,
+                             step_);
   }
 
   Launches<Space> loops_{};
@@ -258,7 +335,13 @@ class ReferenceEngine final : public Simulation {
   ShearMark list_;  ///< of its build
   std::int64_t builds_ = 0;
   std::vector<double> diameter_;  ///< kept on the host: files have it, steps do not need it
-  Kokkos::View<Sums<rotates>*, Space> block_sums_;
+  LaunchPlan plan_;
+  DiskOrder<Space> order_;
+  CellGridRoom<Space> room_;
+  Kokkos::View<Species*, Space> other_species_;  ///< [N] where disks are sorted
+  LaunchQueue<Space> queue_;
+  SumsRow disk_sums_, group_sums_;  ///< [N], [groups_of_sums(N)], to work with
+  SumsRow totals_;                  ///< of each configuration that is measured in a queue
 };
 
 }  // namespace bagnold

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "src/config/errors.hpp"
+#include "src/config/skin.hpp"
+#include "src/engine/reference/reference_engine.hpp"
+#include "tests/support/simulations.hpp"
+#include "tests/support/typed.hpp"
+
+namespace bagnold::test {
+
+/// Steps queued without the host between them, and disks sorted in memory: the same bits.
+template <class On>
+class LaunchPlanOf : public testing::Test {
+ public:
+  using Law = typename On::Law;
+  using Engine = ReferenceEngine<Law, HarmonicRepulsion, typename On::Space, typename On::Scheme>;
+
+  static Scene scene(double packing_fraction, std::int64_t count) {
+    Scene scene = small_scene(std::string(Law::name), packing_fraction, count);
+    scene.integration.scheme = On::Scheme::name;
+    if (TwoStageScheme<typename On::Scheme>) scene.integration.time_step = 0.2;
+    return scene;
+  }
+
+  static Engine engine(Scene const& scene, Snapshot const& from, LaunchPlan const& plan) {
+    return {make_law<Law>(scene.disks),
+            make_species_table(scene.mass_by_area()),
+            strain_rates(scene),
+            time_step(scene),
+            skin(scene),
+            from,
+            nullptr,
+            plan};
+  }
+
+  static void expect_equal(Simulation const& one, Simulation const& other) {
+    Snapshot const a = one.snapshot(), b = other.snapshot();
+    EXPECT_EQ(a.state.position, b.state.position);
+    EXPECT_EQ(a.state.velocity, b.state.velocity);
+    EXPECT_EQ(a.state.spin, b.state.spin);
+    EXPECT_EQ(a.state.diameter, b.state.diameter);
+    EXPECT_EQ(a.list_position, b.list_position);
+    EXPECT_EQ(a.list_step, b.list_step);
+    EXPECT_EQ(a.list_builds, b.list_builds);
+    EXPECT_EQ(a.step, b.step);
+    EXPECT_EQ(one.state().position, other.state().position);
+  }
+
+  static void expect_equal(OpenWindows const& a, OpenWindows const& b) {
+    ASSERT_EQ(a.sums.size(), b.sums.size());
+    for (std::size_t w = 0; w < a.sums.size(); ++w) {
+      EXPECT_EQ(a.sums[w].sums, b.sums[w].sums);
+      EXPECT_EQ(a.sums[w].weight, b.sums[w].weight);
+    }
+  }
+
+  /// One to the end of the sampling at one go, the others so many steps at a time, each piece from
+  /// the snapshot of the one before.
+  static void expect_same_bits(Scene const& scene, Sampling const& sampling, std::int64_t piece) {
+    Snapshot const start = first_snapshot(shaken_start(scene));
+    auto plain = engine(scene, start, {});
+    OpenWindows expected;
+    plain.advance(sampling.last_step, sampling, expected);
+    EXPECT_GE(plain.snapshot().list_builds, 3) << "too short to cross a list build";
+    for (auto const& plan : {LaunchPlan{1, true}, LaunchPlan{7, false}, LaunchPlan{32, true}}) {
+      SCOPED_TRACE(testing::Message() << plan.queued << " queued, sorts " << plan.sorts);
+      Snapshot at = start;
+      OpenWindows windows;
+      while (at.step < sampling.last_step) {
+        auto one = engine(scene, at, plan);
+        one.advance(piece, sampling, windows);
+        at = one.snapshot();
+      }
+      expect_equal(engine(scene, at, plan), plain);
+      expect_equal(windows, expected);
+    }
+  }
+
+  static std::string failure_of(Scene const& scene, Snapshot const& from, LaunchPlan const& plan) {
+    try {
+      auto one = engine(scene, from, plan);
+      advance(one, 20);
+    } catch (NumericalError const& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+};
+
+/// A law with spins and one without, by every scheme.
+template <class... On>
+auto of_two_laws(testing::Types<On...> const*)
+    -> decltype(std::tuple_cat(std::conditional_t<std::is_same_v<typename On::Law, CDn> ||
+                                                      std::is_same_v<typename On::Law, CDrot>,
+                                                  std::tuple<On>, std::tuple<>>{}...));
+using TwoLaws = decltype(detail::as_types(
+    static_cast<decltype(of_two_laws(
+        static_cast<EveryLawOnEveryBackendByEveryScheme const*>(nullptr))) const*>(nullptr)));
+TYPED_TEST_SUITE(LaunchPlanOf, TwoLaws, TypeNames);
+
+TYPED_TEST(LaunchPlanOf, ChangesNoBit) {
+  for (double const packing_fraction : {0.84, 0.55})
+    TestFixture::expect_same_bits(TestFixture::scene(packing_fraction, 100), {150, 7, 300}, 300);
+}
+
+TYPED_TEST(LaunchPlanOf, ChangesNoBitFromSnapshots) {
+  TestFixture::expect_same_bits(TestFixture::scene(0.82, 100), {150, 3, 300}, 47);
+}
+
+/// Sums are added in three levels of groups.
+TYPED_TEST(LaunchPlanOf, ChangesNoBitOfManyDisks) {
+  TestFixture::expect_same_bits(TestFixture::scene(0.80, 5000), {60, 11, 60}, 60);
+}
+
+TYPED_TEST(LaunchPlanOf, ChangesNoBitOfRamps) {
+  Scene scene = TestFixture::scene(0.84, 100);
+  scene.integration.skin = 0.3;
+  auto& shear = scene.shear;
+  shear.protocol = "ramp";
+  shear.ramp_every = 5 * scene.integration.time_step.number.value();
+  shear.ramp_window = 10 * shear.ramp_every;
+  shear.ramp_rate = 0.01 / shear.ramp_every;
+  shear.strain_rate = 5e-3;
+  shear.strain_rate_high = 1e-2;
+  Ramp const ramp = make_ramp(scene);
+  Snapshot const start = first_snapshot(shaken_start(scene));
+  Sampling const sampling{ramp.window_steps, 7, ramp.steps()};
+  auto plain = TestFixture::engine(scene, start, {});
+  auto queued = TestFixture::engine(scene, start, {32, true});
+  OpenWindows expected, windows;
+  plain.advance(ramp.steps(), sampling, expected);
+  queued.advance(ramp.steps(), sampling, windows);
+  TestFixture::expect_equal(queued, plain);
+  TestFixture::expect_equal(windows, expected);
+}
+
+/// With the step, the disk of the start and the number that a failure has without a queue.
+TYPED_TEST(LaunchPlanOf, ChangesNoWordOfAFailure) {
+  Scene const scene = TestFixture::scene(0.82, 64);
+  Snapshot const good = first_snapshot(shaken_start(scene));
+  auto deep = good, fast = good, no_number = good;
+  deep.state.position[5] = deep.state.position[40];
+  deep.state.position[5][0] += 0.3;
+  fast.state.velocity[7][1] = 100;
+  no_number.state.velocity[3][0] = std::nan("");
+  for (auto const& from : {deep, fast, no_number}) {
+    std::string const expected = TestFixture::failure_of(scene, from, {});
+    EXPECT_NE(expected.find("disk"), std::string::npos) << expected;
+    EXPECT_EQ(TestFixture::failure_of(scene, from, {32, false}), expected);
+    EXPECT_EQ(TestFixture::failure_of(scene, from, {32, true}), expected);
+  }
+}
+
+}  // namespace bagnold::test
