@@ -31,6 +31,7 @@ if(Kokkos_FOUND)
   endif()
   include("${CMAKE_CURRENT_LIST_DIR}/kokkos_debian.cmake")
   include("${CMAKE_CURRENT_LIST_DIR}/kokkos_runs.cmake")
+  bagnold_refuse_new_views()
   bagnold_try_kokkos()
   message(STATUS "Kokkos ${Kokkos_VERSION} with ${Kokkos_DEVICES} in ${Kokkos_DIR}")
 
