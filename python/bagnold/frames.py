@@ -11,11 +11,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, overload
 
-import h5py
 import numpy as np
 from numpy.typing import NDArray
 
 from .errors import FileError, InputError
+from .hdf5 import open_hdf5
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -113,19 +113,6 @@ class _Part:
             self.frames = len(file[GROUP]["position/step"])
             counts = file["contacts/count"][()] if "contacts" in file else np.zeros(0, dtype=np.int64)
             self.contact_ends = np.concatenate([[0], np.cumsum(counts)])
-
-
-def open_hdf5(path: pathlib.Path) -> Any:
-    """An HDF5 file for reading, also where the file system has no locks. Raises FileError."""
-    try:
-        try:
-            return h5py.File(path, "r")
-        except OSError as error:
-            if "lock" not in str(error):
-                raise
-            return h5py.File(path, "r", locking=False)
-    except OSError as error:
-        raise FileError(f"{path} cannot be read: {error}") from error
 
 
 class Frames(Sequence[Frame]):

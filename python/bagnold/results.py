@@ -17,7 +17,8 @@ import numpy as np
 
 from .contacts import ContactFrames
 from .errors import FileError, InputError
-from .frames import Array, Frame, Frames, open_hdf5, read_states
+from .frames import Array, Frame, Frames, read_states
+from .hdf5 import open_hdf5
 from .observables import Observable, Warning, number, observable
 from .scene import Scene
 

@@ -15,7 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .errors import FileError, MissingLibrary
-from .frames import Array, open_hdf5
+from .frames import Array
+from .hdf5 import open_hdf5
 from .results import Run, load, read_summary
 from .scene import Scene
 
@@ -91,7 +92,7 @@ class Sweep(Sequence[Point]):
         try:
             import pandas
         except ImportError as error:
-            raise MissingLibrary("to_pandas() needs pandas (Debian: apt install python3-pandas, else "
+            raise MissingLibrary(f"to_pandas() needs pandas ({error}; Debian: apt install python3-pandas, else "
                                  "pip install pandas)") from error
         return pandas.DataFrame({
             "folder": [str(point.folder) for point in self], "status": [point.status for point in self],

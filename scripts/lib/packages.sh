@@ -14,7 +14,7 @@ test_packages=(
   mypy python3-ase python3-gsd python3-mdanalysis python3-pandas # other programs that read and write what is exported and imported
   python3-nbclient python3-ipykernel          # notebooks
 )
-fuzz_packages=(clang libclang-rt-14-dev)
+fuzz_packages=(clang libclang-rt-14-dev python3-venv)
 
 print_requirements() {
   cat >&2 <<'END'

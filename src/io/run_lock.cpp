@@ -7,6 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <climits>
@@ -47,8 +48,19 @@ bool locks_wanted() {
       fmt::format("BAGNOLD_LOCKS = {} in the environment (must be \"on\" or \"off\")", word));
 }
 
+/// What file systems and kernels say of a call that they do not have. 515 and 524 are of the
+/// kernel's own, which no header names (linux/errno.h: ENOIOCTLCMD, ENOTSUPP), and which DVS and
+/// some Lustre let through.
 bool has_no_locks(int error) {
-  return error == ENOLCK || error == ENOSYS || error == EOPNOTSUPP || error == EINVAL;
+  constexpr std::array not_supported{
+      ENOLCK,          ENOSYS,       EOPNOTSUPP,   EINVAL, ENOTTY, EPROTONOSUPPORT,
+      ESOCKTNOSUPPORT, EPFNOSUPPORT, EAFNOSUPPORT, 515,    524};
+  return std::find(not_supported.begin(), not_supported.end(), error) != not_supported.end();
+}
+
+std::string text_of(int error) {
+  return error >= 512 ? fmt::format("not supported, errno {}", error)
+                      : std::generic_category().message(error);
 }
 
 }  // namespace
@@ -74,7 +86,7 @@ void RunLock::take() {
     remark_ = fmt::format(
         "{} lies on a file system without locks ({}): nothing keeps a second process from writing "
         "there; see that there is none (BAGNOLD_LOCKS=off in the environment says that you do)",
-        path_.string(), std::generic_category().message(errno));
+        path_.string(), text_of(errno));
     return;
   }
 }

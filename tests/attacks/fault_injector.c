@@ -10,7 +10,7 @@
 //                 flock (all variants of a call are one)
 //   FAULT_AT      the number of the first call that fails; absent: none
 //   FAULT_TIMES   how many fail from there on, or "always" [1]
-//   FAULT_ERROR   EIO ENOSPC EDQUOT EACCES EINTR ENOLCK ENOTSUP, or
+//   FAULT_ERROR   EIO ENOSPC EDQUOT EACCES EINTR ENOLCK ENOTSUP, a number, or
 //                 KILL: the process is killed instead; HALF: half of what is to be written is, and
 //                 the call says so; LOST: nothing is written, and the call says it was [EIO]
 //
@@ -61,6 +61,7 @@ static int number_of_error(char const* name) {
                      {"HALF", HALF},   {"LOST", LOST}};
   for (size_t k = 0; name && k < sizeof known / sizeof *known; ++k)
     if (strcmp(name, known[k].name) == 0) return known[k].number;
+  if (name && *name >= '1' && *name <= '9') return atoi(name);
   return EIO;
 }
 

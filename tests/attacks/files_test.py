@@ -5,13 +5,14 @@ import pathlib
 import random
 import shutil
 import signal
+import subprocess
 import sys
 import time
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "cli"))
 
-from bagnold import CliTest, environment, read_state, write_state  # noqa: E402
+from bagnold import SOURCE, CliTest, environment, read_state, write_state  # noqa: E402
 from injector import injected  # noqa: E402
 
 FRAMES = {"disks__count": 16, "shear__strain": 2.0**-6, "output__sample_strain": 2.0**-8,
@@ -139,13 +140,51 @@ class Locks(CliTest):
 
     def test_none_is_a_warning(self):
         whole = self.run_new("whole", **FRAMES)
-        for error in ("ENOLCK", "ENOTSUP"):
+        # EINVAL, ENOTTY, ENOSYS, of protocols and families, and the kernel's own ENOIOCTLCMD and ENOTSUPP
+        for error in ("ENOLCK", "ENOTSUP", "22", "25", "38", "93", "94", "96", "97", "515", "524"):
             result = self.run_without_locks(error)
             self.assert_clean_error(result, 0, "warning", "without locks", "BAGNOLD_LOCKS=off")
             self.assert_same_results(whole, self.folder / "out")
             for name in TRAJECTORY:
                 self.assertEqual((self.folder / "out" / name).read_bytes(), (whole / name).read_bytes())
             shutil.rmtree(self.folder / "out")
+
+    def test_pictures_imports_and_the_package_do_without(self):
+        """Each opens files with HDF5, which locks them if it is let."""
+        state = self.folder / "packing.xyz"
+        state.write_text('4\nLattice="6 0 0 0 6 0 0 0 1" Properties=radius:R:1:pos:R:2 pbc="T T F"\n'
+                         "0.5 1 1\n0.5 4 1\n0.7 1 4\n0.7 4 4\n")
+        for error in ("ENOLCK", "524"):
+            with self.subTest(error=error):
+                out = self.folder / f"out{error}"
+                env = environment(**injected(self.folder, call="flock", at=1, times="always", error=error))
+                sweep = self.folder / f"sweep{error}"
+
+                def does(*words, told=""):
+                    result = self.bagnold(*words, env=env)
+                    self.assertEqual(result.returncode, 0, result.stderr)
+                    for line in result.stderr.splitlines():
+                        self.assertRegex(line, told or "^$")
+                    return result
+
+                does("run", self.scene(**{**FRAMES, "output__plot": True, "measure__profiles": True}), "--out", out, "--quiet",
+                     told="without locks|^bagnold: note: ")
+                self.assertTrue((out / "plot.png").exists() and (out / "profiles.png").exists())
+                (out / "plot.png").unlink()
+                does("plot", out)
+                self.assertTrue((out / "plot.png").exists())
+                does("import", state, "--out", out / "imported.h5")
+                does("export", out, "--to", "lammps")
+                does("status", out)
+                file = self.folder / "sweep.toml"
+                file.write_text(self.scene(**FRAMES).read_text() + '[sweep]\ngrid = { "disks.packing_fraction" = [0.7, 0.75] }\n')
+                does("sweep", file, "--out", sweep, "--quiet", told="without locks|^bagnold: (note|warning): ")
+                does("plot", sweep)
+                program = (f"import sys; sys.path.insert(0, {str(SOURCE / 'python')!r}); import bagnold\n"
+                           f"r = bagnold.load({str(out)!r}); print(len(r.frames), r['Z'].mean >= 0, len(r.series['Z']), r.state.box,\n"
+                           f"r.contacts[-1].Z, bagnold.sweep({str(sweep)!r})['Z'])")
+                said = subprocess.run(["/usr/bin/python3", "-c", program], capture_output=True, text=True, env=env)
+                self.assertEqual((said.returncode, said.stderr), (0, ""))
 
     def test_none_wanted(self):
         result = self.run_without_locks("ENOLCK", BAGNOLD_LOCKS="off")

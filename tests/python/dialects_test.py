@@ -2,10 +2,13 @@
 """Imports of what other programs write a little differently: read where it can mean one thing alone, which is said, and
 refused with what was found where it can mean more."""
 
+import collections
+import random as randomness
 import unittest
 
 import numpy as np
 
+import writers
 from import_test import DATA, XYZ, Import
 from made import bagnold
 
@@ -111,10 +114,13 @@ class Cells(Import):
 
     def test_positions_that_are_scaled_or_unwrapped_tell_by_overlaps(self):
         """Disks that lie on each other in one of the two cells alone."""
-        rows = disks([[0.05, 0.1], [0.85, 0.1], [0.05, 0.6], [0.85, 0.6]], RADII)
+        rows = disks([[0.05, 0.1], [0.6, 0.1], [0.05, 0.6], [0.6, 0.6]], RADII)
         text = dump(rows, "id type xs ys radius", "0 6 2\n0 6 0\n-0.5 0.5 0", "xy xz yz pp pp pp")
-        _, state = self.imported(self.file(text, "x.dump"))  # 0.8 of 4: deep, and so they are with 6
+        made, state = self.imported(self.file(text, "x.dump"))
         self.is_box(state, 4, 6, -2)
+        self.assertIn("L_x = 4.0; --bounds edges reads them as xlo and xhi, L_x = 6.0: positions of this kind do not tell", str(made))
+        near = self.file(text.replace(" 0.6 0.1", " 0.9 0.1"), "x.dump")
+        self.refused("relative overlap 0.4 with L_x = 4, 0 with L_x = 6 .*--bounds edges", near)
         rows = disks([[1, 1], [5.3, 1], [2, 4], [6.2, 4]], RADII)
         text = dump(rows, "id type xu yu radius", "0 6 2\n0 6 0\n-0.5 0.5 0", "xy xz yz pp pp pp")
         self.refused("relative overlap 0.8.* with L_x = 4, 0 with L_x = 6 .*--bounds edges", self.file(text, "x.dump"))
@@ -191,6 +197,7 @@ class Rows(Import):
                 ("4 0.0 0.0 0.0 0.0 0.0 0.0\n", "4 0.0 0.0 0.0 0.0 0.0 0.0\n4 0.0 0.0 0.0 0.0 0.0 0.0\n", "5 rows .must be 4"),
                 ("4 0.0 0.0 0.0 0.0 0.0 0.0\n", "3 0.0 0.0 0.0 0.0 0.0 0.0\n", "none of atom 4"),
                 ("4 atoms", "4 5 atoms", "4 5 .must be a whole number"),
+                (DATA[DATA.index("Velocities\n") + 11:], "\n", "Velocities has none of atom 3"),
                 ("Velocities", "Masses\n\n1 1.0 2.0\n\nVelocities", "Masses, row 1: 3 columns"),
                 ("Velocities", "Masses\n\n1 1.0\n1 2.0\n2 1\n\nVelocities", "a type twice"),
                 ("Velocities", "Atoms # sphere", "section Atoms is there twice")):
@@ -367,6 +374,8 @@ class Words(Import):
         rows = disks(PLACES, RADII, range(4), range(4))
         made, _ = self.imported(self.file(dump(rows, "id type x y radius c_v[1] fx"), "x.dump"))
         self.assertIn("columns that are not read: c_v[1] fx", str(made))
+        made, _ = self.imported(self.file(dump(disks(PLACES, RADII, RADII), "id type x y radius \u202ered"), "x.dump"))
+        self.assertIn("columns that are not read: ?red", str(made))
         self.refused(r"no diameters .columns that are not read: size", self.file(dump(disks(PLACES, RADII), "id type x y size"), "x.dump"))
 
     def test_one_quantity_twice(self):
@@ -434,6 +443,31 @@ class Words(Import):
             self.refused_with('pbc="T T F"', text + 'pbc="T T F"', expected, XYZ, "extxyz")
         _, state = self.xyz('pbc="T T F"', 'Time=2.5 pbc="T T F"')
         self.assertEqual(state.time, 2.5)
+
+
+class AtRandom(Import):
+    """Made configurations as many programs write them, spoiled now and then: what scripts/attack does for longer."""
+
+    def test_files_are_read_as_they_were_written_or_refused(self):
+        done = collections.Counter()
+        for seed in range(400):
+            random = randomness.Random(seed)
+            truth = writers.made(random)
+            written = random.choice(writers.WRITERS)(random, truth)
+            path = self.folder / "x.txt"
+            path.write_bytes(written.data)
+            with self.subTest(seed=seed, file=written.data):
+                try:
+                    made = bagnold.import_state(path, self.folder / "state.h5", tolerance=1e-4, **written.options)
+                except bagnold.Error as error:
+                    done["refused"] += 1
+                    self.assertTrue(written.spoiled or written.unclear, error)
+                    continue
+                done["read"] += 1
+                self.assertEqual(written.spoiled, "")
+                (state,) = bagnold.frames.read_states(made.path)
+                self.assertEqual(writers.wrong(truth, written, made, state), "", made)
+        self.assertGreater(min(done.values()), 100, done)
 
 
 if __name__ == "__main__":

@@ -119,10 +119,11 @@ class RoundTrips(Import):
         _, state = self.imported(path)
         count, about, *rows = path.read_text().splitlines()
         words = [row.split() for row in rows]
-        for row in words:  # species x y z vx vy vz radius mass spin image
+        for row in words:  # species x y z vx vy vz radius mass px py pz spin image
             row[1:4] = [repr(float(word) / 256) for word in row[1:4]]
             row[4:7] = [repr(float(word) / 256 / 4) for word in row[4:7]]
-            row[7], row[9] = repr(float(row[7]) / 256), repr(float(row[9]) / 4)
+            row[9:12] = [repr(float(word) / 256 / 4) for word in row[9:12]]
+            row[7], row[12] = repr(float(row[7]) / 256), repr(float(row[12]) / 4)
         lattice = " ".join(repr(float(word) / 256) for word in about.split('"')[1].split())
         time, rate = (state.time * 4, state.strain_rate / 4)
         rest = f'Properties={about.split("Properties=")[1].split()[0]} pbc="T T F" time={time!r} strain_rate={rate!r}'

@@ -17,7 +17,7 @@ from . import extxyz, lammps_data, lammps_dump
 from .configuration import Configuration, Wishes, name_of
 from .lammps_bounds import EDGES, OUTER
 from .state import ImportedState, Units, write_state
-from .text import NUMBER, not_text, opened
+from .text import NUMBER, not_text, opened, printable
 
 #: A format's name, and what reads it.
 FORMATS: dict[str, Callable[[pathlib.Path, Wishes], Configuration]] = {
@@ -50,10 +50,12 @@ def import_state(file: str | os.PathLike[str], out: str | os.PathLike[str], *, f
         raise InputError(f"--bounds {bounds} (must be {OUTER} or {EDGES})")
     try:
         read = FORMATS[format or _format_of(place)](place, Wishes(frame, atom_style, bounds))
+        by_type = {str(kind): value for kind, value in (diameters or {}).items()}
+        return write_state(read, Units(unit, time_unit, strain_rate, by_type, tolerance), target)
     except UnicodeError as error:
         raise not_text(place, str(error)) from error
-    by_type = {str(kind): value for kind, value in (diameters or {}).items()}
-    return write_state(read, Units(unit, time_unit, strain_rate, by_type, tolerance), target)
+    except InputError as error:  # words of the file may steer a terminal
+        raise InputError(printable(str(error))) from error
 
 
 def _format_of(path: pathlib.Path) -> str:

@@ -69,7 +69,10 @@ def read_cell(where: str, words: str, rows: Sequence[str], asked: str | None, po
                            f"{bounds.tilt!r}, which these cannot")
     if bounds.named == EDGES:
         raise _unclear(bounds, outer, edges, "the words behind the numbers say xlo xhi")
-    if position is not None:
+    if position is None:
+        bounds.notes.append(f"BOX BOUNDS read as LAMMPS writes them, L_x = {outer.box.length!r}; --bounds {EDGES} reads them as xlo and "
+                            f"xhi, L_x = {edges.box.length!r}: positions of this kind do not tell")
+    else:
         area = outer.box.length * outer.box.height
         for margin in (0.0, LOOSE * np.sqrt(area / len(position))):
             if _holds(outer, position, margin):

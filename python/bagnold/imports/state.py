@@ -9,15 +9,16 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-import h5py
 import numpy as np
 
 from ..contacts import pairs_within
 from ..errors import FileError, InputError
 from ..frames import Array, Box
+from ..hdf5 import unlocked
 from ..scene import toml_text
 from .columns import UNREAD
 from .configuration import Configuration
+from .text import printable
 
 SMALL, BIG = 1.0, 1.4  # d_s
 LARGEST_OVERLAP = 0.2  # relative, above which a run stops
@@ -80,7 +81,7 @@ def write_state(read: Configuration, units: Units, out: pathlib.Path) -> Importe
     scene = _scene(out, box, deepest, diameter, mass, notes)
     _write(out, {"position": position, "velocity": velocity, "spin": spin, "diameter": diameter}, box,
            read.time / units.time, rate)
-    return ImportedState(out, scene, notes)
+    return ImportedState(out, scene, [printable(note) for note in notes])
 
 
 def _diameters(read: Configuration, units: Units) -> Array:
@@ -173,7 +174,7 @@ def _write(out: pathlib.Path, data: Mapping[str, Array | None], box: Box, time: 
         raise FileError(f"{out.parent} is no folder; make it first")
     part = out.with_name(out.name + ".part")
     try:
-        with h5py.File(part, "w") as file:
+        with unlocked(part, "w") as file:
             group = file.create_group("state")
             for name, values in data.items():
                 if values is not None:
@@ -203,7 +204,7 @@ def _deepest(box: Box, position: Array, diameter: Array) -> float:
 def _refuse_other_box(read: Configuration, unit: float, diameter: Array, deepest: float) -> None:
     """Where disks lie on each other in the box that was taken, and do not in the one that the file may mean too."""
     other = read.cell.other
-    if other is None or deepest <= NO_PACKING:
+    if other is None or deepest <= LARGEST_OVERLAP:
         return
     box = Box(other.length / unit, other.height / unit, other.tilt / unit)
     found = _deepest(box, box.wrapped(read.position[:, :2] / unit), diameter)

@@ -51,6 +51,11 @@ def not_text(path: pathlib.Path, reason: str) -> FileError:
     return FileError(f"{path} is no text ({reason}): it is compressed or binary; unpack it, or write it as text")
 
 
+def printable(text: str) -> str:
+    """Without what steers a terminal."""
+    return "".join(letter if letter.isprintable() else "?" for letter in text)
+
+
 def refuse_cut_end(path: pathlib.Path) -> None:
     """Raises InputError where the last line has no end: its last number may be cut within, "0.12" of "0.125"."""
     with opened(path) as file:
@@ -102,4 +107,4 @@ def _told(names: Sequence[str], width: int) -> str:
 
 def column(rows: Sequence[Sequence[str]], where: Callable[[int], str]) -> Array:
     """The numbers of rows of words, [N, columns]."""
-    return np.array([numbers(row, where(k)) for k, row in enumerate(rows)])
+    return np.array([numbers(row, where(k)) for k, row in enumerate(rows)]).reshape(len(rows), -1 if rows else 1)

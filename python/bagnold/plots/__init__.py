@@ -12,10 +12,9 @@ import os
 import pathlib
 from typing import TYPE_CHECKING, Any, Union
 
-import h5py
-
 from . import analysis_page, figure_page, frame_pages, run_page, style, sweep_page
 from ..errors import FileError, InputError
+from ..hdf5 import open_hdf5
 from ..sweeps import Sweep, sweep as read_sweep
 
 if TYPE_CHECKING:
@@ -112,7 +111,7 @@ def _result(source: Source) -> pathlib.Path:
 
 def _frame_page(source: Source, wanted: str, page: Any) -> Figure:
     path = _result(source)
-    with h5py.File(path, "r") as file, style.plt.rc_context(style.STYLE):
+    with open_hdf5(path) as file, style.plt.rc_context(style.STYLE):
         if wanted not in file or not len(file[wanted]):
             key = {"profiles": "measure.profiles", "histograms": "measure.contacts"}.get(wanted, "measure.fields")
             raise InputError(f"{path} has no /{wanted}: set {key} = true in the scene and run it again")

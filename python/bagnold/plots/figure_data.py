@@ -10,6 +10,7 @@ import tomllib
 import h5py
 import numpy as np
 
+from ..hdf5 import open_hdf5
 from ..scene import Scene
 
 
@@ -30,7 +31,7 @@ class Point:
 
     def read(self, path):
         """A dataset of result.h5, or all of a group by name."""
-        with h5py.File(os.path.join(self.folder, "result.h5"), "r") as file:
+        with open_hdf5(os.path.join(self.folder, "result.h5")) as file:
             found = file[path]
             if isinstance(found, h5py.Dataset):
                 return found[()]
@@ -38,7 +39,7 @@ class Point:
 
     def columns(self, path):
         """The columns of a /samples dataset by their names, without units."""
-        with h5py.File(os.path.join(self.folder, "result.h5"), "r") as file:
+        with open_hdf5(os.path.join(self.folder, "result.h5")) as file:
             data = file[path]
             names = data.attrs["columns"]
             names = (names.decode() if isinstance(names, bytes) else names).split(", ")
@@ -69,7 +70,7 @@ def points_in(source):
     if source.endswith(".json"):
         with open(source, encoding="utf-8") as file:
             return [Stored(entry) for entry in json.load(file)["points"]]
-    with h5py.File(os.path.join(source, "sweep.h5"), "r") as file:
+    with open_hdf5(os.path.join(source, "sweep.h5")) as file:
         names, scenes, status = (file[path].asstr()[:]
                                  for path in ("points/folder", "points/scene", "status"))
     return [Point(os.path.join(source, "points", name), Scene(tomllib.loads(scene)).flat())

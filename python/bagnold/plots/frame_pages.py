@@ -7,13 +7,13 @@ profiles.png from /profiles (P2 Fig. 28), fields.png from /samples/fields (P2 Fi
 
 import os
 
-import h5py
 import numpy as np
 
 from . import histogram_page, ramp_page
 from .labels import add_heading, plain_ticks, scene_line, with_unit
 from .run_page import plain
 from .style import BLUE, DASHED, GREEN, GREY, ORANGE, VERMILION, plt, save
+from ..hdf5 import open_hdf5
 
 from matplotlib.collections import EllipseCollection
 
@@ -154,7 +154,7 @@ def draw(source, target):
     """target: a folder, for PNG, or FOLDER/ANY.pdf or .svg, whose form the pictures take."""
     stem, form = os.path.splitext(target)
     folder, form = (os.path.dirname(stem), form) if form in (".pdf", ".svg") else (target, ".png")
-    with h5py.File(source, "r") as file:
+    with open_hdf5(source) as file:
         for wanted, page, name in (("profiles", profiles_page, "profiles"),
                                    ("samples/fields", fields_page, "fields"),
                                    ("histograms", histograms_page, "histograms")):

@@ -8,12 +8,12 @@ velocity profile and packing) and the standard errors (summary.json).
 import json
 import os
 
-import h5py
 import numpy as np
 
 from .labels import (add_heading, log_ticks, plain_ticks, power_of_ten, scale_of,
                      scene_line, short_power, with_unit)
 from .style import BLUE, COLOURS, DASHED, DOTTED, GREEN, GREY, ORANGE, SKY, VERMILION, plt
+from ..hdf5 import open_hdf5
 
 from matplotlib.collections import EllipseCollection, LineCollection
 from matplotlib.lines import Line2D
@@ -32,7 +32,7 @@ class Run:
     """What the files say; everything but /series may be missing."""
 
     def __init__(self, path):
-        with h5py.File(path, "r") as file:
+        with open_hdf5(path) as file:
             group = file["series"]
             self.each = {k: np.atleast_2d(d[()]).astype(float) for k, d in group.items()}
             self.unit = {k: plain(d.attrs.get("unit", "")) for k, d in group.items()}
@@ -102,7 +102,7 @@ def read_observables(path):
 
 def read_state(path):
     try:
-        with h5py.File(path, "r") as file:
+        with open_hdf5(path) as file:
             group = file["state"]
             state = {k: group[k][()] for k in ("position", "velocity", "diameter")}
             if state["diameter"].ndim == 2:  # replicas: the first one is drawn

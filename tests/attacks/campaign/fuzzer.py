@@ -11,13 +11,14 @@ import subprocess
 
 from target import TESTS
 
+FUZZERS = pathlib.Path(os.environ.get("FUZZERS", TESTS.parent / "build/fuzz"))
 PART = 20  # of a trial, [s]
 
 
 class Fuzzer:
     def __init__(self, folder, random):
         self.random, self.folder = random, folder
-        self.program = pathlib.Path(os.environ.get("FUZZERS", TESTS.parent / "build/fuzz")) / f"fuzz_{self.kind}"
+        self.program = FUZZERS / f"fuzz_{self.kind}"
         self.why_not = "" if self.program.exists() else "the fuzzers are not built: scripts/attack builds them with clang"
         self.corpus = folder / "corpus"
         self.corpus.mkdir(parents=True)

@@ -38,7 +38,7 @@ class Bagnold(CMakePackage):
     depends_on("cli11@2.1:")
     depends_on("tomlplusplus@3.3:")
     depends_on("random123")
-    depends_on("py-h5py", when="+python", type="run")
+    depends_on("py-h5py@3.5:", when="+python", type="run")
     depends_on("py-matplotlib", when="+python", type="run")
     depends_on("googletest@1.12:", when="+tests", type="build")
 
