@@ -26,8 +26,9 @@ def plot(options: argparse.Namespace) -> int:
         from . import plots
 
         plots.draw_to(options.source, options.target, options.frames)
-    except (OSError, KeyError, ValueError, TypeError, ImportError) as error:
-        print(f"bagnold plot: {options.source}, {options.target}: {error}", file=sys.stderr)
+    except Exception as error:  # the program shows this one line
+        kind = "" if isinstance(error, (Error, OSError, ImportError)) else f"{type(error).__name__}: "
+        print(f"bagnold plot: {options.source}, {options.target}: {kind}{' '.join(str(error).split())}", file=sys.stderr)
         return PLOT_FAILED
     return 0
 

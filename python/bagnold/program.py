@@ -67,7 +67,7 @@ def run(scene: Mapping[str, Any] | Path, out: Path | None = None, *, program: Pa
         words += ["--force"] if force else []
         words += ["--allow-unstable"] if allow_unstable else []
         words += [] if threads is None else ["--threads", str(threads)]
-        _call(find_program(program), words, progress, str(folder))
+        _call(find_program(program), words, progress, str(folder), file if isinstance(scene, Mapping) else None)
     return load(folder)
 
 
@@ -92,7 +92,7 @@ def sweep_file(file: Mapping[str, Any] | Path, out: Path | None = None, *, progr
     with _scene_file(file, {}) as (path, _):
         folder = _folder(file, out)
         words = ["sweep", path, "--out", str(folder)] + ([] if jobs is None else ["--jobs", str(jobs)])
-        _call(find_program(program), words, progress, str(folder), of_sweep=True)
+        _call(find_program(program), words, progress, str(folder), path if isinstance(file, Mapping) else None, of_sweep=True)
     return sweep(folder)
 
 
@@ -122,14 +122,13 @@ def _scene_file(scene: Mapping[str, Any] | Path, keys: Mapping[str, Any]
     with tempfile.TemporaryDirectory(prefix="bagnold-") as folder:
         path = pathlib.Path(folder) / "scene.toml"
         path.write_text(toml_text(flat), encoding="utf-8")
-        try:
-            yield str(path), []
-        except Error as error:  # the file is nobody's
-            raise type(error)(str(error).replace(str(path), "scene")) from None
+        yield str(path), []
 
 
-def _call(program: str, words: list[str], progress: Progress, name: str, of_sweep: bool = False) -> None:
-    """The program to its end. On KeyboardInterrupt it writes its checkpoint first."""
+def _call(program: str, words: list[str], progress: Progress, name: str, nobodys: str | None = None,
+          of_sweep: bool = False) -> None:
+    """The program to its end. On KeyboardInterrupt it writes its checkpoint first. nobodys: a file that is gone
+    afterwards; what is said names the copy in the folder instead, and "scene" where a line of it is told."""
     reader, writer = os.pipe()
     environment = {**os.environ, **({} if of_sweep else {REPORTS: str(writer)})}
     try:  # a group of its own: a Ctrl-C comes from here, once
@@ -165,7 +164,11 @@ def _call(program: str, words: list[str], progress: Progress, name: str, of_swee
             if stream is not None:
                 stream.close()
         shown.end()
-    lines = [line.removeprefix("bagnold: ") for line in "".join(told).splitlines() if line.strip()]
+    said = "".join(told)
+    if nobodys is not None:
+        copy = pathlib.Path(name) / ("sweep.toml" if of_sweep else "scene.toml")
+        said = said.replace(nobodys + ":", "scene:").replace(nobodys, str(copy) if copy.exists() else "scene")
+    lines = [line.removeprefix("bagnold: ") for line in said.splitlines() if line.strip()]
     if child.returncode != 0:
         kind = ERRORS.get(child.returncode or 0, InternalError)
         raise kind("\n".join(lines) or f"{program} ended with code {child.returncode}")

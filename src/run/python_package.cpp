@@ -7,9 +7,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
+#include <utility>
 
 #include "src/config/errors.hpp"
 #include "src/run/pythons.hpp"
@@ -61,42 +65,98 @@ std::string wrong_python_package() {
       chosen);
 }
 
+namespace {
+
+constexpr std::size_t most_kept = 1 << 16;  // of stderr, bytes
+
+/// All that comes through a pipe, of much the end.
+std::string read_all(int pipe) {
+  std::string text;
+  std::array<char, 4096> part{};
+  for (;;) {
+    auto const got = ::read(pipe, part.data(), part.size());
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return text;
+    text.append(part.data(), static_cast<std::size_t>(got));
+    if (text.size() > most_kept) text.erase(0, text.size() - most_kept);
+  }
+}
+
+/// The last line with a word in it, fit for a terminal.
+std::string last_line(std::string const& text) {
+  constexpr auto no_word = " \t\r\n";
+  auto const end = text.find_last_not_of(no_word);
+  if (end == std::string::npos) return {};
+  auto const before = text.find_last_of('\n', end);
+  auto line = text.substr(before == std::string::npos ? 0 : before + 1);
+  line.resize(line.find_last_not_of(no_word) + 1);
+  for (auto& letter : line)
+    if (static_cast<unsigned char>(letter) < ' ' || letter == '\x7f') letter = '?';
+  return line;
+}
+
+}  // namespace
+
 PythonCall call_python(fs::path const& python, std::vector<std::string> const& words, bool quiet) {
   std::vector<std::string> line{python, "-I", "-B", "-c", main_of_package, python_package()};
   line.insert(line.end(), words.begin(), words.end());
   std::vector<char*> arguments;
   for (auto& word : line) arguments.push_back(word.data());
   arguments.push_back(nullptr);
+  std::array<int, 2> pipe{};
+  if (pipe2(pipe.data(), O_CLOEXEC) != 0) return {};
   pid_t const child = fork();
-  if (child < 0) return {};
+  if (child < 0) {
+    close(pipe[0]);
+    close(pipe[1]);
+    return {};
+  }
   if (child == 0) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);  // no picture of a folder that another process may take over
+    dup2(pipe[1], STDERR_FILENO);
+    fcntl(STDERR_FILENO, F_SETFD, 0);  // the pipe may have been it, where the program has no stderr
     int const nowhere = open("/dev/null", O_RDWR);
     dup2(nowhere, STDIN_FILENO);
-    if (quiet) {
-      dup2(nowhere, STDOUT_FILENO);
-      dup2(nowhere, STDERR_FILENO);
-    }
+    if (quiet) dup2(nowhere, STDOUT_FILENO);
     if (chdir("/") == 0) execv(python.c_str(), arguments.data());
     _exit(127);
   }
+  close(pipe[1]);
+  auto errors = read_all(pipe[0]);
+  close(pipe[0]);
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   int const code = WIFEXITED(status) ? WEXITSTATUS(status) : 126;
-  return {code != 127, code};
+  if (WIFSIGNALED(status))
+    errors += fmt::format("bagnold: Python was ended by signal {} ({})\n", WTERMSIG(status),
+                          strsignal(WTERMSIG(status)));
+  return {code != 127, code, std::move(errors)};
+}
+
+std::string reason_of(fs::path const& python, PythonCall const& call) {
+  auto const line = last_line(call.errors);
+  if (!line.empty()) return fmt::format("{} says: {}", python.string(), line);
+  return call.started ? fmt::format("{} ended with code {}", python.string(), call.code)
+                      : fmt::format("{} cannot be started", python.string());
 }
 
 int call_package(std::vector<std::string> const& words, std::string const& wish) {
   if (auto const wrong = wrong_python_package(); !wrong.empty())
     throw FileError(fmt::format("cannot {}: {}", wish, wrong));
-  for (auto const& python : pythons())
-    if (auto const call = call_python(python, words, false); call.started) return call.code;
+  std::string reasons;
+  for (auto const& python : pythons()) {
+    auto const call = call_python(python, words, false);
+    if (call.started) {
+      std::fputs(call.errors.c_str(), stderr);
+      return call.code;
+    }
+    reasons += reason_of(python, call) + "; ";
+  }
   throw FileError(fmt::format(
-      "cannot {}: python3 with numpy and h5py is needed; BAGNOLD_PYTHON may name one, by its "
-      "absolute "
-      "path, and BAGNOLD_PYTHON_PACKAGE the folder of the package, share/bagnold/python",
-      wish));
+      "cannot {}: {}python3 with numpy and h5py is needed; BAGNOLD_PYTHON may name one, by its "
+      "absolute path, and BAGNOLD_PYTHON_PACKAGE the folder of the package, share/bagnold/python",
+      wish, reasons));
 }
 
 }  // namespace bagnold

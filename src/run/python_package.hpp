@@ -23,13 +23,19 @@ std::string wrong_python_package();
 struct PythonCall {
   bool started = false;  ///< a Python with the package ran
   int code = 127;        ///< its exit code
+  std::string errors;    ///< what it wrote to stderr; of much the end
 };
 
 /// Runs `python -m bagnold WORDS` with one of pythons() in isolated mode (-I), in a folder that
 /// only the system's owner writes to, so that neither Python nor matplotlib takes code or settings
-/// from where the user stands: paths in `words` are absolute. Its output is thrown away if `quiet`.
+/// from where the user stands: paths in `words` are absolute. Its stdout is thrown away if `quiet`,
+/// its stderr is kept.
 PythonCall call_python(std::filesystem::path const& python, std::vector<std::string> const& words,
                        bool quiet);
+
+/// Why a call failed: "PYTHON says: LINE" with the last line that it wrote to stderr, which names
+/// the exception where there was one; without a line how it ended.
+std::string reason_of(std::filesystem::path const& python, PythonCall const& call);
 
 /// Runs `python -m bagnold WORDS` with the first of pythons() that can, its output shown; returns
 /// its exit code. `wish`: what was to be done, in messages. Throws FileError where none can.

@@ -190,17 +190,68 @@ class WithoutPython(CliTest):
         self.assertTrue((out / "state.h5").exists())
         self.assertRegex((result.stderr + result.stdout).lower(), "warning|no picture|python|plot")
 
+        return result.stderr
+
+    def python(self, script):
+        """One that does what a script of the shell says."""
+        fake = self.folder / "python"
+        fake.write_text(f"#!/bin/sh\n{script}\n")
+        os.chmod(fake, 0o755)
+        return str(fake)
+
     def test_none(self):
-        self.check(PATH="", BAGNOLD_PYTHON="/nonexistent")
+        said = self.check(PATH="", BAGNOLD_PYTHON="/nonexistent")
+        self.assertIn("/nonexistent cannot be started; python3 with h5py and matplotlib is needed", said)
 
     def test_one_that_fails(self):
-        self.check(BAGNOLD_PYTHON="/bin/false")
+        said = self.check(BAGNOLD_PYTHON="/bin/false")
+        self.assertIn("no picture drawn: /bin/false ended with code 1", said)
+        self.assertNotIn("is needed", said)
 
     def test_one_without_matplotlib(self):
-        fake = self.folder / "python"
-        fake.write_text("#!/bin/sh\nexec /usr/bin/python3 -S -I \"$@\"\n")
-        os.chmod(fake, 0o755)
-        self.check(BAGNOLD_PYTHON=str(fake))
+        said = self.check(BAGNOLD_PYTHON=self.python('exec /usr/bin/python3 -S -I "$@"'))
+        self.assertIn("says: bagnold: No module named '", said)
+        self.assertIn("python3 with h5py and matplotlib is needed", said)
+
+    def test_the_last_line_of_any_other_failure(self):
+        """Not that libraries are missing, which are there."""
+        for script, expected in (
+                ("echo Traceback >&2; echo 'MemoryError: of 3 GB' >&2; echo >&2; exit 1", "says: MemoryError: of 3 GB"),
+                ("printf 'no end of\\nline' >&2; exit 3", "says: line"),
+                ("printf 'a \\033[31mcolour' >&2; exit 3", "says: a ?[31mcolour"),
+                ("yes 'a long story' | head -100000 >&2; echo 'OSError: disk full' >&2; exit 1", "says: OSError: disk full"),
+                ("echo begun >&2; kill -9 $$", "was ended by signal 9 (Killed)"), ("exit 9", "ended with code 9")):
+            with self.subTest(script=script):
+                said = self.check(BAGNOLD_PYTHON=self.python(script))
+                self.assertIn("warning: no picture drawn: ", said)
+                self.assertIn(expected, said)
+                self.assertNotIn("is needed", said)
+                shutil.rmtree(self.folder / "out")
+
+    def test_what_plots_say_of_a_folder_that_cannot_be_written(self):
+        """And of data that are not what they should be."""
+        self.check(BAGNOLD_PYTHON="/bin/false")
+        out = self.folder / "out"
+        (out / "plot.png").mkdir()
+        said = self.bagnold("plot", out)
+        self.assertEqual(said.returncode, 4)
+        self.assertRegex(said.stderr, "plot.png: .*Is a directory")
+        self.assertNotIn("is needed", said.stderr)
+        (out / "plot.png").rmdir()
+        with h5py.File(out / "result.h5", "r+") as file:
+            del file["series"]
+        said = self.bagnold("plot", out)
+        self.assertEqual(said.returncode, 4)
+        self.assertRegex(said.stderr, "no picture drawn: /usr/bin/python3 says: bagnold plot: .*series")
+
+    def test_imports_and_exports(self):
+        """A Python that cannot be started, and one that ends otherwise."""
+        for words in (("import", self.scene(), "--out", self.folder / "x.h5"), ("export", self.folder, "--to", "vtk")):
+            for script, expected in (('exec /usr/bin/python3 -S -I "$@"', "says: bagnold: No module named"), ("kill -9 $$", "ended by signal 9")):
+                said = self.bagnold(*words, env=environment(BAGNOLD_PYTHON=self.python(script)))
+                self.assertNotEqual(said.returncode, 0)
+                self.assertIn(expected, said.stderr)
+                self.assertEqual(len(said.stderr.splitlines()), 1, said.stderr)
 
 
 class RandomStart(CliTest):

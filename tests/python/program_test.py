@@ -7,6 +7,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 import unittest
@@ -127,6 +128,28 @@ class Runs(Folder):
             bagnold.run(long, out, progress=False)
         self.assertTrue((out / "checkpoint.h5").exists())
         self.assertFalse(bagnold.load(out).complete)
+
+    def test_warnings_name_no_file_that_is_gone(self):
+        """Those of a dictionary speak of the copy in the folder, those of a file of the file; what they tell to type works."""
+        short = {**SCENE, "shear": {**SCENE["shear"], "strain": 0.5}}
+        sweep = {**short, "sweep": {"grid": {"disks.seed": [1, 2]}}}
+        path = self.scene_file("sweep.toml", **{key: value for key, value in sweep.items() if key != "disks"})
+        for given, named in ((sweep, self.folder / "many/sweep.toml"), (path, path)):
+            out = self.folder / ("many" if given is sweep else "others")
+            with warnings.catch_warnings(record=True) as told:
+                warnings.simplefilter("always")
+                bagnold.run(short, self.folder / f"one{out.name}", progress=False)
+                bagnold.sweep_file(given, out, progress=False)
+            texts = [str(one.message) for one in told]
+            self.assertTrue(any(f"in {named}, and `bagnold sweep {named} --out {out}` goes on" in text for text in texts), texts)
+            for text in texts:
+                self.assertNotIn(f"{tempfile.gettempdir()}/bagnold-", text.replace(str(self.folder), ""))
+        copy = self.folder / "many/sweep.toml"
+        copy.write_text(copy.read_text().replace("strain = 0.5\n", "strain = 0.625\n"))
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            longer = bagnold.sweep_file(copy, self.folder / "many", progress=False)
+        self.assertEqual([point.load().scene["shear.strain"] for point in longer], [0.625, 0.625])
 
     def test_resume(self):
         with warnings.catch_warnings():

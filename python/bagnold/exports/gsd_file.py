@@ -21,7 +21,7 @@ def write(frames: Frames, contacts: ContactFrames | None, target: pathlib.Path) 
         import gsd.hoomd as hoomd
     except ImportError as error:
         raise MissingLibrary(
-            "--to gsd needs the library gsd (Debian: apt install python3-gsd; else `python3 -m venv ENV && ENV/bin/pip "
+            f"--to gsd needs the library gsd ({error}; Debian: apt install python3-gsd; else `python3 -m venv ENV && ENV/bin/pip "
             "install gsd h5py`, then BAGNOLD_PYTHON=ENV/bin/python by its absolute path), or --to lammps, which needs "
             "nothing") from error
     new = hasattr(hoomd, "Frame")  # from 2.8 on; Debian 12 has 2.7
