@@ -70,12 +70,13 @@ void say_commands(analysis::Analysis const& made, AnalyseOptions const& options)
 }
 
 int analyse_command(AnalyseOptions const& options) {
-  auto const made = analysis::analyse(
+  auto made = analysis::analyse(
       std::vector<std::filesystem::path>(options.sweeps.begin(), options.sweeps.end()),
       options.asked, options.prefix);
   if (!options.quiet) print(made);
   for (auto const& note : made.report.notes) warn(note);
   say_commands(made, options);
+  made.picture.replace_extension(options.format);
   warn(draw_analysis(made.drawn, made.picture));
   return 0;
 }

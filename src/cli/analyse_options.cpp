@@ -60,7 +60,8 @@ std::string analyse_kinds() {
   }
   return out +
          "Written: PREFIX.csv (what was found), PREFIX.drawn.csv (what the picture shows), "
-         "PREFIX.png.\nUnits: length d_s, time tau_e; stresses in m/tau_e^2.";
+         "PREFIX.png, or .pdf, .svg by --format.\nUnits: length d_s, time tau_e; stresses in "
+         "m/tau_e^2.";
 }
 
 }  // namespace
@@ -71,6 +72,7 @@ void add_analyse_options(Words command, AnalyseOptions& options) {
   command.option("SWEEP", options.sweeps, "folder of a sweep, or sweep.h5; several are joined")
       .required();
   command.option("--out", options.prefix, "prefix of the files written [first SWEEP/KIND]");
+  add_picture_format(command, options.format);
   add_axes(command, options.asked.request);
   add_fit(command, options.asked.request);
   command.flag("--quiet", options.quiet, "no table; errors and remarks are still shown");

@@ -48,6 +48,7 @@ struct AnalyseOptions {
   analysis::KindRequest asked;
   std::vector<std::string> sweeps;  ///< folders or sweep.h5, joined
   std::filesystem::path prefix;     ///< of the files written; "": the first folder and the kind
+  std::string format = "png";       ///< of the picture
   bool quiet = false;
 };
 
@@ -74,6 +75,7 @@ struct FigureOptions {
   std::filesystem::path folder;  ///< for pictures, and data that figures share; "": results/figures
   std::filesystem::path figures;  ///< figures.toml; "": found
   std::filesystem::path data;     ///< folder of finished tables to draw from; "": run sweeps
+  std::string format = "png";     ///< of the picture
   int jobs = 0;                   ///< as of a sweep
   bool quick = false;
   bool quiet = false;

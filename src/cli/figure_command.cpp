@@ -52,11 +52,12 @@ int figure_command(FigureOptions const& options) {
   SweepTerminal terminal(options.quiet);
   auto const out =
       options.folder.empty() ? std::filesystem::path("results/figures") : options.folder;
-  auto const made =
+  auto made =
       analysis::prepare_figure(file, {options.name, options.quick, out, options.data, parse_words,
                                       sweep_options({}, options.jobs, terminal)});
   if (made.sweeps == sweep::SweepEnd::stopped) return exit_code_of(made.sweeps);
   if (!options.quiet) print(made);
+  made.picture.replace_extension(options.format);
   auto const wrong = draw_figure(made.recipe, made.picture);
   warn(wrong);
   if (!wrong.empty()) return points_failed;
@@ -77,6 +78,7 @@ Command add_figure(Words program) {
   command.option("--data", options->data,
                  "draw from the tables in this folder, docs/data/figures; run nothing");
   command.option("--figures", options->figures, "file of figures [inputs/figures/figures.toml]");
+  add_picture_format(command, options->format);
   command.option("--jobs", options->jobs, "runs at a time [default: cores]").between(1, 4096);
   command.flag("--quiet", options->quiet, "no progress and no table; errors are still shown");
   return {command, [options] { return figure_command(*options); }};

@@ -32,6 +32,11 @@ void add_scene_options(Words command, SceneOptions& options) {
   add_unstable_flag(command, options.allow_unstable);
 }
 
+void add_picture_format(Words command, std::string& format) {
+  command.option("--format", format, "of the picture: png, pdf or svg [png]")
+      .one_of({"png", "pdf", "svg"});
+}
+
 void add_unstable_flag(Words command, bool& allow_unstable) {
   command.flag("--allow-unstable", allow_unstable,
                "accept a time step (in tau_e) beyond the scheme's stability");

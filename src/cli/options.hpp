@@ -15,6 +15,9 @@ Words add_command(Words program, char const* name, char const* description);
 void add_machine_options(Words command, Machine& machine, bool& quiet);
 void add_scene_options(Words command, SceneOptions& options);
 
+/// --format, of pictures: png, pdf or svg.
+void add_picture_format(Words command, std::string& format);
+
 /// --allow-unstable.
 void add_unstable_flag(Words command, bool& allow_unstable);
 

@@ -107,8 +107,7 @@ Command add_plot(Words program) {
                               "draw the pictures of a run, a cascade or a sweep now, also while it "
                               "runs: of its last checkpoint");
   command.option("DIR", options->folder, "folder of a run or a sweep").required();
-  command.option("--format", options->format, "png, pdf or svg [png]")
-      .one_of({"png", "pdf", "svg"});
+  add_picture_format(command, options->format);
   return {command, [options] { return plot_command(*options); }};
 }
 

@@ -240,6 +240,19 @@ class AnalyseTest(CliTest):
             error = 0.1 * math.sqrt(5 / 12) * students
             self.assertLess(abs(float(row["p_error"]) - error), 0.01 * error)
 
+    def test_forms_of_the_picture(self):
+        points = grid(disks__elasticity=[1.0, 10.0], disks__seed=[1, 2, 3, 4])
+        self.sweep(points, 0.0, p=points["disks.elasticity"] + 0.1 * points["disks.seed"])
+        self.analyse("table")
+        for form, begin in (("pdf", b"%PDF"), ("svg", b"<?xml")):
+            self.analyse("table", "--format", form)
+            picture = (self.sweep_folder / f"table.{form}").read_bytes()
+            self.assertEqual(picture[:len(begin)], begin)
+            if form == "pdf":  # letters that journals take and editors can change
+                self.assertIn(b"/TrueType" if b"/TrueType" in picture else b"/CIDFontType2", picture)
+                self.assertNotIn(b"/Type3", picture)
+        self.refused("table", "--format", "bmp", words=("png", "pdf", "svg"))
+
     def test_runs_without_an_error_weigh_as_the_others(self):
         """Half of the points of a crossover, those at large Q, from runs too short for an error."""
         points = grid(disks__packing_fraction=[0.60, 0.70, 0.76],

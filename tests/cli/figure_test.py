@@ -132,6 +132,10 @@ class FigureTest(CliTest):
             row = next(csv.DictReader(file))
         self.assertEqual((row["what"], row["stated"]), ("B_p", "1e+09"))
         size_of(self.folder / "out/P9-1.png")
+        for form, begin in (("pdf", b"%PDF"), ("svg", b"<?xml")):
+            result = self.figure("P9-1", "--figures", own, "--out", "out", "--format", form)
+            self.assertIn(f"picture in out/P9-1.{form}\n", result.stdout)
+            self.assertEqual((self.folder / f"out/P9-1.{form}").read_bytes()[:len(begin)], begin)
         stamps = {p: p.stat().st_mtime_ns for p in (self.folder / "out/data").rglob("state.h5")}
         self.assertEqual(len(stamps), 4)
         self.figure("P9-1", "--figures", own, "--out", "out")

@@ -26,6 +26,7 @@ STYLE = {
     "axes.spines.top": False, "axes.spines.right": False, "axes.linewidth": 0.8,
     "axes.edgecolor": "#444444", "xtick.color": "#444444", "ytick.color": "#444444",
     "legend.frameon": False, "legend.fontsize": 9, "legend.handlelength": 1.4,
+    "pdf.fonttype": 42, "ps.fonttype": 42,  # TrueType, which journals take and editors change; Type 3 they do not
     "lines.linewidth": 1.1, "mathtext.fontset": "dejavusans", "axes.formatter.useoffset": False,
 }
 
