@@ -34,5 +34,7 @@ foreach(level IN LISTS BAGNOLD_LEVELS)
   endif()
   bagnold_level(${level} ${bagnold_${level}})
   string(TOUPPER "${level}" upper)
-  target_compile_definitions(bagnold_engine PRIVATE BAGNOLD_LEVEL_${upper})
+  set_property(SOURCE engine/levels/levels.cpp APPEND PROPERTY COMPILE_DEFINITIONS BAGNOLD_LEVEL_${upper})
 endforeach()
+# Of this source alone: another choice of levels leaves all others as they are built.
+set_property(SOURCE engine/levels/levels.cpp PROPERTY SKIP_PRECOMPILE_HEADERS ON)

@@ -65,7 +65,7 @@ def main():
         figure, (left, right) = plt.subplots(2, 1, figsize=(8.6, 6.2), layout="constrained", height_ratios=[3.2, 1])
         flow_curves(left)
         packing(right)
-        save(figure, ROOT / "docs/figures/both_phases.png", dpi=120, colours=128)
+        save(figure, ROOT / "docs/figures/both_phases.png", dpi=220, colours=128)
 
 
 if __name__ == "__main__":

@@ -135,7 +135,7 @@ class AnalyseTest(CliTest):
         self.assertEqual([row["points"] for row in rows], ["4", "3", "3"])
         self.assertLess(float(rows[0]["x"]), PHI_J - 0.76)  # those nearest to jamming
 
-    def test_transition(self):
+    def two_transitions(self):
         points = grid(shear__strain_rate=[1e-6, 1e-5], disks__packing_fraction=[0.81, 0.82],
                       disks__elasticity=list(np.linspace(5, 40, 15)))
         rate, phi = points["shear.strain_rate"], points["disks.packing_fraction"]
@@ -143,6 +143,9 @@ class AnalyseTest(CliTest):
         z = rate * (200 + 3e3 * np.maximum(0, q_c - points["disks.elasticity"]) * (1e-5 / rate) ** 0.5)
         points["shear.strain"] = np.where(rate == 1e-6, 10.0, 20.0)  # follows the rate
         self.sweep(points, 0.01, Z=z)
+
+    def test_transition(self):
+        self.two_transitions()
         rows = self.analyse("transition")
         self.assertEqual([row["disks.packing_fraction"] for row in rows], ["0.81", "0.82"])
         self.near(rows[0], "Q_c", 14.0)

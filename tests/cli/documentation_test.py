@@ -32,6 +32,7 @@ import subprocess
 import unittest
 
 import numpy as np
+from PIL import Image
 
 from bagnold import PROGRAM, SOURCE, CliTest, environment, read_summary
 
@@ -277,6 +278,19 @@ class Pages(CliTest):
                     self.assertTrue((SOURCE / word).exists(), f"{name}: {word}")
                 elif re.fullmatch(r"[\w-]+\.(cpp|hpp|py|cmake|sh)", word):
                     self.assertIn(word, sources, name)
+
+    def test_pictures_are_sharp(self):
+        """SVG, or a PNG of 160 pixels an inch and more: twice what a page shows of letters of its size."""
+        found = 0
+        for name in TEXTS:
+            for target in re.findall(r"!\[[^]]*\]\((?!https?:)([^)]+)\)", text_of(name)):
+                path = (SOURCE / name).parent / target
+                found += 1
+                if path.suffix == ".svg":
+                    continue
+                with Image.open(path) as picture:
+                    self.assertGreater(min(picture.info.get("dpi", (0, 0))), 159, f"{name}: {target}")
+        self.assertGreater(found, 50)
 
     def test_the_index_has_every_page(self):
         index = text_of("docs/index.md")

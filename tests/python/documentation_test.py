@@ -9,6 +9,7 @@ import io
 import json
 import os
 import re
+import tomllib
 import unittest
 import warnings
 
@@ -56,6 +57,13 @@ class Documentation(Folder):
             self.assertTrue(hasattr(bagnold.Run, name), name)
         for path in re.findall(r"\]\((\.\./[^)#]+)", text):
             self.assertTrue((SOURCE / "docs" / path).exists(), path)
+
+    def test_extras(self):
+        """Those of pyproject.toml are what one is told to install."""
+        project = tomllib.loads((SOURCE / "python/pyproject.toml").read_text())["project"]
+        for page in ("docs/python.md", "python/README.md"):
+            told = re.search(r"pip install '\./python\[([a-z,]+)\]'", (SOURCE / page).read_text())
+            self.assertEqual(told and told[1].split(","), list(project["optional-dependencies"]), page)
 
     def test_notebooks(self):
         self.assertEqual([path.name for path in NOTEBOOKS], ["first_look.ipynb", "p1_figure.ipynb"])

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures of the tables that tables.py writes."""
 import csv
+import io
 import os
 import sys
 
@@ -10,6 +11,7 @@ try:
     matplotlib.use("Agg")
     import numpy as np
     from matplotlib import pyplot as plt
+    from PIL import Image  # matplotlib's own
 except ImportError as error:
     sys.exit(f"pictures.py: {error}; no picture (Debian: apt install python3-matplotlib)")
 
@@ -19,6 +21,7 @@ from cases import CASES, LEGEND, PAPERS
 # Okabe and Ito's palette: told apart by colour-blind eyes too.
 COLOURS = dict(zip(LEGEND, ("#777777", "#56B4E9", "#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7")))
 MARKERS = dict(zip(LEGEND, "s^v<>oD"))
+DPI = 220  # twice what a page shows
 STYLE = {
     "font.size": 9, "axes.titlesize": 9.5, "axes.titlelocation": "left", "axes.spines.top": False,
     "axes.spines.right": False, "legend.frameon": False, "legend.fontsize": 8, "lines.linewidth": 1.1,
@@ -37,7 +40,10 @@ def number(row, key):
 
 def save(figure, folder, name):
     os.makedirs(folder, exist_ok=True)
-    figure.savefig(os.path.join(folder, name), dpi=110, metadata={"Software": None})
+    picture = io.BytesIO()
+    figure.savefig(picture, dpi=DPI)
+    few = Image.open(picture).convert("RGB").quantize(128)
+    few.save(os.path.join(folder, name), optimize=True, dpi=(DPI, DPI))
     plt.close(figure)
 
 

@@ -452,4 +452,4 @@ def draw(recipe, folder):
 def draw_to(source, target):
     with open(source, encoding="utf-8") as file:
         recipe = json.load(file)
-    save(draw(recipe, os.path.dirname(os.path.abspath(source))), target, recipe.get("dpi", 80), 160)
+    save(draw(recipe, os.path.dirname(os.path.abspath(source))), target, recipe.get("dpi", 160), 160)

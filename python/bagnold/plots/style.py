@@ -28,7 +28,9 @@ STYLE = {
     "legend.frameon": False, "legend.fontsize": 9, "legend.handlelength": 1.4,
     "pdf.fonttype": 42, "ps.fonttype": 42,  # TrueType, which journals take and editors change; Type 3 they do not
     "lines.linewidth": 1.1, "mathtext.fontset": "dejavusans", "axes.formatter.useoffset": False,
+    "svg.hashsalt": "bagnold",  # the same picture, the same bytes
 }
+NO_DATE = {"svg": {"Date": None}, "pdf": {"CreationDate": None}}
 
 
 def save(figure, target, dpi=110, colours=None):
@@ -38,11 +40,11 @@ def save(figure, target, dpi=110, colours=None):
     form = os.path.splitext(target)[1][1:].lower() or "png"
     picture = io.BytesIO()
     with plt.rc_context(STYLE):
-        figure.savefig(picture, format=form, dpi=dpi)
+        figure.savefig(picture, format=form, dpi=dpi, metadata=NO_DATE.get(form))
     if colours and form == "png":
         image = Image.open(picture).convert("RGB").quantize(colours)
         picture = io.BytesIO()
-        image.save(picture, format="png", optimize=True)
+        image.save(picture, format="png", optimize=True, dpi=(dpi, dpi))
     with open(target + ".part", "wb") as file:
         file.write(picture.getvalue())
     os.replace(target + ".part", target)
