@@ -51,6 +51,22 @@ class Scripts(unittest.TestCase):
         return self.log.read_text().splitlines() if self.log.exists() else []
 
 
+class Continuous(Scripts):
+    """.ci/run: the bare system's word counts; without one it is the check's."""
+
+    def ends(self, bare, check):
+        self.log.unlink(missing_ok=True)
+        self.program(self.tree / "scripts/check-bare", f"exit {bare}")
+        self.program(self.tree / "scripts/check", f"exit {check}")
+        return self.call(".ci/run", CI="true").returncode, [line.split()[0] for line in self.calls()]
+
+    def test_status(self):
+        self.assertEqual(self.ends(bare=0, check=1), (0, ["check-bare"]))
+        self.assertEqual(self.ends(bare=8, check=0), (8, ["check-bare"]))
+        self.assertEqual(self.ends(bare=UNAVAILABLE, check=0), (0, ["check-bare", "check"]))
+        self.assertEqual(self.ends(bare=UNAVAILABLE, check=8), (8, ["check-bare", "check"]))
+
+
 @on_debian_12
 class Bare(Scripts):
     def refused(self, why):
