@@ -14,6 +14,8 @@ namespace bagnold {
 
 namespace {
 
+constexpr double largest_of_packings = 0.5;  // relative overlap; deeper ones hide a wrong box
+
 struct Placed {
   double x, y;  ///< in the box
   std::size_t disk;
@@ -118,14 +120,21 @@ double largest_overlap(State const& state) {
 std::string deep_overlap_warning(State const& state, std::string const& file) {
   auto const found = deep_overlaps(state, largest_relative_overlap);
   if (found.pairs == 0) return {};
-  return fmt::format(
+  auto const what = fmt::format(
       "{}: {}{} pair{} of disks overlap{} by more than {:.0f}%, disks {} and {} (from 0) by "
-      "{:.3g}%: "
-      "the run stops there; push them apart by start.relax = true, or let start.kind = \"random\" "
-      "make a state",
+      "{:.3g}%: the run stops there; ",
       file, found.pairs == DeepOverlaps::most_pairs ? "at least " : "", found.pairs,
       found.pairs == 1 ? "" : "s", found.pairs == 1 ? "s" : "", 100 * largest_relative_overlap,
       found.disk, found.neighbour, 100 * found.deepest);
+  if (found.deepest > largest_of_packings)
+    return what + fmt::format(
+                      "no packing has overlaps above {:.0f}%: the box (L_x = {:.6g}, L_y = {:.6g}, "
+                      "offset {:.6g}) or the diameters are not those of the disks, as a rule; look "
+                      "at what made the file",
+                      100 * largest_of_packings, state.box_length, state.box_height(),
+                      state.offset);
+  return what +
+         "push them apart by start.relax = true, or let start.kind = \"random\" make a state";
 }
 
 }  // namespace bagnold

@@ -63,20 +63,21 @@ class Failure(CliTest):
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertNotIn("push them apart", result.stderr)
 
-    def assert_told(self, result, *words):
+    def assert_told(self, result, *words, remedy="push them apart by start.relax"):
         """Before the run began, and by `validate` too."""
         scene = self.folder / f"scene{self.written}.toml"
         for told in (result.stderr, self.bagnold("validate", scene).stderr):
             first = told.splitlines()[0]
-            for word in ("warning", "start.h5", "push them apart", *words):
+            for word in ("warning", "start.h5", remedy, *words):
                 self.assertIn(word, first)
+            self.assertEqual("relax" in first, "relax" in remedy)
 
     def test_coinciding_disks(self):
         state = lattice_state()
         state["position"][1] = state["position"][0]
         result, out = self.state_run(state)
         self.assert_failed(result, out)
-        self.assert_told(result, "1 pair of disks", "by 100%")
+        self.assert_told(result, "1 pair of disks", "by 100%", remedy="no packing has overlaps above 50%: the box (L_x = ")
 
     def test_a_disk_too_fast(self):
         for speed in (1e3, 1e100):

@@ -11,7 +11,7 @@ import numpy as np
 
 from ..errors import InputError
 from ..frames import Array
-from .text import column, numbers
+from .text import column
 
 #: Each quantity, and what it may be called: small letters alone, as `_plain` leaves them. A vector may also come as a
 #: column each axis, "velocityx" of OVITO's "Velocity.X".
@@ -157,10 +157,10 @@ def _in_space(values: Array) -> Array:
 
 
 def whole_ids(words: Sequence[str] | None, where: str) -> Array | None:
-    """Identifiers as numbers. Raises InputError where one is not whole."""
+    """Identifiers as numbers, [N]. Raises InputError where one is not whole."""
     if words is None:
         return None
-    found = np.array(numbers(words, where))
+    found = column([[word] for word in words], lambda _: where)[:, 0]
     if len(odd := np.nonzero(found % 1)[0]):
         raise InputError(f"{where}: {words[odd[0]]} (must be a whole number); the columns are not what their names say")
     return found

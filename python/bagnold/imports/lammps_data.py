@@ -153,7 +153,7 @@ def _motion(path: pathlib.Path, sections: dict[str, Section], ids: Array) -> tup
 def _configuration(path: pathlib.Path, head: list[list[str]], sections: dict[str, Section], data: dict[str, list[str]]
                    ) -> Configuration:
     def of(name: str) -> Array:
-        return np.array(numbers(data[name], f"{path}, Atoms, {name}"))
+        return column([[word] for word in data[name]], lambda k: f"{path}, Atoms, row {k + 1}, {name}")[:, 0]
 
     ids = whole_ids(data["id"], f"{path}, Atoms, id")
     assert ids is not None

@@ -46,7 +46,7 @@ def read(path: pathlib.Path, wishes: Wishes) -> Configuration:
 
 def _item(text: str) -> tuple[str, str] | None:
     """The name of an item and the rest of its line; None for other lines."""
-    found = re.match(r"\s*ITEM:\s*(.*)", text, re.IGNORECASE)
+    found = re.match(r"\s*ITEM:\s*(.*)", text, re.IGNORECASE) if ":" in text else None
     if not found:
         return None
     rest = found[1].strip()

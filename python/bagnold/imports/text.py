@@ -80,6 +80,20 @@ def numbers(words: Iterable[str], where: str) -> list[float]:
     return found
 
 
+def column(rows: Sequence[Sequence[str]], where: Callable[[int], str]) -> Array:
+    """The numbers of rows of words, all of one length, [N, columns]. Raises InputError, with `where` of the row."""
+    words = [word for row in rows for word in row]
+    shape = len(rows), len(rows[0]) if rows else 1
+    together = " ".join(words)
+    if together.isascii() and "_" not in together:  # which Python alone takes for digits, and for part of a number
+        try:
+            if np.isfinite(found := np.array(words, dtype=np.float64)).all():
+                return found.reshape(shape)
+        except ValueError:
+            pass  # of Fortran, or none: one by one
+    return np.array([numbers(row, where(k)) for k, row in enumerate(rows)], dtype=np.float64).reshape(shape)
+
+
 def whole_number(rows: Sequence[str], where: str) -> int:
     """The only word of the only row. Raises InputError where it is another."""
     words = " ".join(rows).split()
@@ -103,8 +117,3 @@ def table(rows: Sequence[str], names: Sequence[str], where: Callable[[int], str]
 def _told(names: Sequence[str], width: int) -> str:
     text = " ".join(names)
     return f", {text}" if width == len(names) and len(text) < 120 else ""
-
-
-def column(rows: Sequence[Sequence[str]], where: Callable[[int], str]) -> Array:
-    """The numbers of rows of words, [N, columns]."""
-    return np.array([numbers(row, where(k)) for k, row in enumerate(rows)]).reshape(len(rows), -1 if rows else 1)
