@@ -100,10 +100,16 @@ class Cells(Import):
         self.is_box(state, 4, 6, -2)
 
     def test_disks_that_left_the_cell_between_two_lists(self):
-        """By less than LAMMPS lets them, on either side."""
+        """By less than LAMMPS lets them, on either side: both cells are told."""
         bounds = "0 8 2\n0 6 0\n-0.5 0.5 0"
-        _, state = self.read([[0.2, 1], [3, 1.5], [4.5, -0.1], [7.5, 4]], bounds, "xy xz yz pp pp pp", strain_rate=0)
-        self.is_box(state, 6, 6, 2)
+        for places in ([[0.2, 1], [3, 1.5], [4.5, -0.1], [7.5, 4]], [[0.2, 1], [3, 1.5], [4.5, 0.1], [7.45, 4]]):
+            made, state = self.read(places, bounds, "xy xz yz pp pp pp", strain_rate=0)
+            self.is_box(state, 6, 6, 2)
+            self.assertIn("outside the cell by up to 0.2, as LAMMPS lets them between two lists; --bounds edges", str(made))
+        with self.assertRaisesRegex(bagnold.InputError, "L_x = 6.*L_x = 8"):  # farther
+            self.read([[0.2, 1], [3, 1.5], [4.5, 0.1], [7.6, 4]], bounds, "xy xz yz pp pp pp")
+        with self.assertRaisesRegex(bagnold.InputError, "L_x = 5.9.*L_x = 6"):  # as far as another box were wider
+            self.read([[1, 1], [5.97, 1], [2, 4], [4, 4]], "0 6 0.1\n0 6 0\n-0.5 0.5 0", "xy xz yz pp pp pp")
 
     def test_bounds_that_cannot_hold_the_tilt(self):
         made, state = self.read([[1, 1], [4, 1], [6, 4], [9, 4]], "0 6 7\n0 6 0\n-0.5 0.5 0", "xy xz yz pp pp pp")

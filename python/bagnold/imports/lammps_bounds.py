@@ -20,7 +20,7 @@ from .text import NUMBER, numbers
 TILTS = ("xy", "xz", "yz")
 OUTER, EDGES = "outer", "edges"  # --bounds
 ROUNDING = 1e-5  # of numbers with six digits, relative
-LOOSE = 0.25  # of the mean distance of disks: how far LAMMPS lets them out of the cell between two lists
+LOOSE = 0.2  # of the smallest diameter, else of the mean distance: how far LAMMPS lets disks out between two lists
 
 
 @dataclass(frozen=True)
@@ -44,12 +44,13 @@ class Bounds:
         return Cell(Box(length, height, self.tilt), np.array([low, self.rows[1, 0], 0.0]))
 
 
-def read_cell(where: str, words: str, rows: Sequence[str], asked: str | None, position: Array | None) -> Cell:
+def read_cell(where: str, words: str, rows: Sequence[str], asked: str | None, position: Array | None, size: float | None
+              ) -> Cell:
     """The cell of a frame.
 
     words, rows: what stands behind and below ITEM: BOX BOUNDS. asked: OUTER or EDGES, None: as the file looks.
-    position: [N, 3], in the file's place, of the images in the cell; None where it holds none. Raises InputError where
-    it is not clear which cell is meant."""
+    position: [N, 3], in the file's place, of the images in the cell; None where it holds none. size: the smallest
+    diameter, if it is known. Raises InputError where it is not clear which cell is meant."""
     if words.lower().startswith("abc"):
         return _by_vectors(where, words, rows)
     bounds = _bounds(where, words, rows)
@@ -69,21 +70,36 @@ def read_cell(where: str, words: str, rows: Sequence[str], asked: str | None, po
                            f"{bounds.tilt!r}, which these cannot")
     if bounds.named == EDGES:
         raise _unclear(bounds, outer, edges, "the words behind the numbers say xlo xhi")
+    other = f"--bounds {EDGES} reads them as xlo and xhi, L_x = {edges.box.length!r}"
     if position is None:
-        bounds.notes.append(f"BOX BOUNDS read as LAMMPS writes them, L_x = {outer.box.length!r}; --bounds {EDGES} reads them as xlo and "
-                            f"xhi, L_x = {edges.box.length!r}: positions of this kind do not tell")
+        bounds.notes.append(f"BOX BOUNDS read as LAMMPS writes them, L_x = {outer.box.length!r}; {other}: positions of this kind do not tell")
     else:
-        area = outer.box.length * outer.box.height
-        for margin in (0.0, LOOSE * np.sqrt(area / len(position))):
-            if _holds(outer, position, margin):
-                break
-            if _holds(edges, position, margin):
-                count = int(np.sum(~_inside(outer, position, margin)))
-                raise _unclear(bounds, outer, edges, f"{count} of {len(position)} disks lie outside the first and none outside "
-                               "the second")
-        else:
-            bounds.notes.append("disks lie outside the cell, as LAMMPS' x y do not")
+        _refuse_other_cell(bounds, outer, edges, position, LOOSE * (size or _spacing(outer, position)), other)
     return outer.noted(*bounds.notes).instead(edges, f"--bounds {EDGES}")
+
+
+def _refuse_other_cell(bounds: Bounds, outer: Cell, edges: Cell, position: Array, loose: float, other: str) -> None:
+    """Raises InputError where disks lie outside the cell that LAMMPS would mean, farther than it lets them between two lists,
+    and inside the other one."""
+    if _holds(outer, position, 0.0):
+        return
+    few = f"disks lie outside the cell by up to {loose:.2g}, as LAMMPS lets them between two lists; {other}"
+    if _inside(outer, position, loose).all() and abs(bounds.tilt) > 2 * loose:
+        bounds.notes.append(few)
+        return
+    for margin in (0.0, loose):
+        if _holds(outer, position, margin):
+            bounds.notes.append(few)
+            return
+        if _holds(edges, position, margin):
+            count = int(np.sum(~_inside(outer, position, margin)))
+            raise _unclear(bounds, outer, edges, f"{count} of {len(position)} disks lie outside the first and none outside the second")
+    bounds.notes.append(f"disks lie outside the cell, as LAMMPS' x y do not; {other}")
+
+
+def _spacing(cell: Cell, position: Array) -> float:
+    """The mean distance of disks."""
+    return float(np.sqrt(cell.box.length * cell.box.height / len(position)))
 
 
 def _unclear(bounds: Bounds, outer: Cell, edges: Cell, why: str) -> InputError:

@@ -98,17 +98,19 @@ def _frame(path: pathlib.Path, wishes: Wishes, items: Mapping[str, Item]) -> Con
     ids = whole_ids(columns.words("id"), f"{path}, line {atoms.line}, id")
     where = f"{path}, line {bounds.line}"
     scaled, unwrapped, position = _places(columns)
+    diameter = columns.diameter()
     if scaled:
-        cell = read_cell(where, bounds.words, bounds.rows, wishes.bounds, None)
+        cell = read_cell(where, bounds.words, bounds.rows, wishes.bounds, None, None)
         position = np.column_stack([position[:, :2] @ cell.box.matrix[:2, :2], np.zeros(count)])
     else:
-        cell = read_cell(where, bounds.words, bounds.rows, wishes.bounds, None if unwrapped else position)
+        cell = read_cell(where, bounds.words, bounds.rows, wishes.bounds, None if unwrapped else position,
+                         None if diameter is None else float(diameter.min()))
         position = position - cell.origin * [1, 1, 0]
     time, rate, told = _told(path, items, cell.box)
     mass = columns.scalar("mass")
     return Configuration(
         names=[f"atom {one:.0f}" for one in (np.arange(1, count + 1) if ids is None else ids)],
-        kind=columns.words("type") or ["1"] * count, position=position, cell=cell, diameter=columns.diameter(), mass=mass,
+        kind=columns.words("type") or ["1"] * count, position=position, cell=cell, diameter=diameter, mass=mass,
         velocity=columns.velocity(mass), spin=columns.spin(), velocity_in_box=unwrapped, time=time, strain_rate=rate,
         notes=(*cell.notes, *told, *columns.notes())).in_order_of(ids, path)
 
