@@ -399,6 +399,9 @@ class Words(Import):
         text = "\n".join(about.splitlines()[:2] + rows) + "\n"
         _, state = self.imported(self.file(text, "x.xyz"))
         np.testing.assert_array_equal(state.velocity, [[0.5, k] for k in range(4)])
+        slow = text.replace(" 2 0.5 0 1 0\n", " 2 0.00001234 0 0.00002467 0\n")  # rounded each for itself
+        slow = slow.replace("2 0.5 1 1 2", "2 0 0 0 0").replace("2 0.5 2 1 4", "2 0 0 0 0").replace("2 0.5 3 1 6", "2 0 0 0 0")
+        self.assertEqual(self.imported(self.file(slow, "x.xyz"))[1].velocity.tolist()[0], [1.234e-5, 0])
         self.refused("velocities and momenta over masses differ", self.file(text.replace(" 1 6\n", " 1 5\n"), "x.xyz"))
 
     def test_widths_and_axes(self):

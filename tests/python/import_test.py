@@ -378,6 +378,13 @@ class CommandLine(Import):
         self.assertEqual((said.returncode, said.stderr), (0, ""))
         self.assertEqual(tomllib.loads(said.stdout)["disks"]["count"], 4)
         self.assertTrue((self.folder / "s.h5").exists())
+        self.file("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS xy xz yz pp pp pp\n0 6 2\n0 6 0\n0 1 0\n"
+                  "ITEM: ATOMS id x y radius\n1 5.5 1 0.5\n2 7 4 0.7\n", "x.dump")
+        self.assertEqual(program("x.dump", "--out", "b.h5").returncode, 2)
+        for bounds, length in (("edges", 6), ("outer", 4)):
+            self.assertEqual(program("x.dump", "--out", "b.h5", "--bounds", bounds).returncode, 0)
+            self.assertEqual(bagnold.frames.read_states(self.folder / "b.h5")[0].box.length, length)
+        self.assertEqual(program("x.dump", "--out", "b.h5", "--bounds", "inner").returncode, 2)
         self.assertEqual(program("no.data", "--out", "t.h5").returncode, 4)
         wrong = program("x.data", "--out", "t.h5", "--diameters", "1=x")
         self.assertEqual((wrong.returncode, len(wrong.stderr.splitlines())), (2, 1))

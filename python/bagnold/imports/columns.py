@@ -27,6 +27,7 @@ NAMES = {
 }
 #: Rounding in files: numbers that say the same of a quantity twice.
 SAME = 1e-5
+SAME_VELOCITY = 1e-2  # ASE writes 8 digits behind the point, of velocities of 1e-5 too
 UNREAD = "columns that are not read"
 
 
@@ -105,7 +106,7 @@ class Columns:
         momentum = self.vector("momentum") if heavy else None
         if momentum is not None and mass is not None:
             velocity = self._agreed("velocity", [(name, values) for name, values in (
-                ("velocities", velocity), ("momenta over masses", momentum / mass[:, None])) if values is not None])
+                ("velocities", velocity), ("momenta over masses", momentum / mass[:, None])) if values is not None], SAME_VELOCITY)
         return None if velocity is None else velocity[:, :2]
 
     def _called(self, wanted: Sequence[str]) -> list[tuple[str, Sequence[Sequence[str]]]]:
@@ -139,12 +140,12 @@ class Columns:
                 raise InputError(f"{self.where}: {name} has {len(rows[0])} columns (must be {' or '.join(map(str, widths))} of a "
                                  f"{quantity}); mend the header, or make the file again")
 
-    def _agreed(self, quantity: str, found: Sequence[tuple[str, Array]]) -> Array | None:
-        """What all columns of a quantity say. Raises InputError where they differ by more than rounding."""
+    def _agreed(self, quantity: str, found: Sequence[tuple[str, Array]], within: float = SAME) -> Array | None:
+        """What all columns of a quantity say, as the first does. Raises InputError where they differ by more than rounding."""
         if not found:
             return None
         for name, values in found[1:]:
-            if np.abs(values - found[0][1]).max(initial=0.0) > SAME * np.abs(found[0][1]).max(initial=0.0):
+            if np.abs(values - found[0][1]).max(initial=0.0) > within * np.abs(found[0][1]).max(initial=0.0):
                 self._refuse_both(quantity, found[0][0], name)
         return found[0][1]
 
