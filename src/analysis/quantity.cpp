@@ -28,8 +28,8 @@ Measured const& observable(SweepTable const& table, std::string const& name) {
     return found->second;
   std::vector<std::string> known;
   for (auto const& [other, values] : table.observables) known.push_back(other);
-  throw InputError(fmt::format("{} (no such observable or key in {}); perhaps {}. There are: {}",
-                               name, table.origin, nearest_word(name, known),
+  throw InputError(fmt::format("{} (no such observable or key in {}){} There are: {}", name,
+                               table.origin, did_you_mean(name, known, "."),
                                fmt::join(known, " ")));
 }
 

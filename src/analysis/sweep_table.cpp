@@ -207,8 +207,8 @@ std::vector<double> SweepTable::numbers(std::string const& key) const {
   if (out.size() == points) return out;
   std::vector<std::string> known;
   for (auto const& [name, column] : keys) known.push_back(name);
-  throw InputError(fmt::format("{} (no number of that name in {}){}", key, origin,
-                               known.empty() ? "" : "; perhaps " + nearest_word(key, known)));
+  throw InputError(
+      fmt::format("{} (no number of that name in {}){}", key, origin, did_you_mean(key, known)));
 }
 
 SweepTable read_sweep_table(std::filesystem::path const& path) {

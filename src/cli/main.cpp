@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <string>
 #include <string_view>
 #include <vector>
 #ifdef __GLIBC__
@@ -40,14 +42,39 @@ std::vector<std::string> words_of(int argc, char** argv) {
   return words;
 }
 
+/// Commands by the names that other programs give them.
+struct Elsewhere {
+  char const* command;
+  std::vector<std::string_view> words;
+};
+Elsewhere const elsewhere[] = {
+    {"run", {"start", "simulate", "execute", "exec", "go"}},
+    {"validate", {"check", "test", "dry-run", "lint", "verify"}},
+    {"resume", {"continue", "restart", "extend", "rerun"}},
+    {"status", {"list", "ls", "ps", "top", "watch", "progress", "show", "queue"}},
+    {"plot", {"draw", "view", "picture", "graph"}},
+    {"analyse", {"fit", "find"}},
+    {"sweep", {"scan", "batch", "array", "collect", "submit"}},
+    {"export", {"convert", "write", "dump"}},
+    {"import", {"read", "load"}},
+    {"info", {"about", "config", "machine"}},
+    {"--version", {"version"}},
+};
+
 /// CLI11 would complain of the words behind it.
 void refuse_unknown_command(std::vector<std::string> const& names,
                             std::vector<std::string> const& words) {
   if (words.empty() || words.front().starts_with("-")) return;
-  if (std::ranges::count(names, words.front()) == 0)
-    throw bagnold::InputError(fmt::format("unknown command {}; did you mean {}? See bagnold --help",
-                                          bagnold::shown(words.front()),
-                                          bagnold::nearest_word(words.front(), names)));
+  auto const& word = words.front();
+  if (std::ranges::count(names, word) > 0) return;
+  auto const found = std::ranges::find_if(elsewhere, [&](auto const& one) {
+    return std::ranges::count(one.words, std::string_view(word)) > 0;
+  });
+  auto const hint = found == std::end(elsewhere)
+                        ? bagnold::did_you_mean(word, names, ".")
+                        : fmt::format("; did you mean {}?", found->command);
+  throw bagnold::InputError(
+      fmt::format("unknown command {}{} See bagnold --help", bagnold::shown(word), hint));
 }
 
 int run(int argc, char** argv) {

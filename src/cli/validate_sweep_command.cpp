@@ -13,6 +13,7 @@ int validate_sweep_command(SceneOptions const& options) {
     throw InputError(fmt::format("--set {}: does not go with a sweep; change {}",
                                  options.overrides.front(), options.scene_file.string()));
   auto const sweep = sweep::read_checked_sweep(options.scene_file, options.allow_unstable);
+  if (auto const note = sweep::rising_chain_note(sweep); !note.empty()) say("note: " + note);
   auto const times = times_of_points(sweep);
   RunTime const longest = longest_chain(sweep, times);
   RunTime const all = times.sum();

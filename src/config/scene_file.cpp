@@ -10,30 +10,18 @@
 #include "src/config/contradictions.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/keys.hpp"
+#include "src/config/meant_key.hpp"
 #include "src/config/mistakes.hpp"
 #include "src/config/names.hpp"
-#include "src/config/nearest_word.hpp"
 #include "src/config/quasi_static.hpp"
 #include "src/config/shown.hpp"
 #include "src/config/toml_table.hpp"
 #include "src/config/toml_text.hpp"
+#include "src/config/value_advice.hpp"
 
 namespace bagnold {
 
 namespace {
-
-/// The key that a wrong one was meant to be. Of one without its table, or in another, the last part
-/// tells most.
-std::string nearest_key(std::string const& wrong, std::vector<std::string> const& keys) {
-  auto const last = [](std::string const& key) { return key.substr(key.rfind('.') + 1); };
-  for (auto const& key : keys)
-    if (last(key) == last(wrong)) return key;
-  if (wrong.find('.') != std::string::npos) return nearest_word(wrong, keys);
-  std::vector<std::string> parts;
-  for (auto const& key : keys) parts.push_back(last(key));
-  auto const part = std::ranges::find(parts, nearest_word(wrong, parts));
-  return keys[static_cast<std::size_t>(part - parts.begin())];
-}
 
 /// One scene text being read into a scene.
 class Reader {
@@ -96,18 +84,43 @@ class Reader {
                                              place(name, node), name, describe(node), name));
     if (std::find(known_.begin(), known_.end(), name) != known_.end()) return;
     bool const table = node.is_table() && name.find('.') == std::string::npos;
-    std::vector<std::string> tables;  // a table is most like a table
-    for (auto const& key : known_) tables.push_back(key.substr(0, key.find('.')));
-    auto const meant = table ? nearest_word(name, tables) : nearest_key(name, known_);
-    bool const given = table_.at_path(meant).node() != nullptr;
-    mistakes_.add(given ? "" : meant,
-                  fmt::format("{}unknown {} {}; did you mean {}?", place(name, node),
-                              node.is_table() ? "table" : "key", shown(name), meant));
+    auto const meant = table ? meant_table(name, tables()) : meant_key(name, known_);
+    bool const given = meant.key.empty() || table_.at_path(meant.key).node() != nullptr;
+    mistakes_.add(given ? "" : meant.key,
+                  fmt::format("{}unknown {} {}{}", place(name, node),
+                              node.is_table() ? "table" : "key", shown(name), meant.remark));
+  }
+
+  /// Each once, in the order of the keys.
+  std::vector<std::string> tables() const {
+    std::vector<std::string> names;
+    for (auto const& key : known_)
+      if (auto const dot = key.find('.'); dot != std::string::npos)
+        if (auto const table = key.substr(0, dot); std::ranges::count(names, table) == 0)
+          names.push_back(table);
+    return names;
   }
 
   [[noreturn]] void refuse(Key const& key, toml::node const& node, std::string const& why) const {
     throw InputError(fmt::format("{}{} = {} ({}): {}", place(key.name, node), key.name,
                                  describe(node), why, key.meaning));
+  }
+
+  /// Of a value of another kind than the key's: what was meant by it.
+  [[noreturn]] void refuse_kind(Key const& key, toml::node const& node, std::string why) const {
+    if (node.is_array() && key.name == "shear.strain_rate")
+      why +=
+          "; several rates in one run are shear.strain_rates of shear.protocol = \"cascade\", runs "
+          "of "
+          "their own a sweep: [sweep] grid = { \"shear.strain_rate\" = [...] }";
+    else if (node.is_array())
+      why += fmt::format(
+          "; a run for each of several is a sweep: [sweep] grid = {{ \"{}\" = [...] }}", key.name);
+    if (auto const* text = node.as_string()) {
+      auto const advice = value_advice(text->get());
+      why += advice.empty() ? ", without quotes" : "; " + advice;
+    }
+    refuse(key, node, why);
   }
 
   void refuse_other_protocol(Key const& key, toml::node const& node,
@@ -133,7 +146,10 @@ class Reader {
 
   void take(Key const& key, toml::node const& node, std::string& member) const {
     auto const* text = node.as_string();
-    if (!text) refuse(key, node, "must be a string");
+    if (!text && key.words.empty()) refuse(key, node, "must be a text, in quotes");
+    if (!text)
+      refuse(key, node,
+             fmt::format("must be one of \"{}\", in quotes", fmt::join(key.words, "\", \"")));
     member = text->get();
     auto const known = [&](std::string_view word) {
       return std::ranges::count(key.words, word) > 0;
@@ -150,13 +166,16 @@ class Reader {
 
   void take(Key const& key, toml::node const& node, bool& member) const {
     auto const* flag = node.as_boolean();
-    if (!flag) refuse(key, node, "must be true or false");
+    if (!flag) refuse_kind(key, node, "must be true or false");
     member = flag->get();
   }
 
   void take(Key const& key, toml::node const& node, std::int64_t& member) const {
     auto const* number = node.as_integer();
-    if (!number) refuse(key, node, "must be an integer");
+    if (auto const* real = node.as_floating_point();
+        real != nullptr && std::abs(real->get()) < 1e15 && std::floor(real->get()) == real->get())
+      refuse(key, node, fmt::format("must be an integer; write {:.0f}", real->get()));
+    if (!number) refuse_kind(key, node, "must be an integer");
     member = number->get();
     in_range(key, node, static_cast<double>(member));
   }
@@ -167,13 +186,14 @@ class Reader {
     else if (auto const* whole = node.as_integer())
       member = static_cast<double>(whole->get());
     else
-      refuse(key, node, "must be a number");
+      refuse_kind(key, node, "must be a number");
     in_range(key, node, member);
   }
 
   void take(Key const& key, toml::node const& node, std::optional<double>& member) const {
     auto const* text = node.as_string();
     if (text && text->get() == "auto") return member.reset();
+    if (text && !value_advice(text->get()).empty()) refuse_kind(key, node, "must be a number");
     if (text) refuse(key, node, "must be a number or \"auto\"");
     take(key, node, member.emplace());
   }
@@ -181,6 +201,7 @@ class Reader {
   void take(Key const& key, toml::node const& node, NumberOrWord& member) const {
     auto const* text = node.as_string();
     if (!text) return take(key, node, (member = 0.0).number.value());
+    if (!value_advice(text->get()).empty()) refuse_kind(key, node, "must be a number");
     member = text->get().c_str();
     if (std::find(key.words.begin(), key.words.end(), member.word) == key.words.end())
       refuse(key, node,

@@ -10,6 +10,7 @@
 #include "src/config/errors.hpp"
 #include "src/config/shown.hpp"
 #include "src/config/toml_text.hpp"
+#include "src/config/value_advice.hpp"
 
 namespace bagnold {
 
@@ -26,6 +27,16 @@ std::string_view value_in(std::string_view line) {
   if (equals == std::string_view::npos) return {};
   auto const value = line.find_first_not_of(" \t", equals + 1);
   return value == std::string_view::npos ? std::string_view{} : line.substr(value);
+}
+
+/// "strain = 40,0 (a number has its decimals behind a point; write 40.0)"; "" where nothing is
+/// known of the value.
+std::string own_words(std::string_view text, toml::source_position const& at) {
+  auto const line = line_of(text, at.line), value = value_in(line);
+  auto const advice = value_advice(value);
+  if (advice.empty()) return {};
+  auto const key = line.substr(0, line.find_last_not_of(" \t", line.find('=') - 1) + 1);
+  return fmt::format("{} = {} ({})", shown(key), shown(value.substr(0, value.find('#'))), advice);
 }
 
 /// A word where a value should be was meant as text; so was what a quote begins and none ends.
@@ -51,6 +62,8 @@ toml::table parse_toml(std::string_view text, std::string const& origin) {
     return toml::parse(text, origin);
   } catch (toml::parse_error const& error) {
     auto const at = error.source().begin;
+    if (auto const words = own_words(text, at); !words.empty())
+      throw InputError(fmt::format("{}:{}:{}: {}", origin, at.line, at.column, words));
     throw InputError(fmt::format("{}:{}:{}: {}{}", origin, at.line, at.column,
                                  shown(error.description()), quotes_advice(text, at)));
   }

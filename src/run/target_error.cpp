@@ -138,8 +138,8 @@ void check_target(Scene const& scene) {
     else if (std::ranges::find(names, name) == names.end())
       throw InputError(
           fmt::format("shear.target_error = {{ {} = {} }} (no such NAME in this scene's "
-                      "summary.json); did you mean {}?",
-                      name, error, nearest_word(name, names)));
+                      "summary.json){}",
+                      name, error, did_you_mean(name, names)));
 }
 
 }  // namespace bagnold

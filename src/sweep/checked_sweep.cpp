@@ -33,4 +33,19 @@ Sweep read_checked_sweep(std::filesystem::path const& file, bool allow_unstable)
   return sweep;
 }
 
+std::string rising_chain_note(Sweep const& sweep) {
+  for (auto const& point : sweep.points) {
+    if (!point.previous) continue;
+    auto const& before = sweep.points[*point.previous].scene.shear;
+    if (before.strain_rate >= point.scene.shear.strain_rate) continue;
+    return fmt::format(
+        "sweep.chain rises in shear.strain_rate, from {} to {} at {}: it begins at its slowest "
+        "rate, where a random start takes the most steps to be forgotten, and where the flow has a "
+        "hysteresis it follows the branch of slow flow; P2 goes down: give the largest rate first, "
+        "unless the way up is meant",
+        before.strain_rate, point.scene.shear.strain_rate, point.name);
+  }
+  return {};
+}
+
 }  // namespace bagnold::sweep

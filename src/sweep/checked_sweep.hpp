@@ -16,4 +16,7 @@ Sweep read_checked_sweep(std::filesystem::path const& file, bool allow_unstable 
 /// beyond the scheme's stability.
 PointCheck point_check(bool allow_unstable);
 
+/// Words on chains that go from a slow rate to a faster one; "" where there are none.
+std::string rising_chain_note(Sweep const& sweep);
+
 }  // namespace bagnold::sweep

@@ -16,11 +16,39 @@ TEST(NearestWord, CountsInsertionsDeletionsAndSubstitutions) {
   EXPECT_EQ(nearest_word("sikn", words), "skin");
 }
 
-/// "kitten" takes 3 edits to "sitting"; a candidate at 2 and one at 4 stand beside it.
 TEST(NearestWord, FewestEditsWin) {
-  EXPECT_EQ(nearest_word("kitten", {"sitting", "kittenxxxx"}), "sitting");
-  EXPECT_EQ(nearest_word("kitten", {"sitting", "mitt"}), "sitting");
-  EXPECT_EQ(nearest_word("kitten", {"sitting", "kittenxx"}), "kittenxx");
+  EXPECT_EQ(nearest_word("kitten", {"mitten", "kitteny"}), "mitten");  // of equals the same length
+  EXPECT_EQ(nearest_word("kitten", {"kittxxn", "kittxn"}), "kittxn");
+  EXPECT_EQ(nearest_word("kitten", {"kittenxx", "sitten"}), "sitten");
+}
+
+TEST(NearestWord, SwapsCountOnce) {
+  EXPECT_EQ(nearest_word("sikn", {"skin"}), "skin");
+  EXPECT_EQ(nearest_word("--otu", {"--out", "--all"}), "--out");
+}
+
+/// Two words of as many letters that share some are not alike.
+TEST(NearestWord, WhatIsFarIsNone) {
+  EXPECT_EQ(nearest_word("friction", {"replicas", "rotation", "packing_fraction"}), "");
+  EXPECT_EQ(nearest_word("dt", {"skin", "drag", "p"}), "");
+  EXPECT_EQ(nearest_word("list", {"plot", "status", "validate"}), "");
+  EXPECT_EQ(nearest_word("pressure", {"rescale", "measure"}), "");
+  EXPECT_EQ(nearest_word("N", {"Z", "p", "kind"}), "");
+  EXPECT_EQ(nearest_word("kitten", {"sittens"}), "sittens");  // 2 of 7 letters
+  EXPECT_EQ(nearest_word("kitten", {"sitting"}), "");
+}
+
+TEST(NearestWord, PartsAreNear) {
+  EXPECT_EQ(nearest_word("--output", {"--out", "--all"}), "--out");
+  EXPECT_EQ(nearest_word("rate", {"strain", "strain_rate"}), "strain_rate");
+  EXPECT_EQ(nearest_word("sigma", {"p", "sigma_el"}), "sigma_el");
+  EXPECT_EQ(nearest_word("ate", {"strain_rate"}), "") << "no word of it";
+}
+
+TEST(NearestWord, IsAskedFor) {
+  EXPECT_EQ(did_you_mean("rum", {"run"}), "; did you mean run?");
+  EXPECT_EQ(did_you_mean("hello", {"run"}), "");
+  EXPECT_EQ(did_you_mean("hello", {"run"}, "."), ".");
 }
 
 TEST(NearestWord, LettersCountBeforeCaseAndPunctuation) {
@@ -30,12 +58,15 @@ TEST(NearestWord, LettersCountBeforeCaseAndPunctuation) {
 }
 
 TEST(NearestWord, TheRestOfALongWordIsLeftOut) {
-  EXPECT_EQ(nearest_word(std::string(100'000'000, 'x'), {"x", "y"}), "x");
+  EXPECT_EQ(nearest_word(std::string(100'000'000, 'x'), {std::string(100, 'x'), "y"}),
+            std::string(100, 'x'));
 }
 
-TEST(NearestWord, AnythingHasOne) {
-  EXPECT_EQ(nearest_word("", {"four", "six"}), "six");
+TEST(NearestWord, Edges) {
+  EXPECT_EQ(nearest_word("", {"four", "six"}), "");
+  EXPECT_EQ(nearest_word("...", {"four", "six"}), "");
   EXPECT_EQ(nearest_word("x", {""}), "");
+  EXPECT_EQ(nearest_word("x", {}), "");
   EXPECT_EQ(nearest_word("abc", {"abd", "abe"}), "abd");  // the first of equals
 }
 

@@ -89,8 +89,8 @@ fs::path FigureFile::sweep(std::string const& data) const {
 
 Figure FigureFile::read(std::string const& name, bool quick) const try {
   if (!figures_.contains(name))
-    throw InputError(fmt::format("figure {} (not in {}); perhaps {}. `bagnold figure` lists all",
-                                 name, file_.string(), nearest_word(name, names())));
+    throw InputError(fmt::format("figure {} (not in {}){} `bagnold figure` lists all", name,
+                                 file_.string(), did_you_mean(name, names(), ".")));
   json const& found = figures_.at(name);
   if (quick && !found.contains("quick"))
     throw InputError(fmt::format("figure {} --quick: there is no quick version of it", name));

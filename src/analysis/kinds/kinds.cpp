@@ -52,8 +52,8 @@ Kind const& kind_of(std::string_view name) {
   if (found != all.end()) return *found;
   std::vector<std::string> known;
   for (auto const& kind : all) known.emplace_back(kind.name);
-  throw InputError(fmt::format("analyse {} (no such kind); perhaps {}. There are: {}", name,
-                               nearest_word(std::string(name), known), fmt::join(known, " ")));
+  throw InputError(fmt::format("analyse {} (no such kind){} There are: {}", name,
+                               did_you_mean(std::string(name), known, "."), fmt::join(known, " ")));
 }
 
 }  // namespace bagnold::analysis

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/config/value_advice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <regex>
+
+namespace bagnold {
+
+namespace {
+
+std::string trimmed(std::string_view value) {
+  value = value.substr(0, value.find('#'));
+  auto const is_blank = [](unsigned char c) { return std::isspace(c) != 0; };
+  while (!value.empty() && is_blank(value.front())) value.remove_prefix(1);
+  while (!value.empty() && is_blank(value.back())) value.remove_suffix(1);
+  return std::string(value);
+}
+
+std::string without(std::string text, char letter) {
+  std::erase(text, letter);
+  return text;
+}
+
+}  // namespace
+
+std::string value_advice(std::string_view given) {
+  constexpr std::size_t longest = 60;  // a number has less
+  auto const value = trimmed(given);
+  if (value.empty() || value.size() > longest) return {};
+  std::smatch found;
+  auto const is = [&](char const* pattern) {
+    return std::regex_match(value, found, std::regex(pattern, std::regex::icase));
+  };
+  if (is("[+-]?[0-9]{1,3}(,[0-9]{3})+"))
+    return fmt::format("a number has no commas; write {}, or {} with a decimal point",
+                       without(value, ','), std::regex_replace(value, std::regex(","), "."));
+  if (is("([+-]?[0-9]*),([0-9]+(e[+-]?[0-9]+)?)"))
+    return fmt::format("a number has its decimals behind a point; write {}.{}",
+                       found[1].length() > 0 ? found[1].str() : "0", found[2].str());
+  if (is("([+-]?)(\\.[0-9]+(e[+-]?[0-9]+)?)"))
+    return fmt::format("a number begins with a digit; write {}0{}", found[1].str(), found[2].str());
+  if (is("([+-]?[0-9]+)\\.(e[+-]?[0-9]+)?"))
+    return fmt::format("behind a point stand digits; write {}.0{}", found[1].str(), found[2].str());
+  if (is("([+-]?)0+([0-9].*)"))
+    return fmt::format("a number has no zeros in front; write {}{}", found[1].str(),
+                       found[2].str());
+  if (is("[+-]?[0-9]+( [0-9]+)+"))
+    return fmt::format("a number has no blanks; write {}", without(value, ' '));
+  if (is("[+-]?[0-9.]+(e[+-]?[0-9]+)? *[*/^].*"))
+    return "a value is a number, not a formula; write what it comes to";
+  if (is("[+-]?[0-9.]+(e[+-]?[0-9]+)? *%")) return "a share is a number from 0 to 1; write it so";
+  if (is("true|yes|on")) return "a choice is true or false, in small letters; write true";
+  if (is("false|no|off")) return "a choice is true or false, in small letters; write false";
+  return {};
+}
+
+}  // namespace bagnold
