@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "src/cli/options.hpp"
+#include "src/run/cores.hpp"
 #include "src/run/provenance.hpp"
 
 namespace bagnold {
@@ -12,12 +13,13 @@ namespace {
 
 int info_command() {
   Provenance const made = provenance();
+  auto const machine = static_cast<int>(std::thread::hardware_concurrency());
   fmt::print(
       "bagnold   {}\ngit       {}\ncompiler  {}\nKokkos    {}\nbackends  {}\nSIMD      {}\nCPU     "
-      "  {}, {} "
-      "threads\n",
+      "  {}, {} threads{}\n",
       made.version, made.git, made.compiler, made.kokkos, made.backends, made.simd, made.cpu,
-      std::thread::hardware_concurrency());
+      cores(),
+      machine > cores() ? fmt::format(" (of {}; the rest is not this process's)", machine) : "");
   return 0;
 }
 

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
-#include <thread>
 #ifdef _OPENMP
 #include <omp.h>
 #endif
@@ -14,6 +14,7 @@
 #include "src/config/errors.hpp"
 #include "src/engine/levels/levels.hpp"
 #include "src/engine/make_simulation.hpp"
+#include "src/run/cores.hpp"
 #include "src/run/messages.hpp"
 
 namespace bagnold {
@@ -25,8 +26,6 @@ bool has(std::string const& backend) {
   return std::find(all.begin(), all.end(), backend) != all.end();
 }
 
-std::int64_t cores() { return std::max(1u, std::thread::hardware_concurrency()); }
-
 constexpr int most_kokkos_threads = 512;  ///< the length of its pool, which it does not check
 
 int most_openmp_threads() {
@@ -37,18 +36,20 @@ int most_openmp_threads() {
 #endif
 }
 
-void leave_out_threads(int& threads) {
+/// False where all are there.
+bool leave_out_threads(int& threads) {
   int const most = most_openmp_threads();
-  if (threads <= most) return;
+  if (threads <= most) return false;
   warn(fmt::format("--threads {} (must be at most {}, which {}): {} used", threads, most,
                    most < most_kokkos_threads ? "OMP_THREAD_LIMIT allows" : "Kokkos bears",
                    most == 1 ? "1 is" : fmt::format("{} are", most)));
   threads = most;
+  return true;
 }
 
 Machine choose_for_replicas(Machine machine, Scene const& scene) {
   auto const replicas = scene.disks.replicas;
-  auto const wanted = machine.threads == 0 ? cores() : machine.threads;
+  auto const wanted = std::int64_t{machine.threads == 0 ? cores() : machine.threads};
   if (is_device_backend(machine.backend)) {  // threads relax the starts
     bool const together = steps_together(scene, machine.backend);
     machine.threads = together ? static_cast<int>(std::min(wanted, replicas)) : 1;
@@ -80,13 +81,39 @@ void free_from_environment([[maybe_unused]] int threads) {
 #endif
 }
 
+/// OpenMP ends the program with exit(1) where the system makes no more threads. While this lives
+/// that end has words and a code of ours.
+class StartingThreads {
+ public:
+  explicit StartingThreads(int threads) {
+    if (!registered_) std::atexit(end_in_words);
+    registered_ = true;
+    wanted_ = threads;
+  }
+  ~StartingThreads() { wanted_ = 0; }
+
+ private:
+  static void end_in_words() {
+    if (wanted_ == 0) return;
+    say(no_more_threads(wanted_));
+    std::fflush(nullptr);
+    std::_Exit(4);
+  }
+
+  static inline bool registered_ = false;
+  static inline int wanted_ = 0;  ///< 0: no threads are being started
+};
+
 }  // namespace
 
 KokkosScope::KokkosScope(Machine const& machine, Scene const& scene)
     : outermost_(!Kokkos::is_initialized()) {
   if (!outermost_) return;
+  // Threads of OpenMP stay where the user's OMP_PROC_BIND has put them.
+  if (machine.backend != "openmp" || machine.threads == 1) use_all_cores();
   int const threads = scene.disks.replicas > 1 ? 1 : machine.threads;
   free_from_environment(threads);
+  StartingThreads const starting(threads);
   initialize_kokkos(threads);
 }
 
@@ -108,11 +135,20 @@ Machine choose(Machine machine, Scene const& scene) {
   if (machine.threads == 0)
     machine.threads = static_cast<int>(std::clamp<std::int64_t>(
         scene.disks.count / 4096, 1, std::min<std::int64_t>(cores(), most_openmp_threads())));
-  if (machine.backend != "serial") leave_out_threads(machine.threads);
+  if (machine.backend != "serial" && !leave_out_threads(machine.threads))
+    warn_of_threads_beyond_cores(machine.threads);
   if (machine.backend.empty())
     machine.backend = machine.threads > 1 && has("openmp") ? "openmp" : backend_names().front();
   if (machine.backend == "serial") machine.threads = 1;
   return machine;
+}
+
+void warn_of_threads_beyond_cores(int threads) {
+  if (threads <= cores()) return;
+  warn(
+      fmt::format("--threads {} (more than the {} that this process may use: in each step all "
+                  "threads wait for those that share a core); use --threads {}",
+                  threads, cores() == 1 ? "one core" : fmt::format("{} cores", cores()), cores()));
 }
 
 int default_threads(Scene const& scene) {

@@ -13,6 +13,14 @@ void warn(std::string const& message) {
   if (!message.empty()) say("warning: " + message);
 }
 
+std::string no_more_threads(int threads) {
+  return fmt::format(
+      "{} threads cannot be started: the system makes no more of them; use fewer --threads, or "
+      "raise "
+      "the limits of processes (ulimit -u) and memory (ulimit -v, OMP_STACKSIZE)",
+      threads);
+}
+
 std::string stopped_before_the_first_step(std::filesystem::path const& folder) {
   return fmt::format("stopped before the first step; `bagnold resume {}` begins anew",
                      folder.string());

@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "src/config/errors.hpp"
+#include "src/run/cores.hpp"
 #include "src/run/pythons.hpp"
 
 namespace bagnold {
@@ -112,6 +113,7 @@ PythonCall call_python(fs::path const& python, std::vector<std::string> const& w
     return {};
   }
   if (child == 0) {
+    use_all_cores();
     prctl(PR_SET_PDEATHSIG, SIGKILL);  // no picture of a folder that another process may take over
     dup2(pipe[1], STDERR_FILENO);
     fcntl(STDERR_FILENO, F_SETFD, 0);  // the pipe may have been it, where the program has no stderr

@@ -7,8 +7,13 @@
 #include <exception>
 #include <mutex>
 #include <numeric>
+#include <system_error>
 #include <thread>
 #include <vector>
+
+#include "src/config/errors.hpp"
+#include "src/run/cores.hpp"
+#include "src/run/messages.hpp"
 
 namespace bagnold {
 
@@ -50,7 +55,7 @@ class ThreadPool {
   ~ThreadPool() { end(); }
 
   bool run() {
-    for (int t = 0; t < work_.threads; ++t) threads_.emplace_back([this] { take_turns(); });
+    start_threads();
     std::unique_lock lock(mutex_);
     while (!over()) {
       changed_.wait_for(lock, std::chrono::milliseconds(50));
@@ -66,6 +71,14 @@ class ThreadPool {
   }
 
  private:
+  /// Throws FileError where the system does not make as many.
+  void start_threads() try {
+    for (int t = 0; t < work_.threads; ++t) threads_.emplace_back([this] { take_turns(); });
+  } catch (std::system_error const& error) {
+    end();
+    throw FileError(no_more_threads(work_.threads));
+  }
+
   bool over() const { return stopped_ || done_ == work_.systems; }
 
   void hold(std::unique_lock<std::mutex>& lock, ReplicaScheduler::Request request) {
@@ -91,6 +104,7 @@ class ThreadPool {
   }
 
   void take_turns() {
+    use_all_cores();
     std::unique_lock lock(mutex_);
     for (;;) {
       changed_.wait(lock, [&] { return over() || (!held_ && !waiting_.empty()); });

@@ -12,11 +12,39 @@
 #include <cstdlib>
 #include <utility>
 
+#include "src/run/cores.hpp"
 #include "src/sweep/report.hpp"
 
 namespace bagnold::sweep {
 
 namespace {
+
+/// Signals that ask to stop, held back while this lives: one that comes between fork() and exec()
+/// would end in our handler, whose flag exec() forgets.
+class HeldSignals {
+ public:
+  HeldSignals() {
+    sigset_t stops;
+    sigemptyset(&stops);
+    for (int const signal : asking_to_stop) sigaddset(&stops, signal);
+    ::pthread_sigmask(SIG_BLOCK, &stops, &before_);
+  }
+  ~HeldSignals() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
+  /// In the new process, as exec() will have them: what is ignored stays so.
+  void let_go_in_child() const {
+    for (int const signal : asking_to_stop) {
+      struct sigaction action {};
+      if (::sigaction(signal, nullptr, &action) == 0 && action.sa_handler != SIG_IGN)
+        ::signal(signal, SIG_DFL);
+    }
+    ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
+
+ private:
+  static constexpr int asking_to_stop[] = {SIGINT, SIGTERM, SIGHUP};
+  sigset_t before_{};
+};
 
 /// What the new process does; never returns.
 [[noreturn]] void become(std::vector<char*> const& arguments, int log, int reports, pid_t parent) {
@@ -27,6 +55,7 @@ namespace {
   ::dup2(log, STDOUT_FILENO);
   ::dup2(log, STDERR_FILENO);
   ::fcntl(reports, F_SETFD, 0);  // survives exec
+  unbind_new_program();
   ::setenv(report_variable, fmt::format("{}", reports).c_str(), 1);
   ::execvp(arguments.front(), arguments.data());
   ::_exit(127);
@@ -45,9 +74,12 @@ Child::Child(std::vector<std::string> const& command, std::filesystem::path cons
   for (auto const& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   pid_t const parent = ::getpid();
+  HeldSignals const held;
   pid_ = ::fork();
   if (pid_ < 0) io::fail_on("start a process for", log, errno);
-  if (pid_ == 0) become(arguments, log_file.get(), far_end.get(), parent);
+  if (pid_ > 0) return;
+  held.let_go_in_child();
+  become(arguments, log_file.get(), far_end.get(), parent);
 }
 
 Child::Child(Child&& other) noexcept

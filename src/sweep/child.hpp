@@ -14,7 +14,7 @@ namespace bagnold::sweep {
 
 /// A process of ours that does not outlive us: the system kills it (SIGKILL) when this process
 /// ends, however it ends. It reads nothing; what it prints is added to the log; it may
-/// report_share().
+/// report_share(). It may use all cores that this process was given, whatever OpenMP binds to one.
 class Child {
  public:
   /// Starts command[0], sought in PATH if it has no slash, with its arguments. Throws FileError

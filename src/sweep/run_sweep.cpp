@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <numeric>
-#include <thread>
 
 #include "src/config/errors.hpp"
+#include "src/run/cores.hpp"
 #include "src/run/messages.hpp"
 #include "src/sweep/collect.hpp"
 #include "src/sweep/placed_points.hpp"
@@ -23,8 +23,7 @@ SweepMonitor& monitor_of(SweepOptions const& options) {
 }
 
 std::size_t jobs_of(SweepOptions const& options) {
-  auto const cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  int const jobs = options.jobs > 0 ? options.jobs : cores / threads_of(options);
+  int const jobs = options.jobs > 0 ? options.jobs : cores() / threads_of(options);
   return static_cast<std::size_t>(std::max(1, jobs));
 }
 
@@ -32,6 +31,7 @@ std::size_t jobs_of(SweepOptions const& options) {
 SweepEnd run_chains(Sweep const& sweep, SweepFolder const& folder, SweepOptions const& options,
                     std::vector<std::size_t> const& chains) {
   SweepMonitor& monitor = monitor_of(options);
+  warn_of_threads_beyond_cores(threads_of(options));
   Work const work{{options.program.string(), "resume"}, point_words(options), jobs_of(options)};
   auto const failures = Scheduler(sweep, folder, work, monitor).run(chains);
   for (auto const& failure : failures)

@@ -8,7 +8,7 @@
 namespace bagnold {
 namespace {
 
-Scene scene_of(std::int64_t count, double skin) {
+Scene scene_with(std::int64_t count, double skin) {
   Scene scene;
   scene.disks = {"CD_n", count, 0.82, 1.0, "area"};
   scene.shear.strain_rate = 1e-3;
@@ -29,13 +29,13 @@ std::string refusal(Scene const& scene) {
 
 /// 1.3e2 pairs a disk, of 2^32 in all; whatever memory the machine has.
 TEST(ValidateScene, RefusesMorePairsThanListsCanName) {
-  auto const said = refusal(scene_of(40'000'000, 10.0));
+  auto const said = refusal(scene_with(40'000'000, 10.0));
   for (auto const* word :
        {"disks.count = 40000000 with integration.skin = 10", "pairs", "fewer disks"})
     EXPECT_NE(said.find(word), std::string::npos) << said;
-  Scene plain = scene_of(40'000'000, 10.0);
+  Scene plain = scene_with(40'000'000, 10.0);
   plain.integration.engine = "reference";
-  for (auto const& scene : {scene_of(40'000'000, 0.35), scene_of(20'000'000, 10.0), plain})
+  for (auto const& scene : {scene_with(40'000'000, 0.35), scene_with(20'000'000, 10.0), plain})
     EXPECT_EQ(refusal(scene).find("pairs"), std::string::npos) << refusal(scene);
 }
 

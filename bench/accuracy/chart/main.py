@@ -36,7 +36,7 @@ def read_arguments():
     parser.add_argument("--data", default=os.path.join(ROOT, "docs/data/accuracy"), help="of the tables")
     parser.add_argument("--pictures", default=os.path.join(ROOT, "docs/accuracy"))
     parser.add_argument("--rounds", type=int, help="of seconds by engine (quick: 1, else 5)")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--jobs", type=int, default=len(os.sched_getaffinity(0)))
     parser.add_argument("--build", default=os.path.join(ROOT, "build/openmp"), help="where the programs are")
     return parser.parse_args()
 

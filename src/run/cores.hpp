@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace bagnold {
+
+/// Cores that this process may use, at least 1: those of the affinity mask that it was started with
+/// (taskset, Slurm, cpusets), or the whole cores that the CPU quota of its control groups pays for,
+/// where these are fewer.
+int cores();
+
+/// Gives the calling thread the affinity mask that the process was started with. OpenMP binds the
+/// first thread of a program to one core before main() where OMP_PROC_BIND, OMP_PLACES or
+/// GOMP_CPU_AFFINITY say so, and threads and processes that are made later inherit that.
+void use_all_cores();
+
+/// In a new process before exec(): use_all_cores(), and no OpenMP environment that would bind each
+/// of several programs to the same core.
+void unbind_new_program();
+
+}  // namespace bagnold
