@@ -7,6 +7,7 @@ The program calls them so. Exit codes: 0 done, 1 no picture, else those of the p
 from __future__ import annotations
 
 import argparse
+import re
 import sys
 from collections.abc import Sequence
 
@@ -47,10 +48,9 @@ def run_import(options: argparse.Namespace) -> int:
     def number(option: str, text: str | None) -> float | None:
         return None if text is None else parse_number(option, text)
 
-    frame = parse_number("--frame", options.frame)
-    if frame != int(frame):
-        raise InputError(f"--frame {options.frame} (must be a whole number)")
-    made = import_state(options.file, options.out, format=options.format, frame=int(frame),
+    if not re.fullmatch("-?[0-9]+", options.frame):
+        raise InputError(f"--frame {options.frame} (must be a whole number in decimal digits)")
+    made = import_state(options.file, options.out, format=options.format, frame=int(options.frame),
                         unit=number("--unit", options.unit), time_unit=parse_number("--time-unit", options.time_unit),
                         strain_rate=number("--strain-rate", options.strain_rate),
                         diameters=None if options.diameters is None else parse_diameters(options.diameters),

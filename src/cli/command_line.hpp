@@ -27,10 +27,10 @@ class Word {
   Word& between(int least, int most);
   Word& between(double least, double most);
   Word& one_of(std::initializer_list<char const*> names);
-  Word& not_empty();
   Word& values(int count);  ///< so many, one after the other
   Word& one_value_each();   ///< it is repeated for more
   Word& excludes(Word const& other);
+  Word& needs(Word const& other);
 
  private:
   CLI::Option* option_;
@@ -44,7 +44,8 @@ class Words {
   Words command(char const* name, char const* description);
 
   /// "NAME" or "--name". T: std::string, std::filesystem::path, int, std::int64_t, std::uint32_t,
-  /// std::uint64_t, double; std::vector of strings or doubles; std::optional of a double or a pair.
+  /// std::uint64_t, double; std::vector of strings or doubles; std::optional of a double, an
+  /// std::int64_t or a pair. Numbers are decimal; an empty word is refused.
   template <class T>
   Word option(char const* name, T& value, char const* description);
 

@@ -54,12 +54,13 @@ struct AnalyseOptions {
 
 struct SweepFileOptions {
   std::filesystem::path sweep_file;
-  std::filesystem::path folder;  ///< "": results/NAME of the sweep file
-  Machine machine;               ///< of each point; threads = 0: 1
-  int jobs = 0;                  ///< points at a time; 0: as many as the cores take
-  std::int64_t chain = 0;        ///< run this chain only, from 1; 0: all
-  bool collect = false;          ///< write the tables of what is there
-  bool emit_slurm = false;       ///< prepare the folder and write job scripts
+  std::filesystem::path folder;       ///< "": results/NAME of the sweep file
+  Machine machine;                    ///< of each point; threads = 0: 1
+  int jobs = 0;                       ///< points at a time; 0: as many as the cores take
+  std::optional<std::int64_t> chain;  ///< run this chain only, from 1
+  bool collect = false;               ///< write the tables of what is there
+  bool emit_slurm = false;            ///< prepare the folder and write job scripts
+  std::int64_t tasks = 0;             ///< of the array of jobs at most; 0: as many as Slurm takes
   bool quiet = false;
   bool allow_unstable = false;
 };

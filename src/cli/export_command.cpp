@@ -29,7 +29,7 @@ Command add_export(Words program) {
   command.option("--to", options->format, "lammps (dump), extxyz, gsd (needs its library) or vtk")
       .required();
   command.option("--frames", options->frames, "A:B, from frame A to before B, from 0 [all]");
-  command.option("--out", options->file, "file [trajectory.ENDING in the folder]").not_empty();
+  command.option("--out", options->file, "file [trajectory.ENDING in the folder]");
   command.flag("--contacts", options->contacts, "contacts and their forces too; not in extxyz");
   command.flag("--quiet", options->quiet, "do not tell the files; errors are still shown");
   return {command,

@@ -39,9 +39,7 @@ Command add_import(Words program) {
                               "write a state to start from of a configuration of another program");
   command.option("FILE", options->file, "LAMMPS data file, LAMMPS dump, or extended XYZ")
       .required();
-  command.option("--out", options->state, "state file to write, for start.file")
-      .required()
-      .not_empty();
+  command.option("--out", options->state, "state file to write, for start.file").required();
   command.option("--from", options->format, "format [as the file looks]")
       .one_of({"lammps", "dump", "extxyz"});
   command.option("--frame", options->frame, "from 0, or from the end [-1, the last]");

@@ -3,7 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
+#include <charconv>
+#include <system_error>
 
 #include "src/config/errors.hpp"
 
@@ -25,9 +26,9 @@ std::map<std::string, double> name_numbers(std::vector<std::string> const& pairs
                                            std::string const& option) {
   std::map<std::string, double> out;
   for (auto const& [name, text] : name_values(pairs, option)) {
-    char* end = nullptr;
-    out[name] = std::strtod(text.c_str(), &end);
-    if (text.empty() || *end != '\0')
+    auto const* const last = text.data() + text.size();
+    auto const [end, error] = std::from_chars(text.data(), last, out[name]);
+    if (error != std::errc() || end != last)
       throw InputError(fmt::format("{} {}={} (is not a number)", option, name, text));
   }
   return out;

@@ -45,7 +45,7 @@ Command add_run(Words program) {
   auto const options = std::make_shared<SceneOptions>();
   Words command = add_command(program, "run", "run a scene");
   add_scene_options(command, *options);
-  command.option("--out", options->folder, "folder for the results [results/SCENE]").not_empty();
+  command.option("--out", options->folder, "folder for the results [results/SCENE]");
   add_all_flag(command, options->all);
   command.flag("--force", options->force, "replace the run that is in the folder");
   add_machine_options(command, options->machine, options->quiet);

@@ -3,7 +3,10 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
+#include <cstdint>
+#include <ctime>
 #include <initializer_list>
 
 #include "src/sweep/report.hpp"
@@ -13,18 +16,44 @@ namespace bagnold {
 namespace {
 
 volatile std::sig_atomic_t checkpoint_flag = 0;
-volatile std::sig_atomic_t stop_flag = 0;
 volatile std::sig_atomic_t once_only = 0;
+
+// Several threads may handle signals at the same time.
+std::atomic<int> stop_flag = 0;
+std::atomic<std::int64_t> asked_at = 0;        ///< SIGINT or SIGTERM came first, [ms]; 0: not yet
+std::atomic<std::int64_t> interrupted_at = 0;  ///< SIGINT came first, [ms]; 0: not yet
+static_assert(std::atomic<std::int64_t>::is_always_lock_free, "else no signal handler may use it");
+
+constexpr std::int64_t patience_ms = 1000;  ///< signals that come closer are one wish
+constexpr std::int64_t one_press_ms =
+    50;  ///< `timeout -s INT` sends SIGINT twice; nobody is so quick
 
 extern "C" void on_checkpoint_signal(int) { checkpoint_flag = 1; }
 
-/// A terminal that closes may send SIGHUP twice, or SIGTERM behind it: neither is a user's
-/// impatience.
+std::int64_t clock_ms() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);  // a signal handler may
+  return 1 + std::int64_t{1000} * now.tv_sec + now.tv_nsec / 1000000;
+}
+
+/// Milliseconds since the first call; 0: this is the first.
+std::int64_t since_first(std::atomic<std::int64_t>& first, std::int64_t now) {
+  std::int64_t before = 0;
+  return first.compare_exchange_strong(before, now) ? 0 : now - before;
+}
+
+/// Machines ask twice: Slurm's preemption sends SIGTERM to the step and to the job, milliseconds
+/// apart; `timeout` to the process and to its group; a terminal that closes sends SIGHUP twice, or
+/// SIGTERM behind it. A user presses Ctrl-C again, or asks again later.
 extern "C" void on_stop_signal(int signal) {
-  if (stop_flag == 0 || (stop_flag == SIGHUP && signal != SIGHUP))
-    stop_flag = signal;
-  else if (signal != SIGHUP && once_only == 0)
-    _exit(128 + signal);
+  int none = 0, closed = SIGHUP;
+  if (!stop_flag.compare_exchange_strong(none, signal) && signal != SIGHUP)
+    stop_flag.compare_exchange_strong(closed, signal);
+  if (signal == SIGHUP) return;
+  auto const now = clock_ms();
+  bool const pressed_again = signal == SIGINT && since_first(interrupted_at, now) >= one_press_ms;
+  bool const impatient = since_first(asked_at, now) >= patience_ms || pressed_again;
+  if (impatient && once_only == 0) _exit(128 + signal);
 }
 
 void handle(int signal, void (*handler)(int)) {

@@ -8,7 +8,8 @@ namespace bagnold {
 void catch_checkpoint_signal();
 
 /// SIGINT, SIGTERM and, unless it is ignored (nohup), SIGHUP ask to stop with a checkpoint. A
-/// second SIGINT or SIGTERM quits at once with 128 + its number, except in a point of a sweep.
+/// second SIGINT, or a SIGINT or SIGTERM a second after the first, quits at once with 128 + its
+/// number, except in a point of a sweep. Machines ask twice within milliseconds: that is one wish.
 void catch_signals();
 
 /// Was a checkpoint asked for since the last call?

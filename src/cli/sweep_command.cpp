@@ -17,11 +17,11 @@ namespace {
 
 int print_submission(sweep::Sweep const& sweep, sweep::SlurmScripts const& scripts) {
   fmt::print(
-      "{} points in {} chains; submit them with\n\n"
+      "{} points in {} chains, {} tasks; submit them with\n\n"
       "  job=$(sbatch --parsable {})\n"
       "  sbatch --dependency=afterany:$job {}\n",
-      sweep.points.size(), sweep.chains.size(), sweep::shell_word(scripts.points.string()),
-      sweep::shell_word(scripts.collect.string()));
+      sweep.points.size(), sweep.chains.size(), scripts.tasks,
+      sweep::shell_word(scripts.points.string()), sweep::shell_word(scripts.collect.string()));
   return done;
 }
 
@@ -30,10 +30,14 @@ int sweep_command(SweepFileOptions const& options) {
   auto const folder = options.folder.empty()
                           ? std::filesystem::path("results") / options.sweep_file.stem()
                           : options.folder;
+  if (auto const note = sweep::rising_chain_note(sweep);
+      !note.empty() && !options.chain && !options.collect)
+    say("note: " + note);
   catch_signals();
   SweepTerminal terminal(options.quiet);
-  auto const runs = sweep_options(options.machine, options.jobs, terminal);
-  if (options.chain != 0) return exit_code_of(run_chain(sweep, folder, options.chain, runs));
+  auto runs = sweep_options(options.machine, options.jobs, terminal);
+  runs.tasks = options.tasks;
+  if (options.chain) return exit_code_of(run_chain(sweep, folder, *options.chain, runs));
   if (options.emit_slurm)
     return print_submission(sweep, emit_slurm(sweep, folder, options.allow_unstable, runs));
   return exit_code_of(options.collect ? collect(sweep, folder, runs) : run(sweep, folder, runs));
@@ -58,6 +62,13 @@ Command add_sweep(Words program) {
                               "run this chain of points only, from 1, and write no table");
   auto collect =
       command.flag("--collect", options->collect, "write the tables of what is done; run nothing");
+  command
+      .option(
+          "--tasks", options->tasks,
+          "with --emit-slurm: tasks of the array at most, each with several chains in turn where "
+          "there are more [default: what Slurm's MaxArraySize allows]")
+      .between(1, 10000000)
+      .needs(slurm);
   slurm.excludes(chain).excludes(collect);
   chain.excludes(collect);
   add_unstable_flag(command, options->allow_unstable);

@@ -87,7 +87,10 @@ void SweepTerminal::print(Clock::time_point now) {
 }
 
 sweep::SweepOptions sweep_options(Machine const& machine, int jobs, SweepTerminal& terminal) {
-  return {std::filesystem::read_symlink("/proc/self/exe"), machine, jobs, &terminal};
+  return {.program = std::filesystem::read_symlink("/proc/self/exe"),
+          .machine = machine,
+          .jobs = jobs,
+          .monitor = &terminal};
 }
 
 }  // namespace bagnold

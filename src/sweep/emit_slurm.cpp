@@ -7,6 +7,7 @@
 #include "src/run/messages.hpp"
 #include "src/sweep/placed_points.hpp"
 #include "src/sweep/slurm.hpp"
+#include "src/sweep/slurm_limit.hpp"
 #include "src/sweep/sweep_times.hpp"
 
 namespace bagnold::sweep {
@@ -22,11 +23,16 @@ SlurmScripts emit_slurm(Sweep const& sweep, std::filesystem::path const& name, b
   if (allow_unstable) words += " --allow-unstable";
   std::vector<double> seconds;
   for (auto const& time : times_of_points(sweep).each) seconds.push_back(time.most);
-  SlurmJob const job{options.program,     std::filesystem::absolute(sweep.origin),
-                     folder.path(),       words,
-                     threads_of(options), std::move(seconds)};
+  SlurmJob const job{.program = options.program,
+                     .file = std::filesystem::absolute(sweep.origin),
+                     .folder = folder.path(),
+                     .options = words,
+                     .threads = threads_of(options),
+                     .most_tasks = options.tasks > 0 ? options.tasks : most_array_tasks(),
+                     .seconds = std::move(seconds)};
   std::filesystem::create_directories(folder.path() / "slurm");
-  SlurmScripts const scripts{folder.path() / "points.slurm", folder.path() / "collect.slurm"};
+  SlurmScripts const scripts{folder.path() / "points.slurm", folder.path() / "collect.slurm",
+                             slurm_tasks(sweep, job)};
   io::replace_text(scripts.points, slurm_array(sweep, job));
   io::replace_text(scripts.collect, slurm_collect(job));
   return scripts;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 
 #include "src/sweep/run_sweep.hpp"
@@ -9,8 +10,9 @@ namespace bagnold::sweep {
 
 /// Job scripts of a sweep, in its folder.
 struct SlurmScripts {
-  std::filesystem::path points;   ///< an array, a task for each chain
+  std::filesystem::path points;   ///< an array of tasks
   std::filesystem::path collect;  ///< to be submitted behind it; writes the tables
+  std::size_t tasks = 0;          ///< of the array
 };
 
 /// Prepares the folder of a sweep, which was read from the file `sweep.origin`, and writes the job

@@ -18,6 +18,7 @@ struct SweepOptions {
   std::filesystem::path program = "bagnold";
   Machine machine;                  ///< of each point; threads = 0: one
   int jobs = 0;                     ///< points at a time; 0: as many as the cores take
+  std::int64_t tasks = 0;           ///< of Slurm's array at most; 0: as many as Slurm takes
   SweepMonitor* monitor = nullptr;  ///< null: nobody
 };
 

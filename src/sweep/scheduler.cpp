@@ -5,7 +5,11 @@
 #include <poll.h>
 
 #include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <exception>
 #include <fstream>
+#include <thread>
 
 namespace bagnold::sweep {
 
@@ -13,6 +17,7 @@ namespace {
 
 constexpr int round_ms = 100;    ///< between looks at signals and at folders in use
 constexpr int most_waits = 100;  ///< rounds: a killed process may take a while to end a write
+constexpr int asked_waits = 20;  ///< rounds: Slurm signals one process after the other
 
 /// The last thing that a point said on stderr, behind what the log held before.
 std::string last_words(std::filesystem::path const& log, std::uintmax_t before) {
@@ -43,20 +48,29 @@ std::vector<Failure> Scheduler::run(std::vector<std::size_t> const& chains) {
   for (auto& chain : chains_)
     while (!chain.over() && folder_.finished(chain.points[chain.next]))
       monitor_.was_finished(chain.points[chain.next++]);
+  std::exception_ptr failure;
   while (!running_.empty() || (!stopping_ && pending())) {
-    if (!stopping_ && monitor_.stop_requested()) {
-      stopping_ = true;
-      for (auto const& [point, running] : running_) running.child.ask_to_stop();
+    if (!stopping_ && monitor_.stop_requested()) stop();
+    try {
+      if (!stopping_) start_points();
+    } catch (...) {  // the system makes no more processes: those that run write checkpoints
+      failure = std::current_exception();
+      stop();
     }
-    if (!stopping_) start_points();
     wait();
     look_at_points();
     monitor_.waited();
   }
   monitor_.end();
+  if (failure) std::rethrow_exception(failure);
   std::vector<Failure> list;
   for (auto const& [point, failure] : failures_) list.push_back(failure);
   return list;
+}
+
+void Scheduler::stop() {
+  stopping_ = true;
+  for (auto const& [point, running] : running_) running.child.ask_to_stop();
 }
 
 bool Scheduler::pending() const {
@@ -110,6 +124,14 @@ void Scheduler::look_at_points() {
   }
 }
 
+/// A batch system or a terminal signals this process and its points; a point may be the first.
+bool Scheduler::all_are_asked_to_stop(int signal) const {
+  if (signal != SIGINT && signal != SIGTERM && signal != SIGHUP) return false;
+  for (int k = 0; k < asked_waits && !monitor_.stop_requested(); ++k)
+    std::this_thread::sleep_for(std::chrono::milliseconds(round_ms));
+  return monitor_.stop_requested();
+}
+
 void Scheduler::ended(Running const& running, std::size_t point, int exit_code) {
   Chain& chain = *running.chain;
   chain.busy = false;
@@ -118,7 +140,8 @@ void Scheduler::ended(Running const& running, std::size_t point, int exit_code) 
     monitor_.finished(point);
     return;
   }
-  if (stopping_ && exit_code > 128) return monitor_.stopped(point);
+  if (exit_code > 128 && (stopping_ || all_are_asked_to_stop(exit_code - 128)))
+    return monitor_.stopped(point);
   chain.next = chain.points.size();
   failures_[point] = {point, exit_code,
                       exit_code > 128 ? fmt::format("ended by signal {}", exit_code - 128)

@@ -34,7 +34,8 @@ class Scheduler {
   Scheduler(Sweep const& sweep, SweepFolder const& folder, Work work, SweepMonitor& monitor);
 
   /// Until all is done; or, where the monitor asks to stop, until every point has written its
-  /// checkpoint and stopped. Returns what failed, in the file's order.
+  /// checkpoint and stopped. Returns what failed, in the file's order. FileError where the system
+  /// starts no process; those that run have written their checkpoints then.
   std::vector<Failure> run(std::vector<std::size_t> const& chains);
 
  private:
@@ -51,11 +52,13 @@ class Scheduler {
     std::uintmax_t log_before;  ///< bytes in the log when it started
   };
 
+  void stop();
   void start_points();
   void start(Chain& chain, std::size_t point);
   bool let_go(std::size_t point);
   void wait() const;
   void look_at_points();
+  bool all_are_asked_to_stop(int signal) const;
   void ended(Running const& running, std::size_t point, int exit_code);
   bool pending() const;
 

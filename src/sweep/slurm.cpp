@@ -14,11 +14,8 @@ namespace bagnold::sweep {
 
 namespace {
 
-constexpr std::size_t most_tasks = 1000;  ///< MaxArraySize is 1001 where nobody raised it
-
-std::int64_t minutes_needed(Sweep const& sweep, SlurmJob const& job) {
+std::int64_t minutes_needed(Sweep const& sweep, SlurmJob const& job, std::size_t tasks) {
   double longest = 0;
-  std::size_t const tasks = std::min(sweep.chains.size(), most_tasks);
   std::vector<double> seconds(tasks);
   for (std::size_t k = 0; k < sweep.chains.size(); ++k)
     for (auto const point : sweep.chains[k]) seconds[k % tasks] += job.seconds.at(point);
@@ -66,28 +63,57 @@ void refuse_slurm_name(std::filesystem::path const& folder) {
                     shown(name)));
 }
 
+std::size_t slurm_tasks(Sweep const& sweep, SlurmJob const& job) {
+  return std::min(sweep.chains.size(), static_cast<std::size_t>(job.most_tasks));
+}
+
 std::string slurm_array(Sweep const& sweep, SlurmJob const& job) {
-  std::size_t const chains = sweep.chains.size(), tasks = std::min(chains, most_tasks);
+  std::size_t const tasks = slurm_tasks(sweep, job);
   return head(job, "bagnold", "%a.log") +
          fmt::format(
-             "#SBATCH --array=1-{0}\n"
-             "#SBATCH --cpus-per-task={1}\n"
+             "#SBATCH --array=1-{tasks}\n"
+             "#SBATCH --cpus-per-task={threads}\n"
              "# Minutes, from an estimate: what is cut off goes on when submitted again.\n"
-             "#SBATCH --time={2}\n"
+             "#SBATCH --time={minutes}\n"
              "# Seconds before the end: time for checkpoints.\n"
              "#SBATCH --signal=TERM@120\n"
              "#SBATCH --requeue\n"
              "\n"
+             "task=\"${{SLURM_ARRAY_JOB_ID:?submit this script with "
+             "sbatch}}_$SLURM_ARRAY_TASK_ID\"\n"
+             "# An array submitted as 1-K, or 0-K, spreads all chains over its tasks. Any other "
+             "list\n"
+             "# runs the tasks that it names, as this script was written for {tasks}.\n"
+             "first=1 tasks={tasks}\n"
+             "if ((SLURM_ARRAY_TASK_MIN <= 1 &&\n"
+             "     SLURM_ARRAY_TASK_MAX - SLURM_ARRAY_TASK_MIN + 1 == SLURM_ARRAY_TASK_COUNT)); "
+             "then\n"
+             "  first=$SLURM_ARRAY_TASK_MIN tasks=$SLURM_ARRAY_TASK_COUNT\n"
+             "fi\n"
+             "\n"
              "# srun passes signals on; a plain child of this shell would get none.\n"
              "failed=0\n"
-             "for ((chain = SLURM_ARRAY_TASK_ID; chain <= {3}; chain += {0})); do\n"
-             "  srun {4} --chain \"$chain\" --quiet{5}\n"
+             "for ((chain = SLURM_ARRAY_TASK_ID - first + 1; chain <= {chains}; chain += tasks)); "
+             "do\n"
+             "  srun {call} --chain \"$chain\" --quiet{options}\n"
              "  status=$?\n"
-             "  [ \"$status\" -lt 128 ] || exit \"$status\"  # stopped, with a checkpoint\n"
+             "  if [ \"$status\" -ge 128 ]; then # stopped, with a checkpoint\n"
+             "    # A task that was preempted and ends within its GraceTime counts as failed: it "
+             "asks to\n"
+             "    # be queued again. One that scancel ends has no PreemptTime, or runs no longer.\n"
+             "    if scontrol -o show job \"$task\" | grep -Eq 'JobState=RUNNING "
+             ".*PreemptTime=[0-9]'; then\n"
+             "      scontrol requeue \"$task\"\n"
+             "    fi\n"
+             "    exit \"$status\"\n"
+             "  fi\n"
              "  [ \"$status\" = 0 ] || failed=$status\n"
              "done\n"
              "exit \"$failed\"\n",
-             tasks, job.threads, minutes_needed(sweep, job), chains, call(job), job.options);
+             fmt::arg("tasks", tasks), fmt::arg("threads", job.threads),
+             fmt::arg("minutes", minutes_needed(sweep, job, tasks)),
+             fmt::arg("chains", sweep.chains.size()), fmt::arg("call", call(job)),
+             fmt::arg("options", job.options));
 }
 
 std::string slurm_collect(SlurmJob const& job) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -12,20 +14,25 @@ namespace bagnold::sweep {
 /// What the scripts of a sweep call.
 struct SlurmJob {
   std::filesystem::path program;
-  std::filesystem::path file;    ///< the sweep file
-  std::filesystem::path folder;  ///< of the sweep
-  std::string options;           ///< for every point, e.g. "--threads 4"
-  int threads = 1;               ///< cores a point uses
-  std::vector<double> seconds;   ///< that each point may take on one core at most, [points]
+  std::filesystem::path file;      ///< the sweep file
+  std::filesystem::path folder;    ///< of the sweep
+  std::string options;             ///< for every point, e.g. "--threads 4"
+  int threads = 1;                 ///< cores a point uses
+  std::int64_t most_tasks = 1000;  ///< of an array
+  std::vector<double> seconds;     ///< that each point may take on one core at most, [points]
 };
 
 /// Throws InputError for a folder whose name sbatch would not take as it is: it stands in comments
 /// of the scripts, where a new line ends the comment, and letters in it stand for numbers.
 void refuse_slurm_name(std::filesystem::path const& folder);
 
-/// An array of one task a chain (beyond 1000 chains a task does several in turn) that runs
-/// `bagnold sweep FILE --out DIR --chain K`. The wall time asked for is twice that of the longest
-/// task, 10 minutes at least.
+/// Tasks of the array: one a chain, as far as there may be so many.
+std::size_t slurm_tasks(Sweep const& sweep, SlurmJob const& job);
+
+/// An array of slurm_tasks() that runs `bagnold sweep FILE --out DIR --chain K`; beyond that many
+/// chains a task does several in turn. Submitted as `--array=1-K` all chains are spread over its K
+/// tasks. The wall time asked for is twice that of the longest task, 10 minutes at least. A task
+/// that is preempted asks to be queued again.
 std::string slurm_array(Sweep const& sweep, SlurmJob const& job);
 
 /// The step behind it, which writes the tables.

@@ -2,6 +2,7 @@
 """Bad input: one clear message, exit code 2, nothing written."""
 
 import os
+import re
 import unittest
 
 from bagnold import SCENE, CliTest, Raw, read_summary, scene_text
@@ -307,6 +308,78 @@ class CommandLine(CliTest):
                              (("status", "x", "--hlep"), "--help")):
             result = self.bagnold(*words)
             self.assert_clean_error(result, 2, "unknown option", f"did you mean {meant}?")
+
+    def test_what_people_come_with(self):
+        path = self.scene()
+        for option, meant in (("--dt", "--set integration.time_step=VALUE"), ("--seed", "--set disks.seed=VALUE"),
+                              ("-N", "--set disks.count=VALUE"), ("--friction", "no friction"),
+                              ("--steps", "shear.strain"), ("--output", "did you mean --out?"),
+                              ("--nthreads", "did you mean --threads?")):
+            result = self.bagnold("run", path, option, "1")
+            self.assert_clean_error(result, 2, f"unknown option {option}", meant)
+        for word, meant in (("list", "status"), ("restart", "resume"), ("check", "validate"), ("start", "run")):
+            self.assertIn(f"did you mean {meant}?", self.bagnold(word).stderr)
+        said = self.bagnold("frobnicate").stderr
+        self.assertNotIn("did you mean", said)
+        self.assertIn("bagnold --help", said)
+        for word in ("friction=0.3", "xyzzy=1", "disks.pressure=1"):
+            self.assertNotIn("did you mean", self.bagnold("validate", path, "--set", word).stderr)
+        self.assertIn("shear.strain_rate, in its file",
+                      self.bagnold("sweep", path, "--gammadot", "1e-3").stderr)
+
+    def test_integers_are_decimal_digits(self):
+        for words in (("run", "x", "--threads"), ("sweep", "x", "--jobs"), ("sweep", "x", "--chain"),
+                      ("check-limit", "x", "--jobs"), ("analyse", "kink", "x", "--seed"),
+                      ("analyse", "kink", "x", "--resamples"), ("analyse", "kink", "x", "--first"),
+                      ("analyse", "kink", "x", "--kinks"), ("figure", "P2-4", "--jobs")):
+            for number in ("0x10", "1e1", "2.0", " 2", "2 ", "1_0", "+2", "two", "0b1", "\u0662",
+                           "99999999999999999999999"):
+                with self.subTest(words=words, number=number):
+                    result = self.bagnold(*words, number)
+                    self.assert_clean_error(result, 2, words[-1], "whole number in decimal digits")
+
+    def test_leading_zeros_mean_nothing(self):
+        """010 is ten, as job arrays may write it, and no octal 8."""
+        out = self.folder / "out"
+        path = self.folder / "sweep.toml"
+        path.write_text(scene_text(SCENE) + '[sweep]\ngrid = { "disks.seed" = [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11] }\n')
+        self.assertEqual(self.bagnold("sweep", path, "--out", out, "--emit-slurm").returncode, 0)
+        for chain, point in (("010", "0010"), ("007", "0007"), ("09", "0009")):
+            self.assertEqual(self.bagnold("sweep", path, "--out", out, "--chain", chain, "--quiet").returncode, 0)
+            self.assertTrue((out / f"points/{point}_seed={int(chain)}/summary.json").exists())
+        self.assertEqual(len(list(out.glob("points/*/summary.json"))), 3)
+        for chain in ("0", "00", "012", "-1"):
+            result = self.bagnold("sweep", path, "--out", out, "--chain", chain)
+            self.assert_clean_error(result, 2, f"--chain {int(chain)}", "from 1 to 11")
+
+    def test_numbers_are_decimal(self):
+        for words in (("resume", "x", "--strain"), ("check-limit", "x", "--tolerance"),
+                      ("analyse", "kink", "x", "--phi-j"), ("analyse", "kink", "x", "--split")):
+            for number in ("0x10", "1,5", "nan", "ten", "1 "):
+                with self.subTest(words=words, number=number):
+                    self.assert_clean_error(self.bagnold(*words, number), 2, words[-1], "decimal number")
+        result = self.bagnold("analyse", "kink", "x", "--fix", "x=0x10")
+        self.assert_clean_error(result, 2, "--fix x=0x10", "number")
+
+    def test_empty_words_are_refused(self):
+        """A variable of a shell that is not set: each option of each command."""
+        said = self.bagnold("--help").stdout
+        commands = re.findall(r"^  ([a-z-]+) ", said[said.index("Subcommands:"):], re.M)
+        self.assertGreater(len(commands), 8)
+        tried = 0
+        for command in commands:
+            options = re.findall(r"^  (--[a-z-]+) (?:TEXT|INT|UINT|FLOAT|\[)(.*)$",
+                                 self.bagnold(command, "--help").stdout, re.M)
+            for option, more in options:
+                values = ("", "") if "FLOAT]" in more or "x 2" in more else ("",)
+                for words in ((option, *values), (option + "=",)):
+                    with self.subTest(command=command, words=words):
+                        result = self.bagnold(command, "x", "y", *words)
+                        self.assert_clean_error(result, 2, option, "empty")
+                        tried += 1
+        self.assertGreater(tried, 60)
+        for words in (("run", ""), ("resume", ""), ("sweep", ""), ("status", ""), ("analyse", "kink", "")):
+            self.assert_clean_error(self.bagnold(*words), 2, "empty")
 
     def test_all_mistakes_at_once(self):
         """Of the form of the file and of the command line; of what a run of it would come to."""

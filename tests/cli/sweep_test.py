@@ -11,15 +11,9 @@ import h5py
 import numpy as np
 
 from bagnold import files_of, lattice_state, read_summary, write_state
-from sweeps import SEEDS, SweepTest, rows, tables
+from sweeps import SEEDS, SweepTest, catches_term, rows, tables
 
 LONG = {"shear__strain": 2.0**20, "output__sample_strain": 2.0**10}  # never ends by itself
-
-
-def catches_term(pid):
-    with open(f"/proc/{pid}/status") as file:
-        caught = next(line for line in file if line.startswith("SigCgt:")).split()[1]
-    return int(caught, 16) >> (signal.SIGTERM - 1) & 1 == 1
 
 
 class Tables(SweepTest):

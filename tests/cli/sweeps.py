@@ -3,6 +3,7 @@
 
 import csv
 import pathlib
+import signal
 
 from bagnold import CliTest, changed, scene_text
 
@@ -35,6 +36,12 @@ def rows(out):
 def tables(out):
     """The tables as bytes."""
     return [(pathlib.Path(out) / name).read_bytes() for name in ("sweep.csv", "sweep.h5")]
+
+
+def catches_term(pid):
+    with open(f"/proc/{pid}/status") as file:
+        caught = next(line for line in file if line.startswith("SigCgt:")).split()[1]
+    return int(caught, 16) >> (signal.SIGTERM - 1) & 1 == 1
 
 
 class SweepTest(CliTest):

@@ -173,9 +173,9 @@ class Exports(Folder):
     def test_frames_are_chosen(self):
         from bagnold.exports import parse_frames
         for text, chosen in (("2:5", [2, 3, 4]), (":3", [0, 1, 2]), ("-1:", [8]), ("::4", [0, 4, 8]), ("7", [7]),
-                             ("-1", [8]), (":", list(range(9)))):
+                             ("-1", [8]), (":", list(range(9))), ("02:05", [2, 3, 4])):
             self.assertEqual(list(range(9))[parse_frames(text)], chosen, text)
-        for text in ("a:b", "", "1:2:3:4", "::0", "1.5:"):
+        for text in ("a:b", "", "1:2:3:4", "::0", "1.5:", "0x1:", "1_0", "+1", " 1", "\u0663:"):
             with self.assertRaisesRegex(bagnold.InputError, "--frames .*must be A:B"):
                 parse_frames(text)
         _, (path,) = self.export("extxyz", frames=slice(2, 8, 3))

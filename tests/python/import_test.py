@@ -360,6 +360,9 @@ class CommandLine(Import):
         for words, code, expected in ((("no.data",), 4, "not there"), (("x.data", "--from", "pdb"), 2, "must be one of"),
                                       (("x.data", "--unit", "x"), 2, "--unit x (must be a number)"),
                                       (("x.data", "--frame", "1.5"), 2, "whole number"),
+                                      (("x.data", "--frame", "0x1"), 2, "whole number"),
+                                      (("x.data", "--frame", "1_0"), 2, "whole number"),
+                                      (("x.data", "--frame", ""), 2, "whole number"),
                                       (("x.data", "--diameters", "1"), 2, "TYPE=D"),
                                       (("x.data", "--diameters", "1=0"), 2, "above 0")):
             said = self.call(*words, "--out", "t.h5")

@@ -97,6 +97,23 @@ TEST_F(RunSweep, StopsWhereTheMonitorSaysSo) {
   EXPECT_TRUE(listener.status.empty()) << "no table of a sweep that was stopped";
 }
 
+/// Slurm signals one process after the other: a point may end before the sweep has heard.
+TEST_F(RunSweep, APointThatIsStoppedBeforeTheSweepHasNotFailed) {
+  struct Late final : SweepMonitor {
+    bool stop_requested() override { return ++asked > 4; }
+    void failed(std::size_t) override { ++failed_points; }
+    int asked = 0, failed_points = 0;
+  } late;
+  program("kill -TERM $$\n");
+  options.jobs = 1;
+  options.monitor = &late;
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run(sweep, folder, options), SweepEnd::stopped);
+  auto const said = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(said.find("failed with"), std::string::npos) << said;
+  EXPECT_EQ(late.failed_points, 0);
+}
+
 TEST_F(RunSweep, SeeksItsProgramInPath) {
   options.program = "true";  // ends without results
   testing::internal::CaptureStderr();

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import os
 import pathlib
+import re
 from collections.abc import Callable
 from typing import Union
 
@@ -66,10 +67,8 @@ def export(run: Union[Run, str, "os.PathLike[str]"], to: str, out: str | os.Path
 def parse_frames(text: str) -> slice:
     """``A:B`` as in Python: ``10:20``, ``:5``, ``-1:``, ``::10``; ``7`` is one frame."""
     parts = text.split(":")
-    try:
-        numbers = [int(part) if part.strip() else None for part in parts]
-    except ValueError:
-        numbers = []
+    right = all(re.fullmatch(r"-?[0-9]+|", part) for part in parts)
+    numbers = [int(part) if part else None for part in parts] if right else []
     if not 1 <= len(numbers) <= 3 or (len(numbers) == 3 and numbers[2] == 0) or numbers == [None]:
         raise InputError(f"--frames {text} (must be A:B, numbers of frames from 0, either left out at will); "
                          "use 0:10 for the first ten, -1: for the last")
