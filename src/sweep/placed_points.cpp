@@ -12,6 +12,7 @@
 #include "src/config/errors.hpp"
 #include "src/config/scene_file.hpp"
 #include "src/io/atomic_file.hpp"
+#include "src/io/run_lock.hpp"
 
 namespace bagnold::sweep {
 
@@ -115,22 +116,12 @@ class Places {
   std::multimap<std::string, Known*> shorter_;
 };
 
-/// The first line in which two texts differ, "old -> new".
-std::string difference(std::string const& old_text, std::string const& new_text) {
-  std::istringstream old_lines(old_text), new_lines(new_text);
-  for (std::string before, after;
-       std::getline(old_lines, before) && std::getline(new_lines, after);)
-    if (before != after) return fmt::format("`{}` there, `{}` now", before, after);
-  return "another length";
-}
-
-}  // namespace
-
-PlacedPoints place_points(Sweep sweep, fs::path const& name) {
-  auto const folder = fs::absolute(name).lexically_normal();
-  Places places(read_known(folder));
-  Numbers numbers(places.all());
-  bool const is_new = places.all().empty();
+/// Points of a sweep among those that are there.
+PlacedPoints placed_among(std::vector<Known> const& known_points, Sweep sweep,
+                          fs::path const& folder) {
+  Places places(known_points);
+  Numbers numbers(known_points);
+  bool const is_new = known_points.empty();
   PlacedPoints placed;
   std::set<std::size_t> not_there;  // or to be made longer: what starts from it is another point
   for (std::size_t k = 0; k < sweep.points.size() && !is_new; ++k) {
@@ -151,24 +142,60 @@ PlacedPoints place_points(Sweep sweep, fs::path const& name) {
     }
     point.folder = known != nullptr ? known->folder : numbers.next(point.folder);
   }
-  if (!is_new && placed.kept == 0)
-    throw InputError(fmt::format(
-        "--out {}: holds the sweep of another file (sweep.toml is its copy): none of its {} points "
-        "is in {} (its first: {}); {}choose another folder, or put the file back as it was",
-        name.string(), places.all().size(), sweep.origin,
-        difference(places.all().front().scene, write_scene(sweep.points.front().scene)),
-        std::ranges::any_of(sweep.points,
-                            [](auto const& point) { return point.previous.has_value(); })
-            ? "of a chain only the last points can get more strain, for others start from the "
-              "rest; "
-            : ""));
   for (auto const& point : places.all())
     if (!point.taken) placed.left.push_back({point.folder, point.scene});
   placed.sweep = std::move(sweep);
   return placed;
 }
 
+/// The first line in which two texts differ, "old -> new".
+std::string difference(std::string const& old_text, std::string const& new_text) {
+  std::istringstream old_lines(old_text), new_lines(new_text);
+  for (std::string before, after;
+       std::getline(old_lines, before) && std::getline(new_lines, after);)
+    if (before != after) return fmt::format("`{}` there, `{}` now", before, after);
+  return "another length";
+}
+
+}  // namespace
+
+PlacedPoints place_points(Sweep const& sweep, fs::path const& name) {
+  auto const folder = fs::absolute(name).lexically_normal();
+  auto const known = read_known(folder);
+  auto placed = placed_among(known, sweep, folder);
+  if (!placed.left.empty() || !placed.longer.empty() || placed.added() > 0)
+    if (std::ranges::all_of(
+            known, [&](auto const& one) { return not_begun(folder / "points" / one.folder); })) {
+      placed = placed_among({}, sweep, folder);
+      for (auto const& one : known) placed.withdrawn.push_back(one.folder);
+    }
+  if (placed.withdrawn.empty() && !known.empty() && placed.kept == 0)
+    throw InputError(fmt::format(
+        "--out {}: holds the sweep of another file (sweep.toml is its copy): none of its {} points "
+        "is in {} (its first: {}); {}choose another folder, or put the file back as it was",
+        name.string(), known.size(), sweep.origin,
+        difference(known.front().scene, write_scene(placed.sweep.points.front().scene)),
+        std::ranges::any_of(sweep.points,
+                            [](auto const& point) { return point.previous.has_value(); })
+            ? "of a chain only the last points can get more strain, for others start from the "
+              "rest; "
+            : ""));
+  return placed;
+}
+
+bool not_begun(fs::path const& point) {
+  std::error_code missing;
+  for (auto const& entry : fs::directory_iterator(point, missing))
+    if (auto const name = entry.path().filename(); name != "scene.toml" && name != ".lock")
+      return false;
+  return io::lock_holder(point).empty();
+}
+
 std::string changes(PlacedPoints const& placed) {
+  if (!placed.withdrawn.empty())
+    return fmt::format(
+        "{} points are prepared instead of the {} that were, of which none had begun",
+        placed.sweep.points.size(), placed.withdrawn.size());
   bool const same = placed.left.empty() && placed.longer.empty() && placed.added() == 0;
   if (placed.begun_with() == 0 || same) return {};
   auto text = fmt::format("{} points of {} are kept, {} are new", placed.kept, placed.sweep.origin,

@@ -37,6 +37,17 @@ void make_folder(fs::path const& folder) {
                                 folder.string(), error.message()));
 }
 
+/// Removes the folder of a point that nobody has begun; not what a strange name or a link leads to.
+void withdraw(fs::path const& points, std::string const& name) {
+  auto const point = points / name;
+  std::error_code error;
+  bool const inside =
+      !name.empty() && name != "." && name != ".." && fs::path(name).filename() == name;
+  if (!inside || !fs::is_directory(fs::symlink_status(point, error)) || !not_begun(point)) return;
+  for (auto const* file : {"scene.toml", ".lock"}) io::remove_file(point / file);
+  fs::remove(point, error);  // where it is empty
+}
+
 Json points_json(PlacedPoints const& placed) {
   Json all = {{"schema", 1}, {"points", Json::array()}};
   for (auto const& point : placed.sweep.points)
@@ -63,6 +74,7 @@ SweepFolder SweepFolder::make(fs::path const& folder, PlacedPoints const& placed
   make_folder(folder);
   SweepFolder made(folder, placed.sweep);
   made.lock_ = std::make_unique<io::RunLock>(folder);
+  for (auto const& point : placed.withdrawn) withdraw(made.path_ / "points", point);
   auto const shorter = made.shorter_on_disk(placed.sweep);
   made.make_longer(placed.sweep, shorter, refuse_longer);  // all, before one is changed
   made.write_points(placed);

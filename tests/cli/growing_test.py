@@ -114,6 +114,44 @@ class Growing(SweepTest):
             scenes = list(file["points/scene"].asstr())
         self.assertEqual(["strain = 0.5\n" in scene for scene in scenes], [False, True, False])
 
+    def test_a_prepared_sweep_of_which_nothing_has_run_can_be_changed(self):
+        chain = {"chain": "shear.strain_rate", "grid": {"shear.strain_rate": [2.0**-6, 2.0**-7]}}
+        forms = ({"grid": SEEDS}, {"grid": SEEDS, "disks__elasticity": 2.0}, {"grid": {"disks.seed": [2, 9]}},
+                 {"grid": {"disks.model": ["CD", "CD_n"]}}, chain, {**chain, "shear__strain": 0.25})
+        out = self.folder / "out"
+        for k, form in enumerate(forms):
+            with self.subTest(form=form):
+                path = self.sweep_file(**form)
+                said = self.sweep(path, out, "--emit-slurm").stderr
+                self.assertEqual("none had begun" in said, k > 0, said)
+                whole = self.folder / f"whole{k}"
+                self.sweep(path, whole, "--emit-slurm")
+                self.assertEqual([point.name for point in self.points(out)],
+                                 [point.name for point in self.points(whole)])
+                for one, two in zip(self.points(out), self.points(whole)):
+                    self.assertEqual((one / "scene.toml").read_text().replace(str(out), str(whole)),
+                                     (two / "scene.toml").read_text())
+                self.assertEqual(self.sweep(path, out, "--emit-slurm").stderr, "")
+        self.sweep(path, out, "--quiet")
+        self.assert_as_anew(out, forms[-1])
+
+    def test_a_sweep_of_which_something_has_run_cannot(self):
+        out = self.folder / "out"
+        self.sweep(self.sweep_file(grid=SEEDS), out, "--emit-slurm")
+        path = self.sweep_file(grid=SEEDS, disks__elasticity=2.0)
+        point = self.points(out)[1]
+        for name in ("log.txt", "checkpoint.h5", "notes"):
+            (point / name).write_text("mine\n")
+            before = files_of(out)
+            for words in (("--emit-slurm",), (), ("--chain", 1)):
+                self.assert_clean_error(self.bagnold("sweep", path, "--out", out, *words), 2, "another file")
+            after = files_of(out)
+            self.assertEqual({k: v for k, v in after.items() if ".lock" not in k},
+                             {k: v for k, v in before.items() if ".lock" not in k})
+            (point / name).unlink()
+        self.assert_clean_error(self.bagnold("sweep", path, "--out", out, "--chain", 1), 2, "not prepared")
+        self.sweep(path, out, "--emit-slurm")
+
     def test_slurm_tasks_refuse_a_file_that_gained_points(self):
         out = self.folder / "out"
         self.sweep(self.sweep_file(grid=SEEDS), out, "--emit-slurm")
