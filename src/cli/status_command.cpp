@@ -45,6 +45,8 @@ std::string line_of(RunStatus const& run) {
   auto text = fmt::format("{}: strain {:.4g} of {:.4g} ({:.0f}%)", word(run.state), run.strain,
                           run.whole, 100 * run.share());
   if (run.age > 0) text += fmt::format(" at its checkpoint, {} ago", time_text(run.age));
+  if (run.age == 0 && run.state == RunState::running)
+    text += ", its first checkpoint comes after 10 s of stepping";
   if (auto const left = run.seconds_left(); left && run.state == RunState::running)
     text += ", " + until(*left);
   else if (left && run.state != RunState::failed && *left > 0)

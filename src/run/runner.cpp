@@ -253,8 +253,10 @@ std::int64_t Runner::steps_wanted() const { return run_.plan.steps * run_.scene.
 
 ReplicaScheduler::Request Runner::request() const {
   if (monitor_.stop_requested()) return ReplicaScheduler::Request::stop;
-  std::chrono::duration<double> const since = SteadyClock::now() - checkpointed_;
-  bool const due = since.count() > 60 * run_.scene.output.checkpoint_minutes;
+  auto const now = SteadyClock::now();
+  std::chrono::duration<double> const since = now - checkpointed_, stepping = now - started_;
+  bool const due = since.count() > 60 * run_.scene.output.checkpoint_minutes ||
+                   stepping.count() > early_checkpoint_;
   return monitor_.checkpoint_requested() || due ? ReplicaScheduler::Request::hold
                                                 : ReplicaScheduler::Request::go_on;
 }
@@ -295,6 +297,7 @@ void Runner::write_checkpoint() {
   for (std::size_t r = 0; r < simulations_.size(); ++r) c.systems.push_back(checkpoint_of(r));
   io::write_checkpoint(folder_.path(), std::move(c));
   checkpointed_ = SteadyClock::now();
+  while (early_checkpoint_ < stepping.count()) early_checkpoint_ *= 3;
 }
 
 void Runner::checkpoint() {

@@ -76,6 +76,9 @@ class Runner {
   double wall_before_;
   SteadyClock::time_point started_;
   SteadyClock::time_point checkpointed_;
+  /// The next checkpoint after 10 s of stepping, 30 s, 90 s, ...: what users look at, `bagnold
+  /// status` and `bagnold plot`, reads checkpoints.
+  double early_checkpoint_ = 10;
 };
 
 }  // namespace bagnold

@@ -72,6 +72,11 @@ bool add_checkpoint(RunStatus& status, fs::path const& folder, Plan const& plan,
   return true;
 }
 
+/// Of one at work: since its last checkpoint, or since its process has taken the folder.
+double seconds_of_work(RunStatus const& status, fs::path const& folder) {
+  return std::min(status.age, age_of(folder / ".lock"));
+}
+
 /// The last thing that a point of a sweep said in its log; "" where it has none.
 std::string last_words(fs::path const& log) {
   constexpr std::string_view mark = "bagnold: ";
@@ -100,7 +105,7 @@ std::optional<double> RunStatus::seconds_left() const {
   if (state == Standing::done) return 0.0;
   if (!(seconds > 0) || !(work > 0)) return std::nullopt;
   double const left = (whole_work - work) * seconds / work;
-  return std::max(0.0, left - (state == Standing::running ? age : 0));
+  return std::max(0.0, left - since);
 }
 
 RunStatus status_of(fs::path const& folder) {
@@ -125,6 +130,7 @@ RunStatus status_of(fs::path const& folder) {
   }
   status.state =
       !status.holder.empty() ? Standing::running : without_process(folder, begun, status);
+  if (status.state == Standing::running) status.since = seconds_of_work(status, folder);
   return status;
 }
 

@@ -23,6 +23,7 @@ struct RunStatus {
   double whole_work = 0;  ///< at its end
   double seconds = 0;     ///< of stepping so far
   double age = 0;         ///< of the last checkpoint, [s]; of one without, 0
+  double since = 0;       ///< for how long it is at work since that, [s]; 0: nobody is
   std::vector<std::string> warnings, notes;  ///< their names, of one that is done
 
   double share() const { return whole_work > 0 ? work / whole_work : 0; }

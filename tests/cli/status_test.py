@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """`bagnold status` and `bagnold plot`: of runs, cascades and sweeps that are done, at work, or not."""
 
+import os
 import signal
+import time
 import unittest
 
-from bagnold import files_of
+from bagnold import files_of, seconds_to_strain
 from sweeps import SEEDS, SweepTest
 
 LONG = {"shear__strain": 2.0**20, "output__sample_strain": 2.0**10,
@@ -44,6 +46,37 @@ class Status(SweepTest):
         self.assertIn("stopped: strain", said)
         self.assertIn(f"`bagnold resume {out}` goes on", said)
         self.assertNotIn("until", said)
+
+    def test_a_run_shows_something_soon(self):
+        """The first checkpoint comes long before the ten minutes of output.checkpoint_minutes."""
+        out = self.folder / "out"
+        process = self.start("run", self.scene(**{**LONG, "output__checkpoint_minutes": None,
+                                                  "output__sample_strain": 2.0}), "--out", out)
+        self.wait_until((out / "scene.toml").exists, process)
+        self.assertRegex(self.status(out), r"running: .*its first checkpoint comes after 10 s")
+        self.wait_until((out / "checkpoint.h5").exists, process)
+        self.wait_until((out / "result.h5").exists, process)
+        self.assertRegex(self.status(out), r"running: .* at its checkpoint, .* ago, about .* left, until")
+        result = self.bagnold("plot", out)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertTrue((out / "plot.png").exists())
+
+    def test_the_time_left_of_a_resumed_run(self):
+        """An old checkpoint is no time of work."""
+        out = self.folder / "out"
+        path = self.scene(shear__strain=seconds_to_strain(self, 3600), output__sample_strain=2.0**6)
+        process = self.start("run", path, "--out", out)
+        self.wait_until((out / "scene.toml").exists, process)
+        time.sleep(1)
+        process.send_signal(signal.SIGTERM)
+        self.finish(process)
+        old = time.time() - 10 * 3600
+        for name in ("checkpoint.h5", ".lock"):
+            os.utime(out / name, (old, old))
+        process = self.start("resume", out)
+        self.wait_until(lambda: "running" in self.status(out), process)
+        self.assertRegex(self.status(out), r"running: .*about [\d.]+ (min|h) left, until")
+        process.kill()
 
     def test_failed_and_not_begun(self):
         coarse = {"integration__time_step": 8.0, "shear__strain_rate": 2.0**-5,
