@@ -21,7 +21,7 @@ sys.path.insert(0, str(HERE))
 
 from target import memory  # noqa: E402
 
-ATTACKS = ("faults", "kills", "flicker", "streams", "folders", "damage", "scene_files", "sweep_files", "importers")
+ATTACKS = ("faults", "kills", "masks", "flicker", "streams", "folders", "damage", "scene_files", "sweep_files", "importers")
 SKIPPED = 77
 
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs of every protocol are killed at random moments, and go on, and are killed again."""
+"""Runs of every protocol are killed at random moments, and go on, and are killed again. Many signals
+come in pairs, as Slurm, `timeout`, terminals and users send them."""
 
 import shutil
 import signal
@@ -9,7 +10,9 @@ import time
 from target import Targets
 
 SIGNALS = (signal.SIGKILL, signal.SIGKILL, signal.SIGTERM, signal.SIGINT, signal.SIGUSR1)
+STOPS = (signal.SIGTERM, signal.SIGTERM, signal.SIGINT, signal.SIGHUP)
 MOST_KILLS = 4
+ONE_WISH = 0.03  # [s] within which two signals are one
 
 
 class Attack:
@@ -26,6 +29,20 @@ class Attack:
             self.seconds[target.kind] = time.monotonic() - begun
         return self.seconds[target.kind]
 
+    def send(self, process):
+        """Signals at this moment: which, and whether the run has to stop with a checkpoint."""
+        random = self.random
+        if random.random() < 0.5:
+            process.send_signal(sent := random.choice(SIGNALS))
+            return (sent,), True
+        pair, pause = (random.choice(STOPS), random.choice(STOPS)), random.choice(
+            (random.uniform(0, ONE_WISH), random.uniform(0, 1.5)))
+        begun = time.monotonic()
+        process.send_signal(pair[0])
+        time.sleep(pause)
+        process.send_signal(pair[1])
+        return pair, time.monotonic() - begun < ONE_WISH
+
     def trial(self):
         random, target = self.random, self.targets.any(self.random)
         usual = self.usual(target)
@@ -36,18 +53,19 @@ class Attack:
             words = ["resume", target.out, "--quiet"] if begun_before and target.kind != "sweep" else None
             process = target.start(words, stderr=subprocess.PIPE)
             time.sleep(random.uniform(0, usual))
-            sent = random.choice(SIGNALS)
-            process.send_signal(sent)
+            sent, patient = self.send(process)
             try:
                 _, errors = process.communicate(timeout=60)
             except subprocess.TimeoutExpired:
                 process.kill()
                 process.communicate()
-                return f"{target.kind}: {sent.name}", "hangs"
-            told.append(f"{sent.name} {process.returncode}")
+                return f"{target.kind}: {sent}", "hangs"
+            told.append(f"{' '.join(one.name for one in sent)} {process.returncode}")
             errors = errors.decode(errors="replace")
             # 2: killed before there was anything to go on with
-            allowed = (0, 2, -sent, 128 + sent)
+            allowed = (0, 2, *(-one for one in sent), *(128 + one for one in sent))
+            if patient and process.returncode > 128 and "stopped" not in errors:
+                return f"{target.kind}: {', '.join(told)}", f"quit without a checkpoint: {errors}"
             if process.returncode not in allowed:
                 return f"{target.kind}: {', '.join(told)}", f"exit code {process.returncode}: {errors}"
             if process.returncode == 2 and "holds no run" not in errors and "no such folder" not in errors:
