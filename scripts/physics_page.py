@@ -54,7 +54,7 @@ def angles(point):
     centres = (histogram.edges[1:] + histogram.edges[:-1]) / 2
     law = np.abs(np.cos(np.radians(centres)))
     density = histogram.density / histogram.density.mean()
-    steep = np.abs(np.abs(centres) - 90).argsort()[:4]  # two bins at either side
+    steep = np.abs(np.abs(centres) - 90).argsort()[:2]  # a bin about each
     return math.sqrt(np.mean((density - law / law.mean())**2)), density[steep].mean() / density.max()
 
 
