@@ -32,6 +32,7 @@ SweepEnd run_chains(Sweep const& sweep, SweepFolder const& folder, SweepOptions 
                     std::vector<std::size_t> const& chains) {
   SweepMonitor& monitor = monitor_of(options);
   warn_of_threads_beyond_cores(threads_of(options));
+  use_all_cores();
   Work const work{{options.program.string(), "resume"}, point_words(options), jobs_of(options)};
   auto const failures = Scheduler(sweep, folder, work, monitor).run(chains);
   for (auto const& failure : failures)
