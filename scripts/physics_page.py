@@ -29,7 +29,10 @@ def digits(value, count=3):
 
 
 def measured(value, error):
-    """Value and, in brackets, the error in units of its last digit, one digit of the error or two of one below 2."""
+    """Value and, in brackets, the error in units of its last digit: one digit of it, two where the first is 1. Without
+    an error, of a run too short for one, three digits."""
+    if not error > 0:
+        return digits(value)
     place = math.floor(math.log10(error))
     if f"{error / 10**place:.0f}" == "1":
         place -= 1
