@@ -51,7 +51,7 @@ class LaunchQueue {
   /// room: reductions that are queued at most.
   LaunchQueue(Space const& space, std::int64_t room)
       : space_(space),
-        results_("dynamics::queued_results", static_cast<std::size_t>(room)),
+        results_("device::queued_results", static_cast<std::size_t>(room)),
         on_host_(Kokkos::create_mirror_view(results_)) {}
 
   /// With nothing queued.

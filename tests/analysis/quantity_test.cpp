@@ -47,12 +47,15 @@ TEST(Quantity, ByName) {
   EXPECT_NEAR(product.error, 2.0 * p.mean * of_p / 1e-4, 1e-3);
   EXPECT_THROW(Quantity(table, "phi_J-phi"), InputError);
   EXPECT_THROW(Quantity(table, "disks.elasticity"), InputError);
-  try {
-    Quantity(table, "P_el");
-    ADD_FAILURE();
-  } catch (InputError const& error) {
-    EXPECT_NE(std::string(error.what()).find("perhaps p"), std::string::npos) << error.what();
-  }
+  // a near word is proposed, and where none is near all are listed
+  for (auto const& [wrong, said] : {std::pair{"P", "did you mean p?"},
+                                    {"P_el", "(no such observable or key in made). There are: p"}})
+    try {
+      Quantity(table, wrong);
+      ADD_FAILURE() << wrong;
+    } catch (InputError const& error) {
+      EXPECT_NE(std::string(error.what()).find(said), std::string::npos) << error.what();
+    }
 }
 
 /// p and sigma = 0.3 p of one run vary together by 10%, their ratio by 1%.

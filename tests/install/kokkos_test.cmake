@@ -16,7 +16,12 @@ function(make_kokkos name action)
     "#include <cstdlib>\n"
     "namespace Kokkos {\n"
     "struct HostSpace {};\n"
-    "template <class, class> struct View { View& operator=(View const&) { ${action}; return *this; } };\n"
+    "template <class, class> struct View {\n"
+    "  View() = default;\n"
+    "  View(View const&) = default;\n"
+    "  View& operator=(View const&) { ${action}; return *this; }\n"
+    "  int extent(int) const { return 0; }\n"
+    "};\n"
     "}\n")
 endfunction()
 
