@@ -86,7 +86,7 @@ class FigureTest(CliTest):
                 self.assertRegex(page, rf"\n### {name}: .*\n!\[{name}\]\(figures/{name}\.png\)\n\nThe paper: ")
                 picture = SOURCE / f"docs/figures/{name}.png"
                 size_of(picture)
-                self.assertLess(picture.stat().st_size, 90e3)
+                self.assertLess(picture.stat().st_size, 300e3)  # at twice the size
 
     def test_every_data_set_is_used_and_says_what_it_costs(self):
         text = FIGURES.read_text()

@@ -52,8 +52,7 @@ struct AddUp {
   KOKKOS_FUNCTION void operator()(Loops const& loops, Row const& totals, std::int64_t place) const {
     using Group = AddGroup<rotates, Space>;
     auto count = static_cast<std::int64_t>(of_disk.extent(0));
-    loops.for_all("sums::MeasureDisks", count,
-                  MeasureDisks<Forces, Space>{forces, of_disk, rank});
+    loops.for_all("sums::MeasureDisks", count, MeasureDisks<Forces, Space>{forces, of_disk, rank});
     Row from = of_disk, to = of_group;
     while (count > added_together) {
       auto const groups = groups_of_sums(count);
