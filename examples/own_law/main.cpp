@@ -73,9 +73,7 @@ int main(int count, char** words) try {
   bagnold::register_law<CDt>();
   bagnold::register_drive<CubicDrag>();
   Monitor monitor;
-  auto const end = std::filesystem::exists(folder)
-                       ? bagnold::resume(folder, {.monitor = &monitor})
-                       : bagnold::run(bagnold::read_scene(words[1]), folder, {.monitor = &monitor});
+  auto const end = bagnold::run(bagnold::read_scene(words[1]), folder, {.monitor = &monitor});
   return end == bagnold::RunEnd::done ? 0 : 130;
 } catch (std::exception const& error) {
   std::cerr << "own_law: " << error.what() << '\n';

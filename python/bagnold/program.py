@@ -51,11 +51,13 @@ def find_program(program: Path | None = None) -> str:
 def run(scene: Mapping[str, Any] | Path, out: Path | None = None, *, program: Path | None = None,
         threads: int | None = None, force: bool = False, allow_unstable: bool = False,
         progress: Progress = True, **set: Any) -> Run:
-    """Runs a scene to its end and reads its results.
+    """Runs a scene to its end and reads its results: what is finished in the folder is loaded, and what was
+    stopped goes on, if it is of the same resolved scene; a run of another scene is refused.
 
     scene: a file, or nested tables ``{"disks": {"model": "CD_n", ...}, "shear": {...}}``, where a
     relative ``start.file`` is one of the current folder. out: folder for the results; of a file
-    results/NAME as of the program. force: replace the run that is in the folder. set: keys put over
+    results/NAME as of the program. force: replace the run that is in the folder,
+    of this scene or another. set: keys put over
     the scene, ``disks__elasticity=10`` or ``**{"disks.elasticity": 10}``.
 
     Raises what the program says: InputError, NumericalError, FileError, Interrupted (after Ctrl-C, with

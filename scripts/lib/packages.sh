@@ -14,6 +14,7 @@ test_packages=(
   # Other programs that read what is written here; not MDAnalysis, whose 2.4 opens observables of particles in no H5MD.
   mypy python3-ase python3-gsd python3-pandas
   munge slurm-wlm # a cluster of our own
+  make snakemake # workflows
   python3-nbclient python3-ipykernel # notebooks
 )
 fuzz_packages=(clang libclang-rt-14-dev python3-venv)

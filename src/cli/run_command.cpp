@@ -43,11 +43,12 @@ void add_all_flag(Words command, bool& all) {
 
 Command add_run(Words program) {
   auto const options = std::make_shared<SceneOptions>();
-  Words command = add_command(program, "run", "run a scene");
+  Words command = add_command(program, "run", "run a scene, or go on with its run in the folder");
   add_scene_options(command, *options);
   command.option("--out", options->folder, "folder for the results [results/SCENE]");
   add_all_flag(command, options->all);
-  command.flag("--force", options->force, "replace the run that is in the folder");
+  command.flag("--force", options->force,
+               "replace the run that is in the folder, of this scene or another");
   add_machine_options(command, options->machine, options->quiet);
   return {command, [options] { return run_command(*options); }};
 }

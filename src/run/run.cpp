@@ -14,6 +14,7 @@
 #include "src/run/make_longer.hpp"
 #include "src/run/pictures.hpp"
 #include "src/run/protocols/cascade/cascade.hpp"
+#include "src/run/same_scene.hpp"
 #include "src/run/start_or_resume.hpp"
 #include "src/run/validate_scene.hpp"
 
@@ -57,6 +58,21 @@ void give_strain(RunFolder const& folder, double strain, RunMonitor& monitor) {
   make_cascade_longer(folder, after);
 }
 
+/// `finished`: what is said of a run that has nothing left to do.
+RunEnd go_on(RunFolder const& folder, RunOptions const& options, char const* finished) {
+  RunMonitor& monitor = monitor_of(options);
+  if (io::run_finished(folder.path())) {
+    folder.remove_trajectory_parts();
+    if (std::filesystem::exists(folder.scene()) && !cascade_in(folder))
+      draw_missing_pictures(folder, read_scene(folder.scene()));
+    monitor.status(fmt::format("{} is finished: {}", folder.path().string(), finished));
+    return RunEnd::done;
+  }
+  if (auto const scene = cascade_in(folder))
+    return run_cascade(folder, *scene, choose(options.machine, *scene), monitor);
+  return go_on_in(folder, options.machine, monitor);
+}
+
 }  // namespace
 
 RunEnd run(Scene scene, std::filesystem::path const& name, RunOptions const& options) {
@@ -66,6 +82,12 @@ RunEnd run(Scene scene, std::filesystem::path const& name, RunOptions const& opt
   Machine const machine = choose(options.machine, scene);
   auto from_file = states_in_file(runs_of(scene).front());  // read before anything is written
 
+  if (!options.replace && holds_run(name)) {
+    refuse_other_scene(name, scene);  // without a trace
+    RunFolder const folder = RunFolder::open(name);
+    refuse_other_scene(name, scene);  // another process may have been quicker
+    return go_on(folder, options, "the run of this scene is there, --force runs it again");
+  }
   RunFolder const folder = RunFolder::make(name, options.replace);
   io::replace_text(folder.scene(), write_scene(scene));
   if (scene.shear.protocol == "cascade")
@@ -76,18 +98,8 @@ RunEnd run(Scene scene, std::filesystem::path const& name, RunOptions const& opt
 RunEnd resume(std::filesystem::path const& name, RunOptions const& options) {
   refuse_sweep(name);
   RunFolder const folder = RunFolder::open(name);
-  RunMonitor& monitor = monitor_of(options);
-  if (options.strain) give_strain(folder, *options.strain, monitor);
-  if (io::run_finished(folder.path())) {
-    folder.remove_trajectory_parts();
-    if (std::filesystem::exists(folder.scene()) && !cascade_in(folder))
-      draw_missing_pictures(folder, read_scene(folder.scene()));
-    monitor.status(fmt::format("{} is finished: nothing to resume", name.string()));
-    return RunEnd::done;
-  }
-  if (auto const scene = cascade_in(folder))
-    return run_cascade(folder, *scene, choose(options.machine, *scene), monitor);
-  return go_on_in(folder, options.machine, monitor);
+  if (options.strain) give_strain(folder, *options.strain, monitor_of(options));
+  return go_on(folder, options, "nothing to resume");
 }
 
 }  // namespace bagnold

@@ -34,9 +34,9 @@ std::vector<fs::path> files_of_run(fs::path const& folder) {
   return files;
 }
 
-bool holds_run(fs::path const& folder) { return !files_of_run(folder).empty(); }
-
 }  // namespace
+
+bool holds_run(fs::path const& folder) { return !files_of_run(folder).empty(); }
 
 RunFolder::RunFolder(fs::path folder)
     : path_(std::move(folder)), lock_(std::make_unique<io::RunLock>(path_)) {

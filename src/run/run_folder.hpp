@@ -43,6 +43,9 @@ class RunFolder {
   std::unique_ptr<io::RunLock> lock_;
 };
 
+/// Whether a folder has a file of a run.
+bool holds_run(std::filesystem::path const& folder);
+
 /// Whether a run in a folder has come to its first checkpoint, whole or not, or lost it since.
 bool begun(std::filesystem::path const& folder);
 

@@ -58,7 +58,18 @@ class Runs(Folder):
             os.chdir(here)
         self.assertEqual(pathlib.Path(second.scene["start.file"]).resolve(), (first.folder / "state.h5").resolve())
 
-    def test_force_replaces_and_else_it_is_refused(self):
+    def test_the_same_scene_is_loaded_or_goes_on(self):
+        one = run(SCENE, self.folder / "one")
+        before = (one.folder / "result.h5").stat().st_mtime_ns, (one.folder / "state.h5").read_bytes()
+        again = run(SCENE, self.folder / "one")
+        self.assertEqual(((again.folder / "result.h5").stat().st_mtime_ns, (again.folder / "state.h5").read_bytes()), before)
+        self.assertEqual(again["Z"], one["Z"])
+        for name in ("summary.json", "state.h5"):
+            (one.folder / name).unlink()
+        self.assertEqual(run(SCENE, self.folder / "one")["Z"], one["Z"])
+        self.assertEqual((one.folder / "state.h5").read_bytes(), before[1])
+
+    def test_another_scene_is_refused_and_force_replaces(self):
         run(SCENE, self.folder / "one")
         with self.assertRaisesRegex(bagnold.InputError, "one.*--force"):
             bagnold.run(SCENE, self.folder / "one", progress=False, disks__seed=2)

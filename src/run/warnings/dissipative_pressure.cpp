@@ -9,7 +9,7 @@ namespace bagnold {
 
 namespace {
 
-constexpr double most_share = 0.05;
+constexpr double small_share = 0.05;
 
 }  // namespace
 
@@ -17,7 +17,7 @@ std::optional<Warning> dissipative_pressure(FinishedRun const& finished) {
   auto const* found = finished.of("p_dis_share");
   if (!found || !found->estimate.all.mean || !found->estimate.all.error) return {};
   double const share = *found->estimate.all.mean, error = *found->estimate.all.error;
-  if (!(std::abs(share) >= most_share + standard_errors * error)) return {};
+  if (!(std::abs(share) >= small_share + standard_errors * error)) return {};
   return Warning{
       "dissipative_pressure",
       {{"p_dis_share", share}, {"error", error}},
