@@ -6,6 +6,7 @@
 
 #include "src/cli/options.hpp"
 #include "src/config/cascade.hpp"
+#include "src/config/events.hpp"
 #include "src/config/quasi_static.hpp"
 #include "src/config/run_time.hpp"
 #include "src/config/scene_file.hpp"
@@ -87,7 +88,7 @@ int validate_command(SceneOptions const& options) {
   fmt::print("# box            {:.6g} d_s wide{}\n", scene.box_length(),
              square ? "" : fmt::format(", {:.6g} d_s high", scene.box_height()));
   auto const scheme = scheme_of(scene);
-  if (is_quasi_static(scene)) {
+  if (is_scheme_of_an_engine(scheme)) {
     fmt::print("# time step      {:.6g} tau_e, {}, stable at any\n", plan.time_step, scheme);
   } else {
     fmt::print("# time step      {:.6g} tau_e, {}, spectral radius of a single contact {:.6f}\n",

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "src/config/events.hpp"
 #include "src/config/names.hpp"
 #include "src/config/quasi_static.hpp"
 #include "src/config/shown.hpp"
@@ -187,6 +188,10 @@ void look_at_quasi_static(Scene const& scene, Refusals const& refuse) {
   for (auto const& [keys, message] : misused_quasi_static(scene)) refuse(keys, message);
 }
 
+void look_at_events(Scene const& scene, Refusals const& refuse) {
+  for (auto const& [keys, message] : not_events(scene)) refuse(keys, message);
+}
+
 }  // namespace
 
 void find_contradictions(Scene const& scene, std::string const& origin, Mistakes& mistakes) {
@@ -195,6 +200,7 @@ void find_contradictions(Scene const& scene, std::string const& origin, Mistakes
   look_at_drive(scene, refuse);
   look_at_scheme(scene, refuse);
   look_at_quasi_static(scene, refuse);
+  look_at_events(scene, refuse);
   if (!mistakes.about("shear.protocol")) look_at_protocol(scene, refuse);
 }
 

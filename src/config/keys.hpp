@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "src/config/events.hpp"
 #include "src/config/names.hpp"
 #include "src/config/quasi_static.hpp"
 #include "src/config/scene.hpp"
@@ -176,12 +177,13 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
           "",
           "how the scheme is computed, none changes the physics; \"quasi-static\": by long steps, "
           "for "
-          "flows that creep",
+          "flows that creep; \"events\": contacts in closed form, for dilute flows",
           optional,
           0,
           0,
           false,
-          {"auto", "reference", "few-contacts", "many-contacts", "lookahead", quasi_static_engine}},
+          {"auto", "reference", "few-contacts", "many-contacts", "lookahead", quasi_static_engine,
+           event_engine}},
       integration.engine);
   visit(Key{"integration.time_step",
             "tau_e",

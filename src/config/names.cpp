@@ -11,6 +11,7 @@
 #include "kernels/physics/schemes/schemes.hpp"
 #include "kernels/physics/type_list.hpp"
 #include "src/config/drives.hpp"
+#include "src/config/events.hpp"
 #include "src/config/laws.hpp"
 #include "src/config/quasi_static.hpp"
 #include "src/config/schemes.hpp"
@@ -79,6 +80,7 @@ Names scheme_words() {
   Names words = names_of<Schemes>();
   words.insert(words.begin(), automatic);
   words.push_back(backward_euler);
+  words.push_back(exact_contacts);
   return words;
 }
 

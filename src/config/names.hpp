@@ -17,7 +17,7 @@ Names separate_models();  ///< of laws with a damping constant of their own in e
 Names acting_drives();    ///< names of all drives but "none"
 Names drive_words();      ///< "none", and these
 Names thermal_drives();   ///< of drives that have a temperature
-Names scheme_words();     ///< "auto", the names of all schemes, and that of quasi-static steps
+Names scheme_words();     ///< "auto", the names of all schemes, and those of single engines
 
 /// Whether a scheme solves an equation for the motions of all disks together.
 bool is_implicit(std::string_view scheme);

@@ -9,6 +9,7 @@
 
 #include "kernels/physics/species.hpp"
 #include "src/config/errors.hpp"
+#include "src/config/events.hpp"
 #include "src/config/quasi_static.hpp"
 #include "src/config/skin.hpp"
 #include "src/config/stability.hpp"
@@ -103,7 +104,8 @@ Plan make_plan(Scene const& scene) {
   Plan plan;
   plan.strain_rate = scene.shear.strain_rate;
   plan.time_step = time_step(scene);
-  plan.every = is_quasi_static(scene) ? 1 : scene.measure.every;  // the forces are there
+  bool const each = is_quasi_static(scene) || has_events(scene);  // all is there
+  plan.every = each ? 1 : scene.measure.every;
   double const step_strain = plan.time_step * scene.shear.strain_rate;
   double const steps = round_up(scene.shear.strain / step_strain);
   if (!(steps * static_cast<double>(scene.disks.replicas) <= most_steps))

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "src/config/refusal.hpp"
 #include "src/config/scene.hpp"
 
 /// Quasi-static steps: an engine of its own, with a scheme of its own, for dense flows that creep.
@@ -21,12 +22,6 @@ bool is_quasi_static(Scene const& scene);
 
 /// Its "auto" step, a strain of 1e-3: [tau_e]
 double quasi_static_time_step(Scene const& scene);
-
-/// Why a scene is refused, and by which keys.
-struct Refusal {
-  std::vector<std::string_view> keys;
-  std::string message;
-};
 
 /// What the engine cannot do of a scene that asks for it.
 std::vector<Refusal> not_quasi_static(Scene const& scene);

@@ -9,6 +9,7 @@
 
 #include "src/config/contradictions.hpp"
 #include "src/config/errors.hpp"
+#include "src/config/events.hpp"
 #include "src/config/keys.hpp"
 #include "src/config/meant_key.hpp"
 #include "src/config/mistakes.hpp"
@@ -56,7 +57,8 @@ class Reader {
       mistakes_.add("", fmt::format("{}: {}; every scene must give {}", origin_,
                                     fmt::join(missing, ", "), missing.size() == 1 ? "it" : "them"));
     bool const has_scheme = table_.at_path("integration.scheme").node() != nullptr;
-    if (is_quasi_static(scene) && !has_scheme) scene.integration.scheme = automatic;  // its own
+    bool const has_own = is_quasi_static(scene) || has_events(scene);
+    if (has_own && !has_scheme) scene.integration.scheme = automatic;  // its own
     return scene;
   }
 

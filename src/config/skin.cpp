@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "kernels/physics/species.hpp"
+#include "src/config/events.hpp"
 #include "src/config/names.hpp"
 #include "src/config/time_step.hpp"
 
@@ -11,10 +12,9 @@ namespace bagnold {
 
 double skin(Scene const& scene) {
   if (auto const& given = scene.integration.skin.number) return *given;
-  double const wide = 0.5;
+  double const wide = has_events(scene) ? 0.7 : is_implicit(scheme_of(scene)) ? 0.5 : usual_skin;
   double const least = std::min(scene.box_length(), scene.box_height());
-  bool const fits = least >= 2 * (big_diameter + wide);
-  return fits && is_implicit(scheme_of(scene)) ? wide : usual_skin;
+  return least >= 2 * (big_diameter + wide) ? wide : usual_skin;
 }
 
 }  // namespace bagnold

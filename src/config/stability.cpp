@@ -8,7 +8,7 @@
 #include "kernels/physics/schemes/schemes.hpp"
 #include "kernels/physics/type_list.hpp"
 #include "src/config/contact_rates.hpp"
-#include "src/config/quasi_static.hpp"
+#include "src/config/events.hpp"
 #include "src/config/time_step.hpp"
 
 namespace bagnold {
@@ -35,7 +35,7 @@ double contact_spectral_radius(Scene const& scene, double time_step) {
 }
 
 double largest_stable_time_step(Scene const& scene, std::string_view scheme) {
-  if (scheme == backward_euler) return std::numeric_limits<double>::infinity();
+  if (is_scheme_of_an_engine(scheme)) return std::numeric_limits<double>::infinity();
   constexpr double contacts = 6;
   ContactRates const r(scene);
   double const rate = contacts * std::max(r.normal, r.tangential) + drag_rate(scene);
@@ -49,7 +49,7 @@ double largest_stable_time_step(Scene const& scene, std::string_view scheme) {
 }
 
 double dense_flow_time_step(Scene const& scene, std::string_view scheme) {
-  if (scheme == backward_euler) return std::numeric_limits<double>::infinity();
+  if (is_scheme_of_an_engine(scheme)) return std::numeric_limits<double>::infinity();
   ContactRates const r(scene);
   return with_named<Schemes>(scheme, [&]<class S>(std::type_identity<S>) -> double {
     if constexpr (ImplicitScheme<S>)  // any damping alone

@@ -7,6 +7,7 @@
 
 #include "kernels/physics/drives/drive.hpp"
 #include "kernels/physics/schemes/schemes.hpp"
+#include "src/config/events.hpp"
 #include "src/config/laws.hpp"
 #include "src/config/quasi_static.hpp"
 #include "src/config/schemes.hpp"
@@ -29,6 +30,7 @@ double drag_rate(Scene const& scene) {
 
 std::string_view scheme_of(Scene const& scene) {
   if (is_quasi_static(scene)) return backward_euler;
+  if (has_events(scene)) return exact_contacts;
   auto const& given = scene.integration.scheme;
   return given == automatic ? DefaultScheme::name : std::string_view(given);
 }
@@ -52,6 +54,7 @@ double time_step(Scene const& scene) {
   auto const& given = scene.integration.time_step;
   if (given.number) return *given.number;
   if (is_quasi_static(scene)) return quasi_static_time_step(scene);
+  if (has_events(scene)) return event_time_unit;
   double const rule = given.word == of_papers ? paper_time_step(scene.disks)
                                               : std::min(rule_time_step(scene, scheme_of(scene)),
                                                          drag_time_step(scene));

@@ -8,11 +8,13 @@
 #include <utility>
 
 #include "src/config/errors.hpp"
+#include "src/config/events.hpp"
 #include "src/config/quasi_static.hpp"
 #include "src/config/time_step.hpp"
 #include "src/engine/auto_scheme/auto_scheme.hpp"
 #include "src/engine/backends.hpp"
 #include "src/engine/ensemble/ensemble.hpp"
+#include "src/engine/events/make_events.hpp"
 #include "src/engine/law_engines.hpp"
 #include "src/engine/levels/levels.hpp"
 #include "src/engine/quasi_static/make_quasi_static.hpp"
@@ -25,6 +27,7 @@ namespace {
 std::unique_ptr<Simulation> make_engine(Scene const& scene, Snapshot& snapshot,
                                         std::string const& backend) {
   if (is_quasi_static(scene)) return make_quasi_static(scene, snapshot, backend);
+  if (has_events(scene)) return make_events(scene, snapshot, backend);
   auto const drive = drive_setup(scene, snapshot.initial_time);
   if (scene.integration.engine != "reference")
     if (auto made = level_of(scene).make(scene, snapshot, drive, backend)) return made;
@@ -59,7 +62,7 @@ constexpr std::int64_t most_disks_of_a_team = 1024;
 
 /// Whether nothing is asked for that members of an ensemble do not do.
 bool suits_ensembles(Scene const& scene) {
-  return scene.integration.engine != "reference" && !is_quasi_static(scene) &&
+  return scene.integration.engine != "reference" && !is_quasi_static(scene) && !has_events(scene) &&
          !scene.measure.contacts && !scene.driven();
 }
 

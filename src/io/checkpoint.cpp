@@ -79,6 +79,14 @@ void put_system(Hdf5Writer& file, SystemCheckpoint system, std::string const& at
   file.group(at + "/engine");
   for (auto const& [name, value] : system.memory) file.attribute(at + "/engine", name, value);
 
+  if (!system.arrays.empty()) {
+    file.group(at + "/events");
+    for (auto const& [name, numbers] : system.arrays) {
+      file.dataset(at + "/events/" + name, numbers, {numbers.size()});
+      file.attribute(at + "/events", name, static_cast<std::int64_t>(numbers.size()));
+    }
+  }
+
   file.group(at + "/counters");
   for (auto const& [name, value] : system.counters) file.attribute(at + "/counters", name, value);
 
@@ -118,6 +126,11 @@ SystemCheckpoint get_system(Hdf5Reader const& file, std::string const& at) {
 
   for (auto const& name : file.attribute_names(at + "/engine"))
     system.memory[name_now(name)] = file.number(at + "/engine", name);
+
+  if (file.has(at + "/events"))
+    for (auto const& name : file.attribute_names(at + "/events"))
+      system.arrays[name] = file.doubles(
+          at + "/events/" + name, {static_cast<hsize_t>(file.integer(at + "/events", name))});
 
   for (auto const& name : file.attribute_names(at + "/counters"))
     system.counters[name_now(name)] = file.number(at + "/counters", name);

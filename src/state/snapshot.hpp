@@ -15,14 +15,15 @@ namespace bagnold {
 /// Everything a simulation needs to go on bit for bit.
 struct Snapshot {
   State state;  ///< as the engine holds it, outside the box perhaps
-  std::vector<std::array<double, 2>> list_position;  ///< [N], at the last list build, [d_s]
-  std::int64_t list_step = 0;                        ///< step of that build
-  std::int64_t step = 0;                             ///< steps done
-  double initial_offset = 0.0;                       ///< at step 0, [d_s]
-  double initial_time = 0.0;                         ///< at step 0, [tau_e]
-  std::int64_t list_builds = 0;                      ///< so far
-  std::map<std::string, double> memory;              ///< what else the engine's bits depend on
-  std::map<std::string, double> counters;            ///< of the engine, for reports
+  std::vector<std::array<double, 2>> list_position;   ///< [N], at the last list build, [d_s]
+  std::int64_t list_step = 0;                         ///< step of that build
+  std::int64_t step = 0;                              ///< steps done
+  double initial_offset = 0.0;                        ///< at step 0, [d_s]
+  double initial_time = 0.0;                          ///< at step 0, [tau_e]
+  std::int64_t list_builds = 0;                       ///< so far
+  std::map<std::string, double> memory;               ///< what else the engine's bits depend on
+  std::map<std::string, std::vector<double>> arrays;  ///< likewise, many numbers each
+  std::map<std::string, double> counters;             ///< of the engine, for reports
 };
 
 /// A system at step 0, without a list.

@@ -79,6 +79,12 @@ struct ContactClass {
   template <LinearLaw Law>
   static ContactClass of(Law const& law, SpeciesTable const& table, Species i, Species j) {
     static_assert(Law::rotates == Rotates);
+    return of_constants(law.normal_damping(), law.tangential_damping(), table, i, j);
+  }
+
+  /// k_n, k_t of a law, [m / tau_e].
+  static ContactClass of_constants(Real normal, Real tangential, SpeciesTable const& table,
+                                   Species i, Species j) {
     ContactClass c{};
     Real const inverse_i = table.inverse_mass[i], inverse_j = table.inverse_mass[j];
     Real const d_i = table.diameter[i], d_j = table.diameter[j];
@@ -91,8 +97,8 @@ struct ContactClass {
     c.arm_j = d_j / (d_i + d_j);
     c.spin_gain_i = c.reduced_mass * d_i / 2 * table.inverse_inertia[i];
     c.spin_gain_j = c.reduced_mass * d_j / 2 * table.inverse_inertia[j];
-    c.normal_damping = law.normal_damping();
-    c.tangential_damping = law.tangential_damping();
+    c.normal_damping = normal;
+    c.tangential_damping = tangential;
     c.frequency02 = 1 / (c.reduced_mass * c.distance * c.distance);
     c.frequency0 = std::sqrt(c.frequency02);
     Real const b = c.normal_damping / (2 * c.reduced_mass);

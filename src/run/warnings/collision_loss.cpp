@@ -5,8 +5,8 @@
 
 #include <cmath>
 
+#include "src/config/events.hpp"
 #include "src/config/names.hpp"
-#include "src/config/quasi_static.hpp"
 #include "src/config/time_step.hpp"
 #include "src/run/warnings/checks.hpp"
 
@@ -20,16 +20,17 @@ constexpr double most_off = 0.02;  ///< as of energy_balance
 
 std::optional<Warning> collision_loss(FinishedRun const& finished) {
   auto const& scene = finished.run.scene;
-  if (is_implicit(scheme_of(scene)) || is_quasi_static(scene))
-    return {};  // collisions are not their matter: implicit_inertia, quasi_static_inertia
+  auto const scheme = scheme_of(scene);
+  if (is_implicit(scheme) || is_scheme_of_an_engine(scheme))
+    return {};  // exact, or not their matter: implicit_inertia, quasi_static_inertia
   double const dt = finished.run.plan.time_step;
-  double const off = collision_loss_error(scene, scheme_of(scene), dt);
+  double const off = collision_loss_error(scene, scheme, dt);
   if (std::abs(off) < most_off) return {};
   return Warning{"collision_loss",
                  {{"time_step", dt}, {"collision_loss_error", off}},
                  fmt::format("a head-on collision loses {:.2g}% {} energy than it should: "
                              "integration.time_step = {} is too coarse for {} at Q = {}",
-                             100 * std::abs(off), off > 0 ? "more" : "less", dt, scheme_of(scene),
+                             100 * std::abs(off), off > 0 ? "more" : "less", dt, scheme,
                              scene.disks.elasticity),
                  "halve it and compare",
                  half_the_step(finished)};

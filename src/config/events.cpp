@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/config/events.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "kernels/physics/repulsion/repulsion.hpp"
+#include "kernels/physics/species.hpp"
+#include "src/config/laws.hpp"
+#include "src/config/quasi_static.hpp"
+
+namespace bagnold {
+
+namespace {
+
+bool damps_linearly(Scene const& scene) {
+  auto const* law = known_laws().find(scene.disks.model);
+  if (!law) return true;  // refused by its name
+  auto const constants = law->constants(scene.disks);
+  return constants.normal > 0 || constants.tangential > 0;
+}
+
+/// Largest k_n with which a contact oscillates, 2 sqrt(mu)/d_ij, of the pair that has the smallest.
+double most_damping(Scene const& scene) {
+  auto const table = make_species_table(scene.mass_by_area());
+  double least = 1e300;
+  for (Species i = 0; i < 2; ++i)
+    for (Species j = 0; j < 2; ++j) {
+      double const mass = 1 / (table.inverse_mass[i] + table.inverse_mass[j]);
+      least = std::min(least, 2 * std::sqrt(mass) / class_distance(pair_class(i, j)));
+    }
+  return least;
+}
+
+double normal_damping(Scene const& scene) {
+  auto const* law = known_laws().find(scene.disks.model);
+  return law ? law->constants(scene.disks).normal : 0;
+}
+
+std::vector<Refusal> of_another_engine(Scene const& scene) {
+  if (scene.integration.scheme != exact_contacts) return {};
+  return {{{"integration.scheme", "integration.engine"},
+           fmt::format("integration.scheme = \"{}\" (is that of integration.engine = \"{}\" alone, "
+                       "here it is \"{}\"); set that engine, or integration.scheme = \"auto\"",
+                       exact_contacts, event_engine, scene.integration.engine)}};
+}
+
+}  // namespace
+
+bool has_events(Scene const& scene) { return scene.integration.engine == event_engine; }
+
+bool is_scheme_of_an_engine(std::string_view scheme) {
+  return scheme == backward_euler || scheme == exact_contacts;
+}
+
+double least_underdamped_elasticity(Scene const& scene) {
+  return scene.disks.elasticity * normal_damping(scene) / most_damping(scene);
+}
+
+std::vector<Refusal> not_events(Scene const& scene) {
+  if (!has_events(scene)) return of_another_engine(scene);
+  std::vector<Refusal> list;
+  auto const refuse = [&](std::vector<std::string_view> keys, std::string const& why,
+                          std::string const& remedy) {
+    keys.emplace_back("integration.engine");
+    list.push_back({std::move(keys), fmt::format("integration.engine = \"{}\" ({}); {}",
+                                                 event_engine, why, remedy)});
+  };
+  std::string const other = "set integration.engine = \"auto\"";
+  auto const& scheme = scene.integration.scheme;
+  if (scheme != automatic && scheme != exact_contacts)
+    refuse({"integration.scheme"},
+           fmt::format("solves contacts by \"{}\", not by integration.scheme = \"{}\"",
+                       exact_contacts, scheme),
+           "set integration.scheme = \"auto\", or another engine");
+  if (scene.integration.time_step.word == of_papers)
+    refuse({"integration.time_step"},
+           "has no time step, integration.time_step = \"paper\" is that of another scheme",
+           "set \"auto\"");
+  if (scene.driven())
+    refuse({"drive.kind"},
+           fmt::format("needs disks that fly straight, under drive.kind = \"{}\" they do not",
+                       scene.drive.kind),
+           other);
+  if (scene.disks.force_exponent != HarmonicRepulsion::force_exponent)
+    refuse({"disks.force_exponent"},
+           fmt::format("solves contacts in closed form, which {} repulsion alone has, "
+                       "disks.force_exponent = {}, here it is {}",
+                       HarmonicRepulsion::name, HarmonicRepulsion::force_exponent,
+                       scene.disks.force_exponent),
+           other);
+  if (!damps_linearly(scene))
+    refuse({"disks.model"},
+           fmt::format("needs damping that is linear in the velocity, which model \"{}\" has not",
+                       scene.disks.model),
+           other);
+  else if (normal_damping(scene) >= most_damping(scene))
+    refuse({"disks.elasticity"},
+           fmt::format("needs contacts that end of themselves: below Q = {:.3g} they are "
+                       "overdamped, disks.elasticity = {}",
+                       least_underdamped_elasticity(scene), scene.disks.elasticity),
+           other);
+  if (scene.shear.protocol == "ramp")
+    refuse({"shear.protocol"},
+           "needs one strain rate for each contact, of shear.protocol = \"ramp\" it changes",
+           other);
+  if (scene.measure.contacts)
+    refuse({"measure.contacts"}, "does not yet report single contacts",
+           "set measure.contacts = false, or integration.engine = \"auto\"");
+  return list;
+}
+
+}  // namespace bagnold

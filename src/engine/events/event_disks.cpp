@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/engine/events/event_disks.hpp"
+
+namespace bagnold::events {
+
+template <bool Rotates>
+EventDisks<Rotates>::EventDisks(Material<Rotates> const& of, std::vector<Species> const& species)
+    : material(of),
+      path(species.size()),
+      spin(species.size()),
+      touching(species.size()),
+      member(species.size()) {
+  for (std::size_t i = 0; i < species.size(); ++i) path[i].species = species[i];
+}
+
+template <bool Rotates>
+auto EventDisks<Rotates>::on_line(std::uint32_t i, Real time) const -> Moving {
+  Moving of{path[i].at(time), {}};
+  of.motion.velocity = path[i].velocity;
+  spin.give(i, of.motion);
+  return of;
+}
+
+template <bool Rotates>
+auto EventDisks<Rotates>::first_of(LoneContact<Rotates> const& k, Real time) const -> Moving {
+  auto const& c = contact_class(k);
+  return c.disk_i(k.centre_at(time), k.closed.at(c, time - k.begun));
+}
+
+template <bool Rotates>
+auto EventDisks<Rotates>::second_of(LoneContact<Rotates> const& k, Real time) const -> Moving {
+  auto const& c = contact_class(k);
+  return image(c.disk_j(k.centre_at(time), k.closed.at(c, time - k.begun)), k.other, time, -1);
+}
+
+template <bool Rotates>
+auto EventDisks<Rotates>::at(std::uint32_t i, Real time) const -> Moving {
+  Path const& p = path[i];
+  if (p.manner == Manner::cluster) {
+    auto const& cluster = clusters[touching[i]];
+    return cluster.members[member[i]].at(time - cluster.time, cluster.step);
+  }
+  if (time >= p.straight) return on_line(i, time);
+  auto const& contact = contacts[touching[i]];
+  return i == contact.i ? first_of(contact, time) : second_of(contact, time);
+}
+
+template <bool Rotates>
+Real EventDisks<Rotates>::acceleration(std::uint32_t i) const {
+  Path const& p = path[i];
+  if (p.manner == Manner::free) return 0;
+  if (p.manner == Manner::cluster) {
+    auto const& cluster = clusters[touching[i]];
+    return cluster.members[member[i]].acceleration(cluster.step);
+  }
+  auto const& contact = contacts[touching[i]];
+  auto const& c = contact_class(contact);
+  return (i == contact.i ? c.share_i : c.share_j) * contact.closed.largest_acceleration(c);
+}
+
+template <bool Rotates>
+void EventDisks<Rotates>::leave(std::uint32_t i) {
+  Path& p = path[i];
+  ++p.changes;
+  if (p.manner == Manner::contact && --contacts[touching[i]].paths == 0)
+    contacts.remove(touching[i]);
+}
+
+template <bool Rotates>
+void EventDisks<Rotates>::forget_contact(std::uint32_t i) {
+  leave(i);
+  Path& p = path[i];
+  p.manner = Manner::free;
+  p.begun = p.straight;
+  p.deviation = 0;
+}
+
+template <bool Rotates>
+void EventDisks<Rotates>::fly(std::uint32_t i, Moving const& from, Real time) {
+  leave(i);
+  Path& p = path[i];
+  p.manner = Manner::free;
+  p.fly(from.position, from.motion.velocity, time);
+  p.begun = p.straight = time;
+  p.deviation = 0;
+  spin.take(i, from.motion);
+}
+
+template <bool Rotates>
+void EventDisks<Rotates>::set_contact(std::uint32_t i, std::uint32_t k, Moving const& end,
+                                      Real deviation) {
+  leave(i);
+  auto& contact = contacts[k];
+  Path& p = path[i];
+  p.manner = Manner::contact;
+  touching[i] = k;
+  ++contact.paths;
+  p.begun = contact.begun;
+  p.straight = contact.end();
+  p.fly(end.position, end.motion.velocity, p.straight);
+  p.deviation = deviation;
+  spin.take(i, end.motion);
+}
+
+template <bool Rotates>
+void EventDisks<Rotates>::begin_contact(std::uint32_t k) {
+  auto const& contact = contacts[k];
+  auto const& c = contact_class(contact);
+  auto const end = contact.end();
+  auto const centre = contact.centre_at(end);
+  Real const deviation = contact.closed.largest_deviation(c);
+  auto const first = c.disk_i(centre, contact.closed.end);
+  auto const second = image(c.disk_j(centre, contact.closed.end), contact.other, end, -1);
+  set_contact(contact.i, k, first, c.share_i * deviation);
+  set_contact(contact.j(), k, second, c.share_j * deviation);
+}
+
+template <bool Rotates>
+void EventDisks<Rotates>::begin_step(std::uint32_t k) {
+  auto const& cluster = clusters[k];
+  for (std::uint32_t a = 0; a < cluster.members.size(); ++a) {
+    auto const& m = cluster.members[a];
+    leave(m.disk);
+    Path& p = path[m.disk];
+    p.manner = Manner::cluster;
+    touching[m.disk] = k;
+    member[m.disk] = a;
+    p.begun = cluster.time;
+    p.straight = cluster.end();
+    p.fly(m.begin.position, m.begin.motion.velocity, p.begun);
+    p.deviation = m.deviation(cluster.step);
+    spin.take(m.disk, m.begin.motion);
+  }
+}
+
+template class EventDisks<false>;
+template class EventDisks<true>;
+
+}  // namespace bagnold::events

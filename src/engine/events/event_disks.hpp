@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "kernels/cpu/events/cluster_steps.hpp"
+#include "kernels/cpu/events/lone_contact.hpp"
+#include "kernels/cpu/events/path.hpp"
+#include "src/engine/events/pool.hpp"
+
+namespace bagnold::events {
+
+/// thetadot of each disk on its line, [1 / tau_e].
+template <bool Rotates>
+struct Spins {
+  explicit Spins(std::size_t) {}
+  void take(std::uint32_t, Motion<false> const&) {}
+  void give(std::uint32_t, Motion<false>&) const {}
+};
+
+template <>
+struct Spins<true> {
+  std::vector<Real> value;
+  explicit Spins(std::size_t disks) : value(disks) {}
+  void take(std::uint32_t i, Motion<true> const& motion) { value[i] = motion.spin; }
+  void give(std::uint32_t i, Motion<true>& motion) const { motion.spin = value[i]; }
+};
+
+/// All disks between two builds of the lists: their paths, and whom they touch.
+template <bool Rotates>
+class EventDisks {
+ public:
+  using Moving = DiskMotion<Rotates>;
+
+  EventDisks(Material<Rotates> const& of, std::vector<Species> const& species);
+
+  Material<Rotates> material;
+  ImageShifts shifts;
+  std::vector<Path> path;               ///< [N]
+  Spins<Rotates> spin;                  ///< [N]
+  std::vector<std::uint32_t> touching;  ///< [N], in `contacts` or `clusters`, by its manner
+  std::vector<std::uint32_t> member;    ///< [N], in its cluster
+  Pool<LoneContact<Rotates>> contacts;
+  Pool<Cluster<Rotates>> clusters;
+
+  std::uint32_t count() const { return static_cast<std::uint32_t>(path.size()); }
+  Real mass(std::uint32_t i) const { return 1 / material.table.inverse_mass[path[i].species]; }
+
+  ContactClass<Rotates> const& contact_class(LoneContact<Rotates> const& c) const {
+    return material.classes(path[c.i].species, path[c.j()].species);
+  }
+  Real distance(std::uint32_t i, Neighbor n) const {
+    return class_distance(pair_class(path[i].species, n.big() ? 1 : 0));
+  }
+
+  /// Whether a disk touches nobody.
+  bool flies(std::uint32_t i, Real time) const {
+    return path[i].manner != Manner::cluster && time >= path[i].straight;
+  }
+
+  /// Position and motion at a time of its path.
+  Moving at(std::uint32_t i, Real time) const;
+  Moving on_line(std::uint32_t i, Real time) const;
+
+  /// Of an image of it.
+  Moving image(Moving of, Neighbor n, Real time, Real sign = 1) const {
+    auto const& shift = shifts(n);
+    of.position += sign * shift.at(time);
+    of.motion.velocity.x += sign * shift.velocity;
+    return of;
+  }
+
+  /// Both disks of a lone contact, each in its own place.
+  Moving first_of(LoneContact<Rotates> const& contact, Real time) const;
+  Moving second_of(LoneContact<Rotates> const& contact, Real time) const;
+
+  /// Bound of |r''| before its line begins, [d_s / tau_e^2].
+  Real acceleration(std::uint32_t i) const;
+
+  /// New paths. A free disk; both disks of contacts[k]; all disks of clusters[k].
+  void fly(std::uint32_t i, Moving const& from, Real time);
+  void begin_contact(std::uint32_t k);
+  void begin_step(std::uint32_t k);
+
+  /// Of a contact that has ended: the disk flies since.
+  void forget_contact(std::uint32_t i);
+
+ private:
+  void leave(std::uint32_t i);
+  void set_contact(std::uint32_t i, std::uint32_t k, Moving const& end, Real deviation);
+};
+
+extern template class EventDisks<false>;
+extern template class EventDisks<true>;
+
+}  // namespace bagnold::events

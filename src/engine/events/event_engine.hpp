@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "src/engine/events/event_system.hpp"
+#include "src/engine/run_clock.hpp"
+#include "src/engine/simulation.hpp"
+
+namespace bagnold {
+
+/// Contacts as events, on one thread of the host: no time step where disks fly (docs/events.md).
+///
+/// A step is a unit of time for windows, frames and lists; it acts on nothing else. Sums are
+/// integrals over time in the place of sums over configurations, one a step.
+template <bool Rotates>
+class EventEngine final : public Simulation {
+ public:
+  EventEngine(events::Material<Rotates> const& material, StrainRates const& rates, double time_step,
+              double skin, Snapshot const& snapshot);
+
+  int columns() const override { return Sums<Rotates>::columns; }
+  std::int64_t step() const override { return step_; }
+  void advance(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) override;
+  Snapshot snapshot() const override;
+  State state() const override;
+
+  /// All that touch now, i < j.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> touching() const {
+    return system_.touching(now());
+  }
+
+ private:
+  template <class Self, class Visit>
+  static void visit_counters(Self& self, Visit const& visit) {
+    auto&& counts = self.system_.counts();
+    visit("collisions", counts.collisions);
+    visit("busy_collisions", counts.busy_collisions);
+    visit("cluster_steps", counts.cluster_steps);
+  }
+
+  /// What the bits depend on, beside paths and lists.
+  template <class Self, class Visit>
+  static void visit_memory(Self& self, Visit const& visit) {
+    self.system_.visit_memory(visit);
+    visit("events_in_window", self.in_window_);
+    visit("events_window_begun", self.begun_);
+  }
+
+  double now() const { return system_.all().time(step_ - list_step_); }
+  double* columns_of(std::int64_t window, OpenWindows& windows) const;
+  void open_window(double* columns);
+  void go_to(std::int64_t step);
+  void renew();
+  void restore(Snapshot const& snapshot);
+  void add_motions(State& state) const;
+
+  RunClock clock_;
+  std::vector<double> diameter_;  ///< [N], as files have it
+  events::EventSystem<Rotates> system_;
+  std::int64_t step_;
+  std::int64_t list_step_;  ///< of the last build of the lists
+  std::int64_t builds_;
+  bool touches_known_;  ///< of the start
+  bool in_window_ = false;
+  std::int64_t begun_ = 0;  ///< step from which on the window under way is summed
+};
+
+extern template class EventEngine<false>;
+extern template class EventEngine<true>;
+
+}  // namespace bagnold

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/engine/events/event_lists.hpp"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "src/engine/compiled_once.hpp"
+#include "src/engine/device_copy.hpp"
+
+namespace bagnold::events {
+
+namespace {
+
+constexpr Real share_of_strain = 0.3;  // of the skin that the shear alone may use up
+constexpr Real margin = 0.96;          // of the reach: disks fly on to the end of a step
+
+}  // namespace
+
+EventLists::EventLists(Real skin)
+    : longest_(share_of_strain * 2 * skin / (big_diameter + skin)),
+      reach_(margin * list_reach(longest_, skin)),
+      list_{skin, {}, {}} {}
+
+void EventLists::build(std::vector<Vec2<Real>> position, std::vector<Species> const& species,
+                       SpeciesTable const& table, ShearedBox const& box) {
+  box_ = box;
+  at_build_ = std::move(position);
+  list_.at_build = to_device<Space>("events::at_build", at_build_);
+  build_list(Space{}, list_, to_device<Space>("events::species", species), table, box);
+}
+
+Real EventLists::leaves(std::uint32_t i, Vec2<Real> const& place,
+                        Vec2<Real> const& velocity) const {
+  auto const w = place - at_build_[i];
+  Vec2<Real> const u{velocity.x - box_.strain_rate * at_build_[i].y, velocity.y};
+  Real const a = dot(u, u), b = dot(w, u), c = dot(w, w) - reach_ * reach_;
+  if (a == 0) return std::numeric_limits<Real>::infinity();
+  Real const discriminant = b * b - a * c;
+  return discriminant <= 0 ? 0 : (std::sqrt(discriminant) - b) / a;
+}
+
+}  // namespace bagnold::events

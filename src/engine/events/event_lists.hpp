@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Kokkos_Core.hpp>
+#include <vector>
+
+#include "kernels/device/neighbors/verlet_list.hpp"
+#include "kernels/physics/box/list_criterion.hpp"
+
+namespace bagnold::events {
+
+/// The neighbours that a disk may touch while it stays within `reach` of where the mean flow alone
+/// would have taken it, up to a strain of `longest`.
+class EventLists {
+ public:
+  using Space = Kokkos::Serial;
+
+  explicit EventLists(Real skin);
+
+  /// position: in the box, whose offset is in [0, L_x).
+  void build(std::vector<Vec2<Real>> position, std::vector<Species> const& species,
+             SpeciesTable const& table, ShearedBox const& box);
+
+  std::uint32_t begin(std::uint32_t i) const { return list_.rows.begin(i); }
+  std::uint32_t end(std::uint32_t i) const { return list_.rows.end(i); }
+  Neighbor entry(std::uint32_t k) const { return list_.rows.entry(k); }
+
+  std::vector<Vec2<Real>> const& at_build() const { return at_build_; }
+  Real reach() const { return reach_; }      ///< [d_s]
+  Real longest() const { return longest_; }  ///< strain
+  Real strain_rate() const { return box_.strain_rate; }
+  ShearedBox const& box() const { return box_; }  ///< when it was built
+
+  /// When a disk on a line leaves its reach, in times since the build.
+  Real leaves(std::uint32_t i, Vec2<Real> const& place, Vec2<Real> const& velocity) const;
+
+ private:
+  Real longest_, reach_;
+  VerletList<Space> list_;
+  std::vector<Vec2<Real>> at_build_;  ///< [N], [d_s]
+  ShearedBox box_{};
+};
+
+}  // namespace bagnold::events

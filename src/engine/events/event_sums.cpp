@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/engine/events/event_sums.hpp"
+
+namespace bagnold::events {
+
+template <bool Rotates>
+void EventSums<Rotates>::step(Cluster<Rotates> const& cluster, ClusterSteps<Rotates> const& steps,
+                              Real until) {
+  Real const from = std::max(cluster.time, begin_), time = until - from;
+  if (!(time > 0)) return;
+  Real const s = from - cluster.time, sixth = time / 6 * inverse_step_;
+  configuration(cluster, steps, s, sixth);
+  configuration(cluster, steps, s + time / 2, 4 * sixth);
+  configuration(cluster, steps, s + time, sixth);
+}
+
+template <bool Rotates>
+void EventSums<Rotates>::configuration(Cluster<Rotates> const& cluster,
+                                       ClusterSteps<Rotates> const& steps, Real s, Real weight) {
+  using C = SumColumns;
+  auto const motion = [&](std::uint32_t a) { return cluster.members[a].at(s, cluster.step); };
+  for (auto const& link : cluster.links) {
+    auto const pair = steps.force(cluster, link, cluster.time + s, motion);
+    add_pair(to_, pair, weight);
+    if constexpr (Rotates) {
+      auto const &a = cluster.members[link.a], &b = cluster.members[link.b];
+      auto const& diameter = disks_->material.table.diameter;
+      Real const turn = diameter[a.species] * motion(link.a).motion.spin +
+                        diameter[b.species] * motion(link.b).motion.spin;
+      to_[C::torque_power] +=
+          weight * turn *
+          pair.torque_per_diameter(inverse_class_distance(pair_class(a.species, b.species)));
+    }
+  }
+  for (auto const& m : cluster.members) {
+    auto const of = m.at(s, cluster.step);
+    struct Weighed {  // columns that take a share
+      Real* to;
+      Real weight;
+      struct Column {
+        Real& sum;
+        Real weight;
+        void operator+=(Real value) const { sum += weight * value; }
+      };
+      Column operator[](int c) const { return {to[c], weight}; }
+    } const columns{to_, weight};
+    add_motion(columns, disks_->mass(m.disk),
+               peculiar_x(of.motion.velocity.x, of.position.y, strain_rate), of.motion.velocity.y);
+    if constexpr (Rotates) add_spin(columns, of.motion.spin);
+  }
+}
+
+template class EventSums<false>;
+template class EventSums<true>;
+
+}  // namespace bagnold::events

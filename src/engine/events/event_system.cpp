@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/engine/events/event_system.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "src/engine/events/frames.hpp"
+
+namespace bagnold::events {
+
+template <bool Rotates>
+void EventSystem<Rotates>::place(std::vector<Moving> const& disks, ShearedBox const& box) {
+  std::vector<Vec2<Real>> position;
+  for (std::uint32_t i = 0; i < disks.size(); ++i) {
+    s_.disks.fly(i, disks[i], 0);
+    position.push_back(disks[i].position);
+  }
+  build(std::move(position), box);
+  predict_all();
+}
+
+template <bool Rotates>
+void EventSystem<Rotates>::restore(Arrays const& from, std::vector<Vec2<Real>> list_position,
+                                   ShearedBox const& box) {
+  build(std::move(list_position), box);
+  events::restore(from, s_);
+}
+
+template <bool Rotates>
+void EventSystem<Rotates>::build(std::vector<Vec2<Real>> position, ShearedBox const& box) {
+  auto const& disks = s_.disks;
+  std::vector<Species> species(disks.count());
+  for (std::uint32_t i = 0; i < disks.count(); ++i) species[i] = disks.path[i].species;
+  s_.disks.shifts = ImageShifts(box);
+  s_.lists.build(std::move(position), species, disks.material.table, box);
+  s_.sums.strain_rate = box.strain_rate;
+  s_.predictions.watch_reach = true;
+  Real const longest = s_.lists.longest() / (box.strain_rate * s_.time_step);
+  s_.build_step = longest < 1e18 ? std::max<std::int64_t>(1, static_cast<std::int64_t>(longest))
+                                 : std::numeric_limits<std::int64_t>::max() / 4;
+}
+
+template <bool Rotates>
+void EventSystem<Rotates>::find_touches() {
+  constexpr Real ever = -std::numeric_limits<Real>::infinity();
+  TouchingGroup<Rotates> group;
+  auto const& disks = s_.disks;
+  std::vector<bool> taken(disks.count());
+  for (std::uint32_t i = 0; i < disks.count(); ++i)
+    for (auto k = s_.lists.begin(i); k < s_.lists.end(i); ++k) {
+      Neighbor const n = s_.lists.entry(k);
+      auto const j = n.index();
+      if (j < i) continue;
+      auto const r = disks.path[i].at(0) - disks.path[j].at(0) - disks.shifts(n).at(0);
+      Real const d = disks.distance(i, n);
+      if (!(dot(r, r) < d * d)) continue;
+      group.touches.push_back({i, n, ever});
+      taken[i] = taken[j] = true;
+    }
+  for (std::uint32_t i = 0; i < disks.count(); ++i)
+    if (taken[i]) group.disks.push_back({i, disks.on_line(i, 0)});
+  touches_.settle(std::move(group), 0);
+}
+
+template <bool Rotates>
+std::int64_t EventSystem<Rotates>::run(std::int64_t step) {
+  auto const& times = s_.queue.times;
+  while (!s_.too_deep) {
+    auto const slot = times.first();
+    Real const time = times.time(slot);
+    if (time > s_.time(std::min(step, s_.build_step))) break;
+    s_.now = std::max(s_.now, time);
+    Event const event = s_.queue.event[slot];
+    switch (event.kind) {
+      case Event::Kind::leave:
+        s_.ask_for_build(s_.now);
+        predict(slot);
+        break;
+      case Event::Kind::end:
+        touches_.end_step(s_.disks.touching[slot]);
+        break;
+      case Event::Kind::touch:
+        if (auto const n = s_.lists.entry(event.entry);
+            s_.disks.path[n.index()].changes == event.changes)
+          touches_.touch(event.disk, n, time);
+        else
+          predict(slot);
+    }
+  }
+  return std::min(step, s_.build_step);
+}
+
+template <bool Rotates>
+void EventSystem<Rotates>::predict(std::uint32_t slot) {
+  if (s_.disks.path[slot].manner == Manner::cluster)
+    s_.predictions.of_cluster(s_.disks.touching[slot]);
+  else
+    s_.predictions.of_disk(slot);
+}
+
+template <bool Rotates>
+void EventSystem<Rotates>::predict_all() {
+  auto const& disks = s_.disks;
+  for (std::uint32_t i = 0; i < disks.count(); ++i) {
+    bool const follows =
+        disks.path[i].manner == Manner::cluster && disks.clusters[disks.touching[i]].slot() != i;
+    if (follows)
+      s_.queue.set(i, never, {i});
+    else
+      predict(i);
+  }
+}
+
+template <bool Rotates>
+void EventSystem<Rotates>::renew(Real time, ShearedBox const& box) {
+  auto& disks = s_.disks;
+  Frames<Rotates> frames(disks, s_.lists.box(), box, time);
+  std::vector<std::uint32_t> clusters;
+  for (std::uint32_t i = 0; i < disks.count(); ++i) {
+    Path& p = disks.path[i];
+    if (p.manner == Manner::contact && p.straight <= time) disks.forget_contact(i);
+    if (p.manner == Manner::contact && disks.contacts[disks.touching[i]].i == i)
+      frames.move(disks.contacts[disks.touching[i]]);
+    if (p.manner == Manner::cluster && disks.clusters[disks.touching[i]].slot() == i) {
+      frames.move(disks.clusters[disks.touching[i]]);
+      clusters.push_back(disks.touching[i]);
+    }
+  }
+  for (std::uint32_t i = 0; i < disks.count(); ++i) frames.move(i, disks.path[i]);
+  s_.now = 0;
+  build(frames.position(), box);
+  for (auto const k : clusters) touches_.plan(k);
+  predict_all();
+}
+
+template <bool Rotates>
+void EventSystem<Rotates>::begin_window(Real* columns, Real time) {
+  s_.sums.begin(columns, time);
+  add_ahead(time, 1);
+}
+
+template <bool Rotates>
+void EventSystem<Rotates>::end_window(Real time) {
+  add_ahead(time, -1);
+  auto const& disks = s_.disks;
+  for (std::uint32_t i = 0; i < disks.count(); ++i) {
+    if (disks.path[i].manner != Manner::cluster) {
+      s_.sums.flight(i, time);
+    } else if (auto const& cluster = disks.clusters[disks.touching[i]]; cluster.slot() == i) {
+      s_.sums.step(cluster, s_.steps, std::min(time, cluster.end()));
+    }
+  }
+}
+
+/// What is yet to come of contacts, all of which is added when they begin.
+template <bool Rotates>
+void EventSystem<Rotates>::add_ahead(Real time, Real sign) {
+  auto const& disks = s_.disks;
+  for (std::uint32_t i = 0; i < disks.count(); ++i) {
+    Path const& p = disks.path[i];
+    if (p.manner != Manner::contact || p.straight <= time) continue;
+    auto const& contact = disks.contacts[disks.touching[i]];
+    if (contact.i == i) s_.sums.contact(contact, time, sign);
+  }
+}
+
+template <bool Rotates>
+std::vector<std::pair<std::uint32_t, std::uint32_t>> EventSystem<Rotates>::touching(
+    Real time) const {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> all;
+  auto const& disks = s_.disks;
+  for (std::uint32_t i = 0; i < disks.count(); ++i) {
+    Path const& p = disks.path[i];
+    if (p.manner == Manner::contact && p.straight > time) {
+      if (auto const& c = disks.contacts[disks.touching[i]]; c.i == i) all.push_back({i, c.j()});
+    } else if (p.manner == Manner::cluster) {
+      auto const& cluster = disks.clusters[disks.touching[i]];
+      for (auto const& link : cluster.links)
+        if (cluster.members[link.a].disk == i) all.push_back({i, link.other.index()});
+    }
+  }
+  return all;
+}
+
+template class EventSystem<false>;
+template class EventSystem<true>;
+
+}  // namespace bagnold::events

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "src/engine/events/saved_events.hpp"
+#include "src/engine/events/touch_events.hpp"
+
+namespace bagnold::events {
+
+/// Disks from event to event.
+///
+/// A disk that touches nobody flies straight. Two that touch each other alone are one event: where
+/// their contact begins, both get the line on which they go on after it. What hits a disk that is
+/// in contact makes a cluster, from the state that the closed form has there; clusters are stepped
+/// until they fall apart, and a pair that is left over goes back to the closed form at its phase.
+/// Nothing is ever rolled back: a contact under way causes nothing before its end, and what was
+/// predicted from its end is known to be stale by the number of changes of a path.
+template <bool Rotates>
+class EventSystem {
+ public:
+  using Moving = DiskMotion<Rotates>;
+
+  EventSystem(Material<Rotates> const& material, std::vector<Species> const& species, Real skin,
+              Real time_step)
+      : s_(material, species, skin, time_step), touches_(s_) {}
+
+  /// Disks that fly from time 0 on, in the box, whether they overlap or not.
+  void place(std::vector<Moving> const& disks, ShearedBox const& box);
+
+  /// Goes on from what was saved, with the lists of positions then.
+  void restore(Arrays const& from, std::vector<Vec2<Real>> list_position, ShearedBox const& box);
+
+  /// Predicts everything anew.
+  void predict_all();
+
+  /// What else its bits depend on.
+  template <class Visit>
+  void visit_memory(Visit const& visit) {
+    visit_memory_of(s_, visit);
+  }
+  template <class Visit>
+  void visit_memory(Visit const& visit) const {
+    visit_memory_of(s_, visit);
+  }
+
+  /// Finds who touches at time 0, at the start of a run, in a window.
+  void find_touches();
+
+  /// Does what happens up to the end of a step, counted from the build of the lists, or to where
+  /// they are to be built: returns that step.
+  std::int64_t run(std::int64_t step);
+
+  /// Builds the lists at a time, which is 0 from then on. box: there, its offset in [0, L_x).
+  void renew(Real time, ShearedBox const& box);
+
+  /// A window begins: all from then on is added to these columns.
+  void begin_window(Real* columns, Real time);
+  /// It goes on in these.
+  void resume_window(Real* columns, Real begin) { s_.sums.begin(columns, begin); }
+  /// It ends: all before that is in it, and nothing of what lies ahead.
+  void end_window(Real time);
+
+  EventState<Rotates> const& all() const { return s_; }
+  EventCounts& counts() { return s_.counts; }
+  EventCounts const& counts() const { return s_.counts; }
+
+  /// All that touch at a time that has been reached, i < j.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> touching(Real time) const;
+
+ private:
+  template <class All, class Visit>
+  static void visit_memory_of(All& all, Visit const& visit) {
+    visit("events_build_step", all.build_step);
+    visit("events_watch_reach", all.predictions.watch_reach);
+  }
+
+  void predict(std::uint32_t slot);
+  void build(std::vector<Vec2<Real>> position, ShearedBox const& box);
+  void add_ahead(Real time, Real sign);
+
+  EventState<Rotates> s_;
+  TouchEvents<Rotates> touches_;
+};
+
+extern template class EventSystem<false>;
+extern template class EventSystem<true>;
+
+}  // namespace bagnold::events

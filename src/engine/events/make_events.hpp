@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "src/config/scene.hpp"
+#include "src/engine/simulation.hpp"
+
+namespace bagnold {
+
+/// The engine of contacts as events, for any law that is linear in the velocity. Throws InputError
+/// where the scene asks for what it cannot do, or for a backend that is a device; nullptr if the
+/// build has no such backend.
+std::unique_ptr<Simulation> make_events(Scene const& scene, Snapshot const& snapshot,
+                                        std::string const& backend);
+
+}  // namespace bagnold

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "src/engine/events/event_disks.hpp"
+#include "src/engine/events/event_lists.hpp"
+
+namespace bagnold::events {
+
+/// What happens next to a disk, or to a cluster.
+struct Event {
+  enum class Kind : std::uint8_t {
+    touch,  ///< disk touches a neighbour
+    leave,  ///< it leaves its reach: the lists are to be built
+    end     ///< the step of the cluster ends
+  };
+  std::uint32_t disk = 0;
+  std::uint32_t entry = 0;    ///< the neighbour in the lists
+  std::uint32_t changes = 0;  ///< of its path, when this was predicted
+  Kind kind = Kind::leave;
+};
+
+/// The next event of each disk or cluster, in the order of time, then of slots: a disk has its own,
+/// a cluster that of its first disk.
+struct EventQueue {
+  explicit EventQueue(std::uint32_t disks) : times(disks), event(disks) {}
+
+  void set(std::uint32_t slot, Real time, Event const& of) {
+    event[slot] = of;
+    times.set(slot, time);
+  }
+
+  Tournament times;
+  std::vector<Event> event;
+};
+
+/// Predicts touches from the paths of disks.
+///
+/// When two disks touch depends on their two paths alone, and not on when it is asked for: both are
+/// followed from the younger path's begin on. So predictions may be made anew at any time, and a
+/// restarted run finds the bits of one that went on.
+template <bool Rotates>
+class Predictions {
+ public:
+  Predictions(EventDisks<Rotates> const& disks, EventLists const& lists, EventQueue& queue)
+      : disks_(&disks), lists_(&lists), queue_(&queue) {}
+
+  void of_disk(std::uint32_t i);
+  void of_cluster(std::uint32_t k);
+
+  /// Whether disks are still told to leave their reach.
+  bool watch_reach = true;
+
+ private:
+  LinePair lines(std::uint32_t i, Neighbor n) const;
+  Real touch(std::uint32_t i, Neighbor n, LinePair const& pair) const;
+
+  EventDisks<Rotates> const* disks_;
+  EventLists const* lists_;
+  EventQueue* queue_;
+};
+
+extern template class Predictions<false>;
+extern template class Predictions<true>;
+
+}  // namespace bagnold::events

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/engine/events/touch_events.hpp"
+
+namespace bagnold::events {
+
+template <bool Rotates>
+void TouchEvents<Rotates>::touch(std::uint32_t i, Neighbor n, Real time) {
+  ++s_.counts.collisions;
+  auto const j = n.index();
+  if (j < i) {
+    n = seen_from_other(i, s_.disks.path[i].species != 0, n);
+    i = j;
+  }
+  if (s_.disks.flies(i, time) && s_.disks.flies(n.index(), time)) return begin_lone(i, n, time);
+  ++s_.counts.busy_collisions;
+  Group group;
+  take_in(i, time, group);
+  take_in(n.index(), time, group);
+  group.touches.push_back({i, n, time});
+  settle(std::move(group), time);
+}
+
+template <bool Rotates>
+void TouchEvents<Rotates>::begin_lone(std::uint32_t i, Neighbor n, Real time) {
+  auto const j = n.index();
+  s_.sums.flight(i, time);
+  s_.sums.flight(j, time);
+  auto const k =
+      add_contact(s_.disks.on_line(i, time), s_.disks.on_line(j, time), {i, n, time}, true, time);
+  s_.disks.begin_contact(k);
+  s_.predictions.of_disk(i);
+  s_.predictions.of_disk(j);
+}
+
+template <bool Rotates>
+std::uint32_t TouchEvents<Rotates>::add_contact(Moving const& a, Moving const& b,
+                                                Touch const& touch, bool fresh, Real time) {
+  auto const k = s_.disks.contacts.add();
+  auto& contact = s_.disks.contacts[k];
+  contact.i = touch.i;
+  contact.other = touch.other;
+  contact.fresh = contact.binary = fresh;
+  contact.begun = time;
+  contact.touched = touch.touched;
+  contact.paths = 0;
+  auto const& c = s_.disks.contact_class(contact);
+  auto const image = s_.disks.image(b, touch.other, time);
+  contact.start = pair_motion(a, image);
+  contact.centre = c.centre(a, image);
+  contact.solve(c);
+  s_.sums.contact(contact, time, 1);
+  s_.check_overlap(touch.i, contact.closed.largest_overlap() * c.inverse_distance);
+  return k;
+}
+
+/// A disk as it is at a time, with all that it touches.
+template <bool Rotates>
+void TouchEvents<Rotates>::take_in(std::uint32_t disk, Real time, Group& group) {
+  if (group.has(disk)) return;
+  Path const& p = s_.disks.path[disk];
+  if (p.manner == Manner::cluster) return take_cluster(s_.disks.touching[disk], time, group);
+  if (time < p.straight) return take_contact(s_.disks.touching[disk], time, group);
+  s_.sums.flight(disk, time);
+  group.disks.push_back({disk, s_.disks.on_line(disk, time)});
+}
+
+/// Both disks of a contact that is cut short.
+template <bool Rotates>
+void TouchEvents<Rotates>::take_contact(std::uint32_t k, Real time, Group& group) {
+  auto const& contact = s_.disks.contacts[k];
+  s_.sums.contact(contact, time, -1);
+  group.disks.push_back({contact.i, s_.disks.first_of(contact, time)});
+  group.disks.push_back({contact.j(), s_.disks.second_of(contact, time)});
+  group.touches.push_back({contact.i, contact.other, contact.touched});
+}
+
+/// All disks of a cluster, which is no more.
+template <bool Rotates>
+void TouchEvents<Rotates>::take_cluster(std::uint32_t k, Real time, Group& group) {
+  auto& cluster = s_.disks.clusters[k];
+  if (time < cluster.end() && time > cluster.time) s_.steps.plan(cluster, time - cluster.time);
+  bool const at_begin = !(time > cluster.time);
+  if (!at_begin) s_.sums.step(cluster, s_.steps, time);
+  for (auto const& m : cluster.members) group.disks.push_back({m.disk, at_begin ? m.begin : m.end});
+  for (auto const& link : cluster.links)
+    group.touches.push_back({cluster.members[link.a].disk, link.other, link.touched});
+  s_.disks.clusters.remove(k);
+}
+
+/// New paths for all of a group, by what hangs together in it, and what happens to them next.
+template <bool Rotates>
+void TouchEvents<Rotates>::settle(Group group, Real time) {
+  auto const parts = group.parts();
+  std::vector<std::uint32_t> clusters;
+  for (auto const& part : parts) {
+    if (part.disks.size() == 1) {
+      s_.disks.fly(part.disks[0].disk, part.disks[0].motion, time);
+    } else if (part.disks.size() == 2) {
+      s_.disks.begin_contact(add_contact(part.disks[0].motion, part.disks[1].motion,
+                                         part.touches[0], part.touches[0].touched == time, time));
+    } else {
+      clusters.push_back(add_cluster(part, time));
+    }
+  }
+  for (auto const k : clusters) plan(k);
+  auto cluster = clusters.begin();
+  for (auto const& part : parts) {
+    if (part.disks.size() > 2) {
+      for (auto const& d : part.disks) s_.queue.set(d.disk, never, {d.disk});
+      s_.predictions.of_cluster(*cluster++);
+    } else {
+      for (auto const& d : part.disks) s_.predictions.of_disk(d.disk);
+    }
+  }
+}
+
+template <bool Rotates>
+std::uint32_t TouchEvents<Rotates>::add_cluster(Group const& part, Real time) {
+  auto const k = s_.disks.clusters.add();
+  auto& cluster = s_.disks.clusters[k];
+  cluster.time = time;
+  cluster.members.clear();
+  cluster.links.clear();
+  for (auto const& d : part.disks)
+    cluster.members.push_back({d.disk, s_.disks.path[d.disk].species, d.motion, {}, {}, {}, 0});
+  for (auto const& t : part.touches)
+    cluster.links.push_back({cluster.member(t.i), cluster.member(t.j()), t.other, t.touched});
+  return k;
+}
+
+template <bool Rotates>
+void TouchEvents<Rotates>::plan(std::uint32_t k) {
+  auto& cluster = s_.disks.clusters[k];
+  s_.steps.plan(cluster);
+  ++s_.counts.cluster_steps;
+  s_.disks.begin_step(k);
+  for (auto const& m : cluster.members)
+    if (s_.predictions.watch_reach &&
+        s_.lists.leaves(m.disk, s_.disks.path[m.disk].place, s_.disks.path[m.disk].velocity) <
+            cluster.end())
+      s_.ask_for_build(cluster.end());
+  for (auto const& link : cluster.links) {
+    auto const r = s_.steps.separation(cluster, link, cluster.step);
+    s_.check_overlap(cluster.members[link.a].disk,
+                     1 - std::sqrt(dot(r, r)) / s_.steps.distance(cluster, link));
+  }
+}
+
+template <bool Rotates>
+void TouchEvents<Rotates>::end_step(std::uint32_t k) {
+  auto& cluster = s_.disks.clusters[k];
+  Real const time = cluster.end();
+  if (cluster.ending < 0) {
+    s_.sums.step(cluster, s_.steps, time);
+    cluster.time = time;
+    for (auto& m : cluster.members) m.begin = m.end;
+    plan(k);
+    return s_.predictions.of_cluster(k);
+  }
+  auto const parted = cluster.links[static_cast<std::size_t>(cluster.ending)];
+  auto const i = cluster.members[parted.a].disk;
+  Group group;
+  take_cluster(k, time, group);
+  std::erase_if(group.touches,
+                [&](auto const& t) { return t.i == i && t.other.packed == parted.other.packed; });
+  settle(std::move(group), time);
+}
+
+template class TouchEvents<false>;
+template class TouchEvents<true>;
+
+}  // namespace bagnold::events

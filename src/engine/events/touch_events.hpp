@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "src/engine/events/event_state.hpp"
+#include "src/engine/events/touching_group.hpp"
+
+namespace bagnold::events {
+
+/// What happens where disks touch and part.
+template <bool Rotates>
+class TouchEvents {
+ public:
+  using Group = TouchingGroup<Rotates>;
+  using Touch = typename Group::Touch;
+  using Moving = DiskMotion<Rotates>;
+
+  explicit TouchEvents(EventState<Rotates>& state) : s_(state) {}
+
+  /// Disk i touches a neighbour.
+  void touch(std::uint32_t i, Neighbor n, Real time);
+
+  /// The step of a cluster ends.
+  void end_step(std::uint32_t k);
+
+  /// New paths for all of a group, by what hangs together in it, and what happens to them next.
+  void settle(Group group, Real time);
+
+  /// The contact of two disks from a time on; the step of a cluster from its begin on.
+  std::uint32_t add_contact(Moving const& a, Moving const& b, Touch const& touch, bool fresh,
+                            Real time);
+  void plan(std::uint32_t k);
+
+ private:
+  void begin_lone(std::uint32_t i, Neighbor n, Real time);
+  void take_in(std::uint32_t disk, Real time, Group& group);
+  void take_contact(std::uint32_t k, Real time, Group& group);
+  void take_cluster(std::uint32_t k, Real time, Group& group);
+  std::uint32_t add_cluster(Group const& part, Real time);
+
+  EventState<Rotates>& s_;
+};
+
+extern template class TouchEvents<false>;
+extern template class TouchEvents<true>;
+
+}  // namespace bagnold::events

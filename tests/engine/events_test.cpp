@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/config/events.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "src/config/errors.hpp"
+#include "src/config/laws.hpp"
+#include "src/engine/events/event_engine.hpp"
+#include "tests/support/simulations.hpp"
+
+namespace bagnold::test {
+namespace {
+
+constexpr double slow = 1e-4;  ///< [1/tau_e]
+
+Scene dilute_scene(std::string const& model, double packing_fraction = 0.70,
+                   std::int64_t count = 64, double elasticity = 20) {
+  Scene scene = small_scene(model, packing_fraction, count);
+  scene.disks.elasticity = elasticity;
+  scene.shear.strain_rate = slow;
+  scene.integration.scheme = automatic;
+  scene.integration.engine = event_engine;
+  scene.integration.time_step = automatic;
+  scene.integration.skin = 0.35;
+  return scene;
+}
+
+/// Disks that fly past each other at a few times the rate, some of which overlap a little.
+State flying_start(Scene const& scene) {
+  State state = shaken_start(scene);
+  double const rate = scene.shear.strain_rate;
+  for (std::size_t i = 0; i < state.count(); ++i) {
+    double const k = static_cast<double>(i);
+    state.velocity[i] = {rate * (state.position[i][1] + 4 * std::sin(12.9898 * k)),
+                         4 * rate * std::cos(78.233 * k)};
+    if (!state.spin.empty()) state.spin[i] = rate * std::sin(4.1 * k);
+  }
+  return state;
+}
+
+/// The engine in steps of a plain one.
+Scene stepped(Scene scene, double time_step) {
+  scene.integration.engine = "many-contacts";
+  scene.integration.scheme = papers_scheme;
+  scene.integration.time_step = time_step;
+  return scene;
+}
+
+std::unique_ptr<Simulation> simulate(Scene const& scene, State const& state) {
+  return test::simulate(scene, state, "serial");
+}
+
+/// Distance of the disks of two states in the mean square, [d_s].
+double spread(State const& a, State const& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.count(); ++i) {
+    double dx = a.position[i][0] - b.position[i][0], dy = a.position[i][1] - b.position[i][1];
+    double const n = std::round(dy / a.box_height());
+    dy -= n * a.box_height();
+    dx -= n * a.offset;
+    dx -= std::round(dx / a.box_length) * a.box_length;
+    sum += dx * dx + dy * dy;
+  }
+  return std::sqrt(sum / static_cast<double>(a.count()));
+}
+
+/// All that overlap, all pairs, and by how much, [d_s].
+std::map<std::pair<std::uint32_t, std::uint32_t>, double> overlaps(Scene const& scene,
+                                                                   State const& state) {
+  reference::System const all(reference_parameters(scene), state);
+  std::map<std::pair<std::uint32_t, std::uint32_t>, double> found;
+  for (auto const& c : reference::contacts(all)) {
+    double const d = (state.diameter[c.i] + state.diameter[c.j]) / 2;
+    auto const i = static_cast<std::uint32_t>(std::min(c.i, c.j));
+    auto const j = static_cast<std::uint32_t>(std::max(c.i, c.j));
+    found[{i, j}] = d - std::hypot(c.x, c.y);
+  }
+  return found;
+}
+
+std::vector<std::pair<std::uint32_t, std::uint32_t>> touching(Simulation const& simulation,
+                                                              bool rotates) {
+  return rotates ? dynamic_cast<EventEngine<true> const&>(simulation).touching()
+                 : dynamic_cast<EventEngine<false> const&>(simulation).touching();
+}
+
+class Events : public testing::TestWithParam<std::string> {
+ public:
+  std::string law() const { return GetParam(); }
+};
+
+}  // namespace
+
+/// Plain steps converge to the events as their length goes to 0, to first order: the damping jumps
+/// where contacts begin within a step.
+TEST_P(Events, AreTheLimitOfStepsOfAllDisks) {
+  Scene const scene = dilute_scene(law());
+  State const start = flying_start(scene);
+  auto const events = simulate(scene, start);
+  double const time = 150;  // a strain of 0.015, before chaos
+  advance(*events, std::llround(time / time_step(scene)));
+  EXPECT_GT(events->snapshot().counters.at("collisions"), 30);
+  std::vector<double> off;
+  for (double const dt : {0.02, 0.01, 0.005}) {
+    auto const plain = simulate(stepped(scene, dt), start);
+    advance(*plain, std::llround(time / dt));
+    off.push_back(spread(events->state(), plain->state()));
+  }
+  EXPECT_LT(off[2], 2e-5);
+  EXPECT_LT(off[2], 0.6 * off[0]);
+}
+
+TEST_P(Events, AreThoseOfTheAllPairsReference) {
+  Scene const scene = dilute_scene(law(), 0.6, 16);
+  State const start = flying_start(scene);
+  auto const events = simulate(scene, start);
+  reference::System oracle(reference_parameters(stepped(scene, 0.005)), start);
+  double const time = 200;
+  advance(*events, std::llround(time / time_step(scene)));
+  for (int k = 0; k < std::llround(time / 0.005); ++k) reference::step(oracle);
+  EXPECT_GT(events->snapshot().counters.at("collisions"), 5);
+  EXPECT_LT(spread(events->state(), oracle.s), 2e-5);
+}
+
+/// Who overlaps is known to touch, and the other way round.
+TEST_P(Events, MissNoContact) {
+  for (double const packing_fraction : {0.6, 0.78, 0.83}) {
+    Scene const scene = dilute_scene(law(), packing_fraction, 100);
+    auto const events = simulate(scene, flying_start(scene));
+    std::size_t seen = 0;
+    for (int k = 0; k < 60; ++k) {
+      advance(*events, 37 + 11 * (k % 7));
+      auto const found = touching(*events, scene.rotates());
+      std::set<std::pair<std::uint32_t, std::uint32_t>> const known(found.begin(), found.end());
+      EXPECT_EQ(known.size(), found.size());
+      auto const there = overlaps(scene, events->state());
+      for (auto const& [pair, overlap] : there)
+        EXPECT_TRUE(overlap < 1e-9 || known.contains(pair))
+            << pair.first << " " << pair.second << " overlap " << overlap << " at " << k;
+      for (auto const& pair : known) {
+        auto const one = there.find(pair);
+        EXPECT_TRUE(one != there.end()) << pair.first << " " << pair.second << " at " << k;
+      }
+      seen += there.size();
+    }
+    EXPECT_GT(seen, 20u) << packing_fraction;
+  }
+}
+
+TEST_P(Events, KeepMomentumAndTheEnergyBalance) {
+  for (double const packing_fraction : {0.7, 0.82}) {
+    Scene scene = dilute_scene(law(), packing_fraction, 144);
+    auto const events = simulate(scene, flying_start(scene));
+    auto const masses = [&] {
+      std::vector<double> m;
+      for (double const d : events->state().diameter) m.push_back(disk_mass(true, d));
+      return m;
+    }();
+    auto const energy = [&](State const& state) {
+      double sum = 0;
+      for (std::size_t i = 0; i < state.count(); ++i) {
+        double const u = state.velocity[i][0] - slow * state.position[i][1];
+        sum += masses[i] * (u * u + state.velocity[i][1] * state.velocity[i][1]) / 2;
+        if (scene.rotates())
+          sum += disk_inertia(true, state.diameter[i]) * state.spin[i] * state.spin[i] / 2;
+      }
+      for (auto const& [pair, overlap] : overlaps(scene, state)) {
+        double const d = (state.diameter[pair.first] + state.diameter[pair.second]) / 2;
+        sum += overlap * overlap / (2 * d * d);
+      }
+      return sum;
+    };
+    auto const momentum = [&](State const& state) {
+      std::array<double, 2> sum{};
+      for (std::size_t i = 0; i < state.count(); ++i) {
+        sum[0] += masses[i] * (state.velocity[i][0] - slow * state.position[i][1]);
+        sum[1] += masses[i] * state.velocity[i][1];
+      }
+      return sum;
+    };
+    auto const before = events->state();
+    auto const sums = advance(*events, 5000).sums;
+    auto const after = events->state();
+    double const work = -slow *
+                        (sums[SumColumns::elastic_xy] + sums[SumColumns::dissipative_xy] +
+                         sums[SumColumns::kinetic_xy]) *
+                        time_step(scene);
+    double const lost = sums[SumColumns::dissipation] * time_step(scene);
+    double const change = energy(after) - energy(before);
+    EXPECT_NEAR((work - lost - change) / lost, 0, 1e-3) << packing_fraction;
+    auto const p = momentum(before), q = momentum(after);
+    double const scale = 144 * 5 * slow;
+    // dv holds the y of the box: kinetic terms of the flow change the sum along x
+    EXPECT_NEAR(q[1] - p[1], 0, 1e-11 * scale);
+  }
+}
+
+/// Over whole contacts the trace of the dissipative virial is 0.
+TEST_P(Events, HaveNoDissipativePressure) {
+  Scene const scene = dilute_scene(law(), 0.7, 144);
+  auto const events = simulate(scene, flying_start(scene));
+  auto const sums = advance(*events, 5000).sums;
+  using C = SumColumns;
+  double const dissipative = sums[C::dissipative_xx] + sums[C::dissipative_yy];
+  double const elastic = sums[C::elastic_xx] + sums[C::elastic_yy];
+  EXPECT_LT(std::abs(dissipative), 2e-3 * elastic);
+}
+
+TEST_P(Events, BitsDoNotDependOnCutsWindowsOrRestarts) {
+  for (double const packing_fraction : {0.6, 0.82}) {
+    Scene const scene = dilute_scene(law(), packing_fraction, 100, 3);
+    State const start = flying_start(scene);
+    auto const straight = simulate(scene, start), silent = simulate(scene, start);
+    auto chained = simulate(scene, start);
+    Sampling const sampling{700, 1, 6000};
+    OpenWindows a, b;
+    straight->advance(6000, sampling, a);
+    for (int k = 0; chained->step() < 6000; ++k) {
+      chained->advance(1 + 97 * (k % 5), sampling, b);
+      auto const here = chained->snapshot();
+      chained = make_simulation(scene, here, "serial");
+      EXPECT_EQ(chained->snapshot().arrays, here.arrays);
+    }
+    advance(*silent, 6000);
+    for (auto const* other : {chained.get(), silent.get()}) {
+      EXPECT_EQ(straight->state().position, other->state().position);
+      EXPECT_EQ(straight->state().velocity, other->state().velocity);
+      EXPECT_EQ(straight->state().spin, other->state().spin);
+    }
+    EXPECT_EQ(straight->snapshot().arrays, chained->snapshot().arrays);
+    EXPECT_EQ(straight->snapshot().memory, chained->snapshot().memory);
+    EXPECT_EQ(straight->snapshot().counters, chained->snapshot().counters);
+    EXPECT_GT(straight->snapshot().list_builds, 1);
+    EXPECT_GT(straight->snapshot().counters.at("busy_collisions"), packing_fraction > 0.8 ? 5 : 0);
+    ASSERT_EQ(a.sums.size(), b.sums.size());
+    for (std::size_t w = 0; w < a.sums.size(); ++w) {
+      EXPECT_EQ(a.sums[w].sums, b.sums[w].sums) << w;
+      EXPECT_EQ(a.sums[w].weight, b.sums[w].weight);
+      EXPECT_EQ(a.sums[w].weight, w < 8 ? 700 : 400);
+    }
+  }
+}
+
+/// Sums of windows add up to those of one.
+TEST_P(Events, SumsEndWithTheirWindows) {
+  Scene const scene = dilute_scene(law(), 0.80, 100);
+  State const start = flying_start(scene);
+  auto const one = simulate(scene, start), many = simulate(scene, start);
+  auto const whole = advance(*one, 3000).sums;
+  OpenWindows windows;
+  many->advance(3000, {30, 1, 3000}, windows);
+  ASSERT_GE(windows.sums.size(), 100u);
+  for (int c = 0; c < one->columns(); ++c) {
+    double sum = 0, scale = 0;
+    for (std::size_t w = 0; w < 100; ++w) {
+      sum += windows.sums[w].sums[c];
+      scale += std::abs(windows.sums[w].sums[c]);
+    }
+    EXPECT_NEAR(sum, whole[c], 1e-6 * scale) << c;
+  }
+  // means of a configuration each, of the same trajectory, are where the integrals are
+  double sampled = 0;
+  auto const probe = simulate(scene, start);
+  for (int k = 0; k < 3000; ++k) {
+    advance(*probe, 1);
+    sampled += 2 * static_cast<double>(touching(*probe, scene.rotates()).size());
+  }
+  EXPECT_NEAR(sampled / whole[SumColumns::contacts], 1, 0.02);
+}
+
+/// Contacts that begin at the same time: a lattice, all of whose disks meet.
+TEST_P(Events, OfEqualTimes) {
+  Scene scene = dilute_scene(law(), 0.5, 64);
+  State start = flying_start(scene);
+  std::size_t const side = 8;
+  double const spacing = start.box_length / side;
+  for (std::size_t i = 0; i < 64; ++i) {
+    std::size_t const column = i % side, row = i / side;
+    start.diameter[i] = 1;
+    start.position[i] = {spacing * (0.5 + static_cast<double>(column)),
+                         spacing * (0.5 + static_cast<double>(row))};
+    double const towards = column % 2 == 0 ? 1 : -1, up = row % 2 == 0 ? 1 : -1;
+    start.velocity[i] = {3 * slow * towards, 3 * slow * up};
+  }
+  start.offset = 0;
+  auto const events = simulate(scene, start);
+  auto const plain = simulate(stepped(scene, 0.005), start);
+  double const time = 1.2 * (spacing - 1) / (6 * slow);
+  advance(*events, std::llround(time / time_step(scene)));
+  advance(*plain, std::llround(std::llround(time / time_step(scene)) * time_step(scene) / 0.005));
+  EXPECT_GT(events->snapshot().counters.at("collisions"), 32);
+  EXPECT_GT(events->snapshot().counters.at("busy_collisions"), 16);
+  EXPECT_LT(spread(events->state(), plain->state()), 1e-5);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Events, testing::Values("CD", "CD_n", "CD_rot", "CD_nt"),
+                         [](auto const& info) { return info.param; });
+
+TEST(EventsRefuse, WhatTheyCannotDo) {
+  auto const refused = [](auto const& change) {
+    Scene scene = dilute_scene("CD_n");
+    change(scene);
+    auto const list = not_events(scene);
+    return list.size() == 1 ? list[0].message : std::to_string(list.size());
+  };
+  auto const has = [](std::string const& text, std::string const& part) {
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+  };
+  has(refused([](Scene& s) { s.disks.force_exponent = 2.5; }), "harmonic repulsion alone");
+  has(refused([](Scene& s) { s.disks.elasticity = 0.5; }), "overdamped");
+  has(refused([](Scene& s) { s.drive.kind = "stokes"; }), "fly straight");
+  has(refused([](Scene& s) { s.shear.protocol = "ramp"; }), "one strain rate");
+  has(refused([](Scene& s) { s.integration.scheme = papers_scheme; }), "exact-contacts");
+  has(refused(
+          [](Scene& s) { s.integration.engine = "auto", s.integration.scheme = exact_contacts; }),
+      "engine = \"events\" alone");
+  EXPECT_NEAR(least_underdamped_elasticity(dilute_scene("CD_n")), 0.588, 0.001);
+}
+
+}  // namespace bagnold::test
