@@ -23,16 +23,26 @@ class ImageShifts {
     for (int n = -1; n <= 1; ++n)
       for (int m = -2; m <= 2; ++m) {
         Image const image{m, n};
-        of_[code(Neighbor::make(0, image))] = {box.shift(image), box.velocity_shift(image)};
+        auto const k = code(Neighbor::make(0, image));
+        of_[k] = {box.shift(image), box.velocity_shift(image)};
+        row_[k] = {{of_[k].place.x, of_[k].place.y, of_[k].velocity}};
       }
   }
 
   ImageShift const& operator()(Neighbor neighbor) const { return of_[code(neighbor)]; }
 
+  /// As a Path has it.
+  double const* row(Neighbor neighbor) const { return row_[code(neighbor)].x; }
+
  private:
   static std::uint32_t code(Neighbor neighbor) { return neighbor.packed & 15u; }
 
+  struct alignas(64) Row {
+    double x[8];
+  };
+
   ImageShift of_[16] = {};
+  Row row_[16] = {};
 };
 
 }  // namespace bagnold::events

@@ -18,16 +18,24 @@ constexpr Real margin = 0.96;          // of the reach: disks fly on to the end 
 }  // namespace
 
 EventLists::EventLists(Real skin)
-    : longest_(share_of_strain * 2 * skin / (big_diameter + skin)),
-      reach_(margin * list_reach(longest_, skin)),
-      list_{skin, {}, {}} {}
+    : skin_(skin),
+      longest_(share_of_strain * 2 * skin / (big_diameter + skin)),
+      reach_(margin * list_reach(longest_, skin)) {}
 
 void EventLists::build(std::vector<Vec2<Real>> position, std::vector<Species> const& species,
                        SpeciesTable const& table, ShearedBox const& box) {
   box_ = box;
   at_build_ = std::move(position);
-  list_.at_build = to_device<Space>("events::at_build", at_build_);
-  build_list(Space{}, list_, to_device<Space>("events::species", species), table, box);
+  auto const places = to_device<Space>("events::at_build", at_build_);
+  auto const grid = make_cell_grid_in(room_, Space{}, places, box, big_diameter + skin_, {});
+  NeighborSearch<Space> const search{
+      places, to_device<Space>("events::species", species), grid, table, box, skin_};
+  entries_.clear();
+  row_.assign(1, 0);
+  for (std::uint32_t i = 0; i < at_build_.size(); ++i) {
+    search(i, [&](Neighbor const& n) { entries_.push_back(n); });
+    row_.push_back(static_cast<std::uint32_t>(entries_.size()));
+  }
 }
 
 Real EventLists::leaves(std::uint32_t i, Vec2<Real> const& place,

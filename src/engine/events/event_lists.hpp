@@ -4,7 +4,7 @@
 #include <Kokkos_Core.hpp>
 #include <vector>
 
-#include "kernels/device/neighbors/verlet_list.hpp"
+#include "kernels/device/neighbors/neighbor_search.hpp"
 #include "kernels/physics/box/list_criterion.hpp"
 
 namespace bagnold::events {
@@ -21,9 +21,10 @@ class EventLists {
   void build(std::vector<Vec2<Real>> position, std::vector<Species> const& species,
              SpeciesTable const& table, ShearedBox const& box);
 
-  std::uint32_t begin(std::uint32_t i) const { return list_.rows.begin(i); }
-  std::uint32_t end(std::uint32_t i) const { return list_.rows.end(i); }
-  Neighbor entry(std::uint32_t k) const { return list_.rows.entry(k); }
+  std::uint32_t begin(std::uint32_t i) const { return row_[i]; }
+  std::uint32_t end(std::uint32_t i) const { return row_[i + 1]; }
+  Neighbor entry(std::uint32_t k) const { return entries_[k]; }
+  Neighbor const* entries() const { return entries_.data(); }
 
   std::vector<Vec2<Real>> const& at_build() const { return at_build_; }
   Real reach() const { return reach_; }      ///< [d_s]
@@ -31,13 +32,24 @@ class EventLists {
   Real strain_rate() const { return box_.strain_rate; }
   ShearedBox const& box() const { return box_; }  ///< when it was built
 
+  /// Whether a disk on a line is within its reach at a time.
+  bool within_reach(std::uint32_t i, Vec2<Real> const& place, Vec2<Real> const& velocity,
+                    Real time) const {
+    Vec2<Real> const& from = at_build_[i];
+    Real const x = place.x - from.x + time * (velocity.x - box_.strain_rate * from.y);
+    Real const y = place.y - from.y + time * velocity.y;
+    return x * x + y * y < reach_ * reach_;
+  }
+
   /// When a disk on a line leaves its reach, in times since the build.
   Real leaves(std::uint32_t i, Vec2<Real> const& place, Vec2<Real> const& velocity) const;
 
  private:
-  Real longest_, reach_;
-  VerletList<Space> list_;
+  Real skin_, longest_, reach_;
+  CellGridRoom<Space> room_;
   std::vector<Vec2<Real>> at_build_;  ///< [N], [d_s]
+  std::vector<std::uint32_t> row_;    ///< [N + 1]
+  std::vector<Neighbor> entries_;
   ShearedBox box_{};
 };
 

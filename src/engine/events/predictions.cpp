@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/engine/events/predictions.hpp"
 
+#include <bit>
+
 #include "kernels/cpu/events/first_touch.hpp"
+#include "kernels/cpu/events/pack_touches.hpp"
 
 namespace bagnold::events {
 
@@ -23,22 +26,34 @@ LinePair Predictions<Rotates>::lines(std::uint32_t i, Neighbor n) const {
 
 template <bool Rotates>
 void Predictions<Rotates>::of_disk(std::uint32_t i) {
-  Path const& p = disks_->path[i];
+  auto const* const paths = disks_->path.data();
+  Path const& p = paths[i];
+  Real const small = class_distance(pair_class(p.species, 0)),
+             big = class_distance(pair_class(p.species, 1));
+  PackTouches pack(p, small * small, big * big);
   Real first = never;
   Event event{i, 0, 0, Event::Kind::leave};
-  if (watch_reach) first = lists_->leaves(i, p.place, p.velocity);
-  for (auto k = lists_->begin(i); k < lists_->end(i); ++k) {
-    Neighbor const n = lists_->entry(k);
-    Path const& q = disks_->path[n.index()];
-    auto const pair = lines(i, n);
-    bool const near =
-        pair.may_touch_before(p.deviation + q.deviation, pair.from - std::max(p.begun, q.begun));
-    Real const time = near ? touch(i, n, pair) : pair.touch();
-    if (!(time < first)) continue;
-    if (q.manner == Manner::cluster && time > q.straight) continue;
-    first = time;
-    event = {i, k, q.changes, Event::Kind::touch};
+  auto const end = lists_->end(i);
+  for (auto k = lists_->begin(i); k < end; k += simd::width) {
+    auto const* const neighbors = lists_->entries() + k;
+    pack.find(paths, disks_->shifts, neighbors,
+              std::min<std::uint32_t>(simd::width, end - k));
+    for (unsigned left = pack.near | pack.touching; left != 0; left &= left - 1) {
+      auto const lane = static_cast<unsigned>(std::countr_zero(left));
+      Neighbor const n = neighbors[lane];
+      Path const& q = paths[n.index()];
+      bool const near = (pack.near >> lane & 1u) != 0;
+      Real const time = near ? touch(i, n, lines(i, n)) : pack.time[lane];
+      if (!(time < first) || (q.manner == Manner::cluster && time > q.straight)) continue;
+      first = time;
+      event = {i, k + lane, q.changes, Event::Kind::touch};
+    }
   }
+  if (watch_reach && !lists_->within_reach(i, p.place, p.velocity, first))
+    if (Real const leaves = lists_->leaves(i, p.place, p.velocity); leaves < first) {
+      first = leaves;
+      event = {i, 0, 0, Event::Kind::leave};
+    }
   queue_->set(i, first, event);
 }
 
