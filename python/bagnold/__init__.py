@@ -16,6 +16,7 @@ reads them.
 from typing import TYPE_CHECKING, Any
 
 from . import structure
+from .commands import Analysis, LimitCheck, Status, Validation, analyse, check_limit, status, validate
 from .contacts import Contacts, contacts_of
 from .errors import (Error, FileError, InputError, InternalError, Interrupted, MissingLibrary,
                      NumericalError, SweepError)
@@ -24,9 +25,11 @@ from .frames import Box, Frame, Frames
 from .imports import ImportedState, import_state
 from .observables import Observable, Warning
 from .program import find_program, resume, run, sweep_file
+from .reports import report
 from .results import Run, load
 from .scene import Scene
 from .sweeps import Sweep, sweep
+from .watching import watch
 
 if TYPE_CHECKING:
     from . import plots
@@ -34,10 +37,10 @@ if TYPE_CHECKING:
 __version__ = "1.0.0"
 
 __all__ = [
-    "Box", "Contacts", "Error", "FileError", "Frame", "Frames", "ImportedState", "InputError",
-    "InternalError", "Interrupted", "MissingLibrary", "NumericalError", "Observable", "Run", "Scene", "Sweep",
-    "SweepError", "Warning", "contacts_of", "export", "find_program", "import_state", "load", "plots", "resume",
-    "run", "structure", "sweep", "sweep_file",
+    "Analysis", "Box", "Contacts", "Error", "FileError", "Frame", "Frames", "ImportedState", "InputError",
+    "InternalError", "Interrupted", "LimitCheck", "MissingLibrary", "NumericalError", "Observable", "Run", "Scene", "Status",
+    "Sweep", "SweepError", "Validation", "Warning", "analyse", "check_limit", "contacts_of", "export", "find_program",
+    "import_state", "load", "plots", "report", "resume", "run", "status", "structure", "sweep", "sweep_file", "validate", "watch",
 ]
 
 
@@ -48,3 +51,8 @@ def __getattr__(name: str) -> Any:
 
         return importlib.import_module(".plots", __name__)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    """What is public."""
+    return sorted([*__all__, "__doc__", "__version__"])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""python -m bagnold plot SOURCE TARGET, export DIR --to FORMAT, import FILE --out STATE.
+"""python -m bagnold plot SOURCE TARGET, export DIR --to FORMAT, import FILE --out STATE, report DIR, watch DIR.
 
 The program calls them so. Exit codes: 0 done, 1 no picture, else those of the program.
 """
@@ -7,6 +7,7 @@ The program calls them so. Exit codes: 0 done, 1 no picture, else those of the p
 from __future__ import annotations
 
 import argparse
+import importlib.util
 import re
 import sys
 from collections.abc import Sequence
@@ -14,6 +15,8 @@ from collections.abc import Sequence
 from .errors import Error, FileError, InputError
 from .exports import FORMATS, export, parse_frames
 from .imports import FORMATS as SOURCES, import_state, parse_diameters, parse_number
+from .reports import report
+from .watching import watch
 
 PLOT_FAILED, BAD_INPUT, FILE_FAILURE, INTERRUPTED = 1, 2, 4, 130
 
@@ -60,6 +63,24 @@ def run_import(options: argparse.Namespace) -> int:
     return 0
 
 
+def run_report(options: argparse.Namespace) -> int:
+    """Writes a page of HTML."""
+    if importlib.util.find_spec("matplotlib"):
+        import matplotlib
+
+        matplotlib.use("Agg")
+    path = report(options.folder, options.out)
+    if not options.quiet:
+        print(path)
+    return 0
+
+
+def run_watch(options: argparse.Namespace) -> int:
+    """Shows a run until nobody works on it any more."""
+    watch(options.folder, every=options.every, once=options.once, program=options.program)
+    return 0
+
+
 def main(words: Sequence[str] | None = None) -> int:
     """Reads the command line, returns the exit code."""
     line = argparse.ArgumentParser(prog="python -m bagnold", description="Pictures, exports and imports of Bagnold.")
@@ -93,6 +114,17 @@ def main(words: Sequence[str] | None = None) -> int:
     command.add_argument("--tolerance", default="1e-6", help="of diameters, relative [1e-6]")
     command.add_argument("--quiet", action="store_true", help="do not tell what a scene needs")
     command.set_defaults(run=run_import)
+    command = commands.add_parser("report", help="write a page of HTML of a run, a cascade or a sweep")
+    command.add_argument("folder", help="of a run, a cascade or a sweep")
+    command.add_argument("--out", help="file [report.html in the folder]")
+    command.add_argument("--quiet", action="store_true", help="do not tell the file")
+    command.set_defaults(run=run_report)
+    command = commands.add_parser("watch", help="see a run, a cascade or a sweep go on")
+    command.add_argument("folder", help="of a run, a cascade or a sweep")
+    command.add_argument("--every", type=float, default=2.0, help="seconds between looks [2]")
+    command.add_argument("--once", action="store_true", help="one look")
+    command.add_argument("--program", help="bagnold [BAGNOLD_PROGRAM, or in PATH]")
+    command.set_defaults(run=run_watch)
     options = line.parse_args(words)
     try:
         code: int = options.run(options)

@@ -3,6 +3,9 @@
 
 from __future__ import annotations
 
+import importlib
+from typing import Any
+
 
 class Error(Exception):
     """Base of all errors that this package raises on its own."""
@@ -37,3 +40,12 @@ class InternalError(Error):
 
 class MissingLibrary(Error, ImportError):
     """A library that is needed for this alone is not installed."""
+
+
+def needed(name: str, what: str) -> Any:
+    """The library `name`, without which `what` cannot be. Raises MissingLibrary."""
+    try:
+        return importlib.import_module(name)
+    except ImportError as error:
+        raise MissingLibrary(f"{what} needs {name} ({error}; Debian: apt install python3-{name}, else "
+                             f"pip install {name})") from error

@@ -10,6 +10,7 @@ import signal
 import struct
 import subprocess
 import sys
+import sysconfig
 import tempfile
 import threading
 import warnings
@@ -32,8 +33,8 @@ REPORTS = "BAGNOLD_SWEEP_PIPE"  # the descriptor through which the program tells
 
 
 def find_program(program: Path | None = None) -> str:
-    """The program: `program`, else what BAGNOLD_PROGRAM names, else `bagnold` in PATH; the first two
-    by a path or a name in PATH. Raises FileError."""
+    """The program: `program`, else what BAGNOLD_PROGRAM names, both by a path or a name in PATH; else the one that
+    pip installed with this package, else `bagnold` in PATH. Raises FileError."""
     for given, source in ((program, "program"), (os.environ.get("BAGNOLD_PROGRAM"), "BAGNOLD_PROGRAM")):
         if given:
             found = shutil.which(os.fspath(given))
@@ -41,7 +42,7 @@ def find_program(program: Path | None = None) -> str:
                 raise FileError(f"{source} = {os.fspath(given)} (must be a program); give the path of bagnold, "
                                 "as build/openmp/bagnold")
             return os.path.abspath(found)
-    found = shutil.which("bagnold")
+    found = shutil.which("bagnold", path=sysconfig.get_path("scripts")) or shutil.which("bagnold")
     if found is None:
         raise FileError("the program bagnold is not in PATH; install it, or name it: "
                         "BAGNOLD_PROGRAM=PATH, or program=PATH")
@@ -63,13 +64,13 @@ def run(scene: Mapping[str, Any] | Path, out: Path | None = None, *, program: Pa
     Raises what the program says: InputError, NumericalError, FileError, Interrupted (after Ctrl-C, with
     a checkpoint: KeyboardInterrupt) ... What makes the result suspect is warned of, and in `r.warnings`."""
     keys = {key_of(name): value for name, value in set.items()}
-    with _scene_file(scene, keys) as (file, overrides):
-        folder = _folder(scene, out)
+    with scene_file(scene, keys) as (file, overrides):
+        folder = folder_of(scene, out)
         words = ["run", file, "--out", str(folder), *overrides]
         words += ["--force"] if force else []
         words += ["--allow-unstable"] if allow_unstable else []
         words += [] if threads is None else ["--threads", str(threads)]
-        _call(find_program(program), words, progress, str(folder), file if isinstance(scene, Mapping) else None)
+        call(find_program(program), words, progress, str(folder), file if isinstance(scene, Mapping) else None)
     return load(folder)
 
 
@@ -79,7 +80,7 @@ def resume(folder: Path, *, strain: float | None = None, program: Path | None = 
     finished or not, to so much in all."""
     words = ["resume", os.fspath(folder)] + ([] if threads is None else ["--threads", str(threads)])
     words += [] if strain is None else ["--strain", repr(float(strain))]
-    _call(find_program(program), words, progress, os.fspath(folder))
+    call(find_program(program), words, progress, os.fspath(folder))
     return load(folder)
 
 
@@ -91,14 +92,14 @@ def sweep_file(file: Mapping[str, Any] | Path, out: Path | None = None, *, progr
     points at a time, by default as many as there are cores. progress: shown as the program's lines, or
     called with the share of points that are done. Raises SweepError where points failed: the table of
     the others is there."""
-    with _scene_file(file, {}) as (path, _):
-        folder = _folder(file, out)
+    with scene_file(file, {}) as (path, _):
+        folder = folder_of(file, out)
         words = ["sweep", path, "--out", str(folder)] + ([] if jobs is None else ["--jobs", str(jobs)])
-        _call(find_program(program), words, progress, str(folder), path if isinstance(file, Mapping) else None, of_sweep=True)
+        call(find_program(program), words, progress, str(folder), path if isinstance(file, Mapping) else None, of_sweep=True)
     return sweep(folder)
 
 
-def _folder(scene: Mapping[str, Any] | Path, out: Path | None) -> pathlib.Path:
+def folder_of(scene: Mapping[str, Any] | Path, out: Path | None) -> pathlib.Path:
     if out is not None:
         return pathlib.Path(out)
     if isinstance(scene, Mapping):
@@ -108,7 +109,7 @@ def _folder(scene: Mapping[str, Any] | Path, out: Path | None) -> pathlib.Path:
 
 
 @contextmanager
-def _scene_file(scene: Mapping[str, Any] | Path, keys: Mapping[str, Any]
+def scene_file(scene: Mapping[str, Any] | Path, keys: Mapping[str, Any]
                 ) -> Iterator[tuple[str, list[str]]]:
     """A file with the scene, and the words that put `keys` over it."""
     if not isinstance(scene, Mapping):
@@ -127,7 +128,27 @@ def _scene_file(scene: Mapping[str, Any] | Path, keys: Mapping[str, Any]
         yield str(path), []
 
 
-def _call(program: str, words: list[str], progress: Progress, name: str, nobodys: str | None = None,
+def said_by(program: str, words: list[str], codes: tuple[int, ...] = (0,), *, nobodys: str | None = None,
+            errors: list[str] | None = None) -> str:
+    """What the program prints until it ends, with one of these codes; its messages go to `errors`, else they are
+    warnings. Raises as `run` does."""
+    try:
+        done = subprocess.run([program, *words], stdin=subprocess.DEVNULL, capture_output=True, text=True, errors="replace")
+    except OSError as error:
+        raise FileError(f"{program} cannot be started: {error}") from error
+    said = done.stderr if nobodys is None else done.stderr.replace(nobodys + ":", "scene:").replace(nobodys, "scene")
+    lines = [line.removeprefix("bagnold: ") for line in said.splitlines() if line.strip()]
+    if done.returncode not in codes:
+        raise ERRORS.get(done.returncode, InternalError)("\n".join(lines) or f"{program} ended with code {done.returncode}")
+    if errors is not None:
+        errors.extend(lines)
+    else:
+        for line in lines:
+            warnings.warn(line.removeprefix("warning: "), stacklevel=3)
+    return done.stdout if nobodys is None else done.stdout.replace(nobodys, "scene")
+
+
+def call(program: str, words: list[str], progress: Progress, name: str, nobodys: str | None = None,
           of_sweep: bool = False) -> None:
     """The program to its end. On KeyboardInterrupt it writes its checkpoint first. nobodys: a file that is gone
     afterwards; what is said names the copy in the folder instead, and "scene" where a line of it is told."""
@@ -180,18 +201,35 @@ def _call(program: str, words: list[str], progress: Progress, name: str, nobodys
         warnings.warn(line.removeprefix("warning: "), stacklevel=3)
 
 
+def _bar(name: str) -> Any:
+    """A bar of tqdm in a notebook, where that is installed; None elsewhere."""
+    if "ipykernel" not in sys.modules:
+        return None
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # no widgets: a bar of text
+            from tqdm.auto import tqdm
+    except ImportError:
+        return None
+    return tqdm(total=100, desc=name, bar_format="{l_bar}{bar}| {elapsed}<{remaining}")
+
+
 class _Shown:
-    """Progress as it was asked for: a line on stderr, a call, or nothing."""
+    """Progress as it was asked for: a bar in a notebook, else a line on stderr; a call; or nothing."""
 
     def __init__(self, progress: Progress, name: str) -> None:
         self._call = progress if callable(progress) else None
-        self._line = progress is True
+        self._bar = _bar(name) if progress is True else None
+        self._line = progress is True and self._bar is None
         self._name, self._begun = name, False
 
     def share(self, share: float) -> None:
         """Of what is to be done."""
         if self._call is not None:
             self._call(share)
+        elif self._bar is not None:
+            self._bar.n = round(100 * share)
+            self._bar.refresh()
         elif self._line:
             self.text(f"{self._name}: {100 * share:.0f}%")
 
@@ -204,6 +242,8 @@ class _Shown:
 
     def end(self) -> None:
         """The next line is another's."""
+        if self._bar is not None:
+            self._bar.close()
         if self._begun:
             sys.stderr.write("\n")
 
@@ -226,5 +266,5 @@ def _lines(stream: TextIO, shown: _Shown | None) -> None:
         words = line.split()
         if shown is not None and words[1:2] == ["of"] and words[3:5] == ["points", "done,"]:
             shown.text(line.strip())
-            if shown._call is not None:
-                shown._call(int(words[0]) / int(words[2]))
+            if not shown._line:
+                shown.share(int(words[0]) / int(words[2]))

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .contacts import ContactFrames
-from .errors import FileError, InputError
+from .errors import FileError, InputError, needed
 from .frames import Array, Frame, Frames, read_states
 from .hdf5 import open_hdf5
 from .observables import Observable, Warning, number, observable
@@ -24,6 +24,8 @@ from .scene import Scene
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
 class Series(Mapping[str, Array]):
@@ -100,6 +102,47 @@ class Run:
 
     def __repr__(self) -> str:
         return f"<run {self.folder}{'' if self.complete else ', not complete'}>"
+
+    def _repr_html_(self) -> str:
+        """What a notebook shows: averages with errors, warnings, notes."""
+        from .html import of_run
+
+        return of_run(self)
+
+    def to_pandas(self) -> DataFrame:
+        """All series, a row a window; of replicas the index is (seed, window). The windows of the transient too:
+        ``frame[r.series.discarded:]``. Needs pandas."""
+        pandas = needed("pandas", "to_pandas()")
+        series, seeds = self.series, self.seeds
+        values = {name: series[name] for name in series}
+        if len(seeds) == 1:
+            frame = pandas.DataFrame(values)
+            frame.index.name = "window"
+        else:
+            windows = next(iter(values.values())).shape[-1]
+            index = pandas.MultiIndex.from_product([seeds, range(windows)], names=["seed", "window"])
+            frame = pandas.DataFrame({name: np.broadcast_to(one, (len(seeds), windows)).ravel()
+                                      for name, one in values.items()}, index=index)
+        frame.attrs["units"] = {name: series.unit(name) for name in series}
+        return frame
+
+    def to_xarray(self) -> Dataset:
+        """All series over the strain at the end of each window, of replicas over their seeds too; units and meanings are
+        attributes. Needs xarray."""
+        xarray = needed("xarray", "to_xarray()")
+        series, seeds = self.series, self.seeds
+        strain = series["strain"]
+        variables = {}
+        for name in series:
+            value = series[name]
+            if name != "strain":
+                dimensions = ("seed", "strain") if value.ndim == 2 else ("strain",)
+                variables[name] = (dimensions, value, {"units": series.unit(name), "long_name": series.description(name)})
+        coordinates = {"strain": ("strain", strain if strain.ndim == 1 else strain[0], {"units": "1"})}
+        if len(seeds) > 1:
+            coordinates["seed"] = ("seed", np.array(seeds), {})
+        return xarray.Dataset(variables, coordinates, {"title": str(self.scene.get("title", "")),
+                                                       "discarded_windows": series.discarded})
 
     @property
     def complete(self) -> bool:

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, overload
 import numpy as np
 from numpy.typing import NDArray
 
-from .errors import FileError, MissingLibrary
+from .errors import FileError, needed
 from .frames import Array
 from .hdf5 import open_hdf5
 from .results import Run, load, read_summary
@@ -22,6 +22,7 @@ from .scene import Scene
 
 if TYPE_CHECKING:
     from pandas import DataFrame
+    from xarray import Dataset
 
 
 @dataclass(frozen=True)
@@ -82,6 +83,27 @@ class Sweep(Sequence[Point]):
         done = sum(point.status == "done" for point in self)
         return f"<sweep {self.folder}: {done} of {len(self)} points done>"
 
+    def _repr_html_(self) -> str:
+        """What a notebook shows: a row a point."""
+        from .html import of_sweep
+
+        return of_sweep(self)
+
+    def to_xarray(self) -> Dataset:
+        """Observables and their errors over the varied keys, one axis each where the points are a whole grid, else over
+        `point`. Needs xarray."""
+        xarray = needed("xarray", "to_xarray()")
+        variables: dict[str, Any] = {"status": ("point", [point.status for point in self])}
+        variables |= {name: ("point", value) for name, value in self._observables.items()}
+        axes = {key: list(dict.fromkeys(value.tolist())) for key, value in self.varied.items()}
+        table = xarray.Dataset(variables, {key: ("point", value) for key, value in self.varied.items()})
+        places = set(zip(*(value.tolist() for value in self.varied.values())))
+        if not axes or math.prod(map(len, axes.values())) != len(self) or len(places) != len(self):
+            return table
+        if len(axes) == 1:
+            return table.swap_dims(point=next(iter(axes)))
+        return table.set_index(point=list(axes)).unstack("point")
+
     def error(self, name: str) -> Array:
         """Standard errors of an observable, [P]."""
         return np.asarray(self[f"{name}_error"], dtype=np.float64)
@@ -89,11 +111,7 @@ class Sweep(Sequence[Point]):
     def to_pandas(self) -> DataFrame:
         """One row a point: folder, status, varied keys, NAME and NAME_error, names of warnings.
         Needs pandas."""
-        try:
-            import pandas
-        except ImportError as error:
-            raise MissingLibrary(f"to_pandas() needs pandas ({error}; Debian: apt install python3-pandas, else "
-                                 "pip install pandas)") from error
+        pandas = needed("pandas", "to_pandas()")
         return pandas.DataFrame({
             "folder": [str(point.folder) for point in self], "status": [point.status for point in self],
             **dict[str, Any](self.varied), **dict[str, Any](self._observables),

@@ -8,11 +8,12 @@ build_packages=(
 )
 picture_packages=(python3 python3-h5py python3-matplotlib)
 package_packages=(dpkg-dev file help2man) # what cpack asks to make Debian packages
+wheel_packages=(git python3-venv rsync patchelf)
 test_packages=(
   libgtest-dev libbenchmark-dev clang-format-14 python3-numpy python3-yaml zsh
   "${package_packages[@]}"
   # Other programs that read what is written here; not MDAnalysis, whose 2.4 opens observables of particles in no H5MD.
-  mypy python3-ase python3-gsd python3-pandas
+  mypy python3-ase python3-gsd python3-pandas python3-xarray
   munge slurm-wlm # a cluster of our own
   make snakemake # workflows
   python3-nbclient python3-ipykernel # notebooks

@@ -51,7 +51,7 @@ Elsewhere const elsewhere[] = {
     {"run", {"start", "simulate", "execute", "exec", "go"}},
     {"validate", {"check", "test", "dry-run", "lint", "verify"}},
     {"resume", {"continue", "restart", "extend", "rerun"}},
-    {"status", {"list", "ls", "ps", "top", "watch", "progress", "show", "queue"}},
+    {"status", {"list", "ls", "ps", "top", "progress", "show", "queue"}},
     {"plot", {"draw", "view", "picture", "graph"}},
     {"analyse", {"fit", "find"}},
     {"sweep", {"scan", "batch", "array", "collect", "submit"}},

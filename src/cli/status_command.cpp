@@ -5,6 +5,7 @@
 #include <chrono>
 #include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "src/cli/exit_code.hpp"
 #include "src/cli/options.hpp"
@@ -132,7 +133,51 @@ int print_sweep(std::string const& folder, sweep::SweepStatus const& status) {
   return count(RunState::failed) > 0 ? points_failed : done;
 }
 
-int status_command(std::filesystem::path const& folder) {
+using Json = nlohmann::ordered_json;
+
+/// What is not known is null.
+Json json_of(RunStatus const& run) {
+  auto const left = run.seconds_left();
+  return {{"state", word(run.state)},
+          {"strain", run.strain},
+          {"strain_whole", run.whole},
+          {"share", run.share()},
+          {"seconds_left", left ? Json(*left) : Json()},
+          {"seconds_since_checkpoint", run.age > 0 ? Json(run.age) : Json()},
+          {"holder", run.holder},
+          {"failure", run.why},
+          {"warnings", run.warnings},
+          {"notes", run.notes}};
+}
+
+/// A run, or with `points` a cascade's rates or a sweep's points; the code is that of words.
+int print_json(std::filesystem::path const& folder) {
+  Json all;
+  bool failed = false;
+  if (auto const sweep = sweep::status_of_sweep(folder)) {
+    auto const left = sweep->core_seconds_left();
+    all = {{"kind", "sweep"},
+           {"share", sweep->share()},
+           {"core_seconds_left", left ? Json(*left) : Json()},
+           {"holder", sweep->holder},
+           {"points", Json::array()}};
+    for (auto const& [name, run] : sweep->points) {
+      all["points"].push_back(json_of(run));
+      all["points"].back()["folder"] = "points/" + name;
+    }
+    failed = sweep->count(RunState::failed) > 0;
+  } else {
+    all = json_of(status_of(folder));
+    auto const stages = status_of_stages(folder);
+    all["kind"] = stages.empty() ? "run" : "cascade";
+    for (auto const& stage : stages) all["points"].push_back(json_of(stage));
+  }
+  fmt::print("{}\n", all.dump(1, ' ', false, Json::error_handler_t::replace));
+  return failed ? points_failed : done;
+}
+
+int status_command(std::filesystem::path const& folder, bool json) {
+  if (json) return print_json(folder);
   auto const name = folder.string();
   if (auto const sweep = sweep::status_of_sweep(folder)) return print_sweep(name, *sweep);
   auto const run = status_of(folder);
@@ -145,12 +190,17 @@ int status_command(std::filesystem::path const& folder) {
 }  // namespace
 
 Command add_status(Words program) {
-  auto const folder = std::make_shared<std::filesystem::path>();
+  struct Options {
+    std::filesystem::path folder;
+    bool json = false;
+  };
+  auto const options = std::make_shared<Options>();
   Words command = add_command(program, "status",
                               "where a run, a cascade or a sweep stands, whoever runs it: done, "
                               "running, failed, warnings, when it will end");
-  command.option("DIR", *folder, "folder of a run or a sweep").required();
-  return {command, [folder] { return status_command(*folder); }};
+  command.option("DIR", options->folder, "folder of a run or a sweep").required();
+  command.flag("--json", options->json, "for programs, as JSON");
+  return {command, [options] { return status_command(options->folder, options->json); }};
 }
 
 }  // namespace bagnold

@@ -19,9 +19,9 @@ struct RunOptions {
 };
 
 /// Runs a scene, a cascade too, into a folder, which is made: results, checkpoints, pictures and
-/// all, as `bagnold run` does. Where the folder holds a run of the same resolved scene, goes on with
-/// it as resume() does; a finished one is left as it is. Kokkos is started where it does not run
-/// yet, and stays as it was found otherwise; warnings go to stderr.
+/// all, as `bagnold run` does. Where the folder holds a run of the same resolved scene, goes on
+/// with it as resume() does; a finished one is left as it is. Kokkos is started where it does not
+/// run yet, and stays as it was found otherwise; warnings go to stderr.
 ///
 /// Throws InputError where the scene or the machine is not fit to run, or the folder holds a run of
 /// another scene; NumericalError where the physics fails, its state in the folder; FileError.

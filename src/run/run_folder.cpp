@@ -19,10 +19,19 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr char const* run_files[] = {"scene.toml",     "summary.json",    "result.h5",
-                                     "state.h5",       "failed_state.h5", "plot.png",
-                                     "profiles.png",   "fields.png",      "histograms.png",
-                                     "flow_curve.png", "checkpoint.h5",   "checkpoint.previous.h5"};
+constexpr char const* run_files[] = {"scene.toml",
+                                     "summary.json",
+                                     "result.h5",
+                                     "state.h5",
+                                     "failed_state.h5",
+                                     "plot.png",
+                                     "profiles.png",
+                                     "fields.png",
+                                     "histograms.png",
+                                     "flow_curve.png",
+                                     "report.html",
+                                     "checkpoint.h5",
+                                     "checkpoint.previous.h5"};
 
 std::vector<fs::path> files_of_run(fs::path const& folder) {
   auto files = io::entries(folder, "trajectory(_[0-9]+)?[.](h5md|xdmf|parts)");

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """`bagnold status` and `bagnold plot`: of runs, cascades and sweeps that are done, at work, or not."""
 
+import json
 import os
 import signal
 import time
@@ -29,6 +30,9 @@ class Status(SweepTest):
     def test_a_run_that_is_done(self):
         out = self.run_new("out", **JAMMED)
         said = self.status(out)
+        told = json.loads(self.bagnold("status", out, "--json").stdout)
+        self.assertEqual((told["kind"], told["state"], told["strain"], told["share"]), ("run", "done", 0.125, 1))
+        self.assertIn("above_jamming", told["notes"])
         self.assertIn("done: strain 0.125", said)
         self.assertIn("notes: above_jamming", said)
 

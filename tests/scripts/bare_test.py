@@ -152,13 +152,14 @@ class Packages(Scripts):
 
     def test_modules_of_tests(self):
         """Each module without which a test is left out is of a package that is installed for the tests. But for
-        OVITO, of which there is none, VTK, which is a hundred more, and MDAnalysis, which is too old."""
+        OVITO and signac, of which there is none, VTK, which is a hundred more, and MDAnalysis, which is too old."""
         packages = {"ase": "python3-ase", "gsd": "python3-gsd", "mypy": "mypy", "nbclient": "python3-nbclient",
-                    "nbformat": "python3-nbclient", "ipykernel": "python3-ipykernel", "pandas": "python3-pandas"}
+                    "nbformat": "python3-nbclient", "ipykernel": "python3-ipykernel", "pandas": "python3-pandas",
+                    "xarray": "python3-xarray"}
         text = "".join(path.read_text() for path in (SOURCE / "tests").rglob("*_test.py"))
         named = set(re.findall(r'(?:find_spec|needs|other_program)\("(\w+)"', text))
         self.assertIn("gsd", named)
-        for module in named - {"ovito", "vtk", "MDAnalysis"}:
+        for module in named - {"ovito", "signac", "vtk", "MDAnalysis"}:
             self.assertIn(packages[module], array("test_packages"))
 
 
