@@ -55,8 +55,16 @@ class ClusterSteps {
         end = parts;
         ending = static_cast<int>(k);
       }
-    if (ending >= 0) plan(cluster, std::max(end, 1e-12 * material_->longest_step));
     cluster.ending = ending;
+    if (ending < 0) return;
+    Real const least = 1e-12 * material_->longest_step;
+    plan(cluster, std::max(end, least));
+    // the root was that of the cubic of a longer step
+    auto const [width, rate] =
+        gap(cluster, cluster.links[static_cast<std::size_t>(ending)], cluster.step);
+    Real const late = width / rate;
+    if (rate > 0 && std::fabs(late) > 1e-9 * cluster.step && std::fabs(late) < cluster.step / 2)
+      plan(cluster, std::max(cluster.step - late, least));
   }
 
   /// A step of a given length.
@@ -158,16 +166,17 @@ class ClusterSteps {
     }
   }
 
+  /// r - d of a link at a phase, [d_s], and its rate.
+  std::pair<Real, Real> gap(Cluster<Rotates> const& cluster, Link const& link, Real s) const {
+    auto const r = separation(cluster, link, s), v = velocity(cluster, link, s);
+    Real const width = std::sqrt(dot(r, r));
+    return {width - distance(cluster, link), dot(r, v) / width};
+  }
+
   /// The phase at which a contact parts, or infinity: Newton's method in a bracket.
   Real parting(Cluster<Rotates> const& cluster, Link const& link) const {
-    Real const d = distance(cluster, link);
-    auto const gap = [&](Real s) {
-      auto const r = separation(cluster, link, s), v = velocity(cluster, link, s);
-      Real const width = std::sqrt(dot(r, r));
-      return std::pair(width - d, dot(r, v) / width);
-    };
     Real low = 0, high = cluster.step;
-    auto [width, rate] = gap(high);
+    auto [width, rate] = gap(cluster, link, high);
     if (width < 0 || rate < 0) return never;
     Real s = high;
     for (int n = 0; n < 60; ++n) {
@@ -176,7 +185,7 @@ class ClusterSteps {
       if (!(next > low && next < high)) next = (low + high) / 2;
       if (std::fabs(next - s) < 1e-14 * cluster.step) return next;
       s = next;
-      std::tie(width, rate) = gap(s);
+      std::tie(width, rate) = gap(cluster, link, s);
     }
     return s;
   }

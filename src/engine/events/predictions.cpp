@@ -36,8 +36,7 @@ void Predictions<Rotates>::of_disk(std::uint32_t i) {
   auto const end = lists_->end(i);
   for (auto k = lists_->begin(i); k < end; k += simd::width) {
     auto const* const neighbors = lists_->entries() + k;
-    pack.find(paths, disks_->shifts, neighbors,
-              std::min<std::uint32_t>(simd::width, end - k));
+    pack.find(paths, disks_->shifts, neighbors, std::min<std::uint32_t>(simd::width, end - k));
     for (unsigned left = pack.near | pack.touching; left != 0; left &= left - 1) {
       auto const lane = static_cast<unsigned>(std::countr_zero(left));
       Neighbor const n = neighbors[lane];
