@@ -16,6 +16,7 @@ else()
   set(bagnold_cache "$ENV{HOME}/.cache/bagnold")
 endif()
 file(GLOB bagnold_cached_kokkos "${bagnold_cache}/kokkos-*-${CMAKE_SYSTEM_PROCESSOR}-*")
+list(SORT bagnold_cached_kokkos COMPARE NATURAL ORDER DESCENDING)  # the newest first
 
 # No version is asked for here: Kokkos' own version files accept one major version only.
 find_package(Kokkos QUIET PATHS ${bagnold_cached_kokkos})

@@ -1,15 +1,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Kokkos: what CMake finds is used as it is; otherwise Debian's source package is built, with the Serial
-# and OpenMP backends, into $BAGNOLD_CACHE. Debian's own binary has no OpenMP.
+# Kokkos: what CMake finds is used as it is; otherwise the newest whose sources can be had is built, with the
+# Serial and OpenMP backends, into $BAGNOLD_CACHE. Debian's own binary has no OpenMP.
 
-kokkos_version=3.4.01
+# The newest comes with the sources of a Python package, which pip fetches (17 MB); where it cannot, or the
+# sources are others than they were, Debian's source package is taken (166 MB). BAGNOLD_KOKKOS names one of the two.
+kokkos_newest=4.7.00
+kokkos_of_debian=3.4.01
 kokkos_recipe=1 # count up when the flags below change
 
-# kokkos_prefix [MACHINE]: where it is kept, for this kind of machine if none is named.
+# kokkos_prefix VERSION [MACHINE]: where it is kept, for this kind of machine if none is named.
 kokkos_prefix() {
   local compiler # in the name, so that a new compiler gets a new build
   compiler="$(${CXX:-c++} -dumpfullversion 2>/dev/null || ${CXX:-c++} -dumpversion)"
-  echo "$BAGNOLD_CACHE/kokkos-$kokkos_version-${1:-$(uname -m)}-$compiler-r$kokkos_recipe"
+  echo "$BAGNOLD_CACHE/kokkos-$1-${2:-$(uname -m)}-$compiler-r$kokkos_recipe"
 }
 
 # Does CMake find a Kokkos that will do? Asked of the same file that the real build includes.
@@ -52,28 +55,50 @@ private_apt_get() {
     -o Acquire::Retries=3 "$@"
 }
 
-# Debian's source package is trilinos; apt checks the signatures and sums. Leaves $scratch/kokkos.
-fetch_kokkos() {
-  make_scratch
+# The newest: pygenten 0.1.5 brings all of its repository, by the checksum of its archive.
+fetch_newest_kokkos() {
+  local package=pygenten-0.1.5 sum=e620f05c742905e2db705d875f1cac92ef0ed453f9e6734e9beda26cc0f9cce7
+  install_packages python3 python3-pip || return 1
+  echo "${package%-*}==${package##*-} --hash=sha256:$sum" >"$scratch/sources.txt"
+  # pip reads the package's name with its build tool, which it fetches too.
+  quietly /usr/bin/python3 -m pip download --no-deps --no-binary pygenten --retries 1 --timeout 15 \
+    --dest "$scratch" --requirement "$scratch/sources.txt" || return 1
+  tar -xf "$scratch/$package.tar.gz" -C "$scratch/kokkos" --strip-components=3 "$package/tpls/kokkos"
+}
+
+# Debian's source package is trilinos; apt checks the signatures and sums.
+fetch_kokkos_of_debian() {
   write_source_lists "$scratch/apt"
   quietly private_apt_get update || warn "not every apt source could be read; going on"
   (
     cd "$scratch/apt"
     # From the release named here, where newer ones are configured beside it.
     quietly private_apt_get source --download-only trilinos/bookworm
-  ) || die "Debian's source package trilinos could not be downloaded (see above). An installed Kokkos does as
-       well: set Kokkos_ROOT to its prefix."
-  mkdir "$scratch/kokkos"
+  ) || return 1
   tar -xf "$scratch"/apt/trilinos_*.orig.tar.gz -C "$scratch/kokkos" --strip-components=3 \
     --wildcards '*/packages/kokkos'
   rm "$scratch"/apt/trilinos_*
+}
+
+# fetch_kokkos VERSION leaves its sources in $scratch/kokkos.
+fetch_kokkos() {
+  make_scratch
+  rm -rf "$scratch/kokkos" "$scratch/kokkos-build"
+  mkdir "$scratch/kokkos"
+  say "Kokkos: fetching the sources of $1"
+  case "$1" in
+    "$kokkos_newest") fetch_newest_kokkos ;;
+    "$kokkos_of_debian") fetch_kokkos_of_debian ;;
+    *) die "BAGNOLD_KOKKOS = $1 (can be fetched: $kokkos_newest, $kokkos_of_debian); for another, set Kokkos_ROOT to
+       the prefix of an installed one" ;;
+  esac
 }
 
 # build_kokkos PREFIX ARGUMENT...: into PREFIX, configured with these too.
 build_kokkos() {
   local prefix="$1"
   shift
-  say "Kokkos: building it with Serial and OpenMP (half a minute or so)"
+  say "Kokkos: building it with Serial and OpenMP (a minute or so)"
   # Installed to one side, then renamed: what stands at $prefix is always whole.
   stage="$(mktemp -d "$BAGNOLD_CACHE/.stage.XXXXXX")"
   quietly "$cmake" -S "$scratch/kokkos" -B "$scratch/kokkos-build" "${generator[@]}" -Wno-dev \
@@ -89,7 +114,7 @@ build_kokkos() {
   mv -T "$stage$prefix" "$prefix" 2>/dev/null || [ -d "$prefix/lib/cmake/Kokkos" ] ||
     die "Kokkos could not be moved to $prefix"
   rm -rf "$stage"
-  say "Kokkos: $kokkos_version is in $prefix"
+  say "Kokkos: it is in $prefix"
 }
 
 # Leaves in kokkos_arguments what the configure step needs beyond what CMake finds by itself.
@@ -102,18 +127,27 @@ provide_kokkos() {
     kokkos_arguments=(-UKokkos_DIR)
   fi
   set_cache
-  kokkos_is_found && return 0
+  if [ -n "${Kokkos_ROOT:-}" ] || [ -z "${BAGNOLD_KOKKOS:-}" ]; then
+    kokkos_is_found && return 0
+  fi
   if [ -n "${Kokkos_ROOT:-}" ]; then
     sed -n '/^CMake Error/,/^Call Stack/{/^Call Stack/!p}' "$scratch/probe/log" >&2
     die "the Kokkos in Kokkos_ROOT=$Kokkos_ROOT will not do"
   fi
   is_debian_12 || return 0 # the configure step will say what is missing
-  local prefix
-  prefix="$(kokkos_prefix)"
-  if [ ! -d "$prefix" ]; then
-    say "Kokkos: CMake finds none; fetching Debian's source package (166 MB)"
-    fetch_kokkos
-    build_kokkos "$prefix"
-  fi
-  kokkos_arguments=(-DKokkos_ROOT="$prefix")
+  local version prefix
+  # shellcheck disable=SC2086 # words
+  for version in ${BAGNOLD_KOKKOS:-$kokkos_newest $kokkos_of_debian}; do
+    prefix="$(kokkos_prefix "$version")"
+    if [ ! -d "$prefix" ]; then
+      if ! fetch_kokkos "$version"; then
+        warn "the sources of Kokkos $version could not be had (see above)"
+        continue
+      fi
+      build_kokkos "$prefix"
+    fi
+    kokkos_arguments=(-UKokkos_DIR -DKokkos_ROOT="$prefix")
+    return 0
+  done
+  die "no Kokkos could be had (see above). An installed one does as well: set Kokkos_ROOT to its prefix."
 }
