@@ -98,7 +98,7 @@ fetch_kokkos() {
 build_kokkos() {
   local prefix="$1"
   shift
-  say "Kokkos: building it with Serial and OpenMP (a minute or so)"
+  say "Kokkos: building it (a minute or so)"
   # Installed to one side, then renamed: what stands at $prefix is always whole.
   stage="$(mktemp -d "$BAGNOLD_CACHE/.stage.XXXXXX")"
   quietly "$cmake" -S "$scratch/kokkos" -B "$scratch/kokkos-build" "${generator[@]}" -Wno-dev \
