@@ -4,6 +4,7 @@
 #include "src/config/errors.hpp"
 #include "src/config/skin.hpp"
 #include "src/engine/reference/reference_engine.hpp"
+#include "tests/support/contacts.hpp"
 #include "tests/support/simulations.hpp"
 #include "tests/support/typed.hpp"
 
@@ -52,6 +53,28 @@ class LaunchPlanOf : public testing::Test {
     for (std::size_t w = 0; w < a.sums.size(); ++w) {
       EXPECT_EQ(a.sums[w].sums, b.sums[w].sums);
       EXPECT_EQ(a.sums[w].weight, b.sums[w].weight);
+    }
+  }
+
+  static void expect_equal(Listener const& a, Listener const& b) {
+    ASSERT_EQ(a.all.size(), b.all.size());
+    for (std::size_t k = 0; k < a.all.size(); ++k) {
+      EXPECT_EQ(a.all[k].key(), b.all[k].key());
+      EXPECT_EQ(a.all[k].theta, b.all[k].theta);
+    }
+    auto const numbers = [](ContactVelocities const& v) {
+      return std::tuple(v.tangential, v.rotational, v.normal);
+    };
+    ASSERT_EQ(a.samples.size(), b.samples.size());
+    for (std::size_t k = 0; k < a.samples.size(); ++k) {
+      EXPECT_EQ(a.samples[k].pair, b.samples[k].pair);
+      EXPECT_EQ(numbers(a.samples[k].velocities), numbers(b.samples[k].velocities));
+    }
+    ASSERT_EQ(a.picks.size(), b.picks.size());
+    for (auto one = a.picks.begin(), other = b.picks.begin(); one != a.picks.end();
+         ++one, ++other) {
+      EXPECT_EQ(one->first, other->first);
+      EXPECT_EQ(numbers(one->second), numbers(other->second));
     }
   }
 
@@ -133,6 +156,33 @@ TYPED_TEST(LaunchPlanOf, ChangesNoBitOfRamps) {
   queued.advance(ramp.steps(), sampling, windows);
   TestFixture::expect_equal(queued, plain);
   TestFixture::expect_equal(windows, expected);
+}
+
+/// Contacts are followed within a queue too, from piece to piece, and where disks change places.
+TYPED_TEST(LaunchPlanOf, ChangesNoContact) {
+  for (double const packing_fraction : {0.84, 0.60}) {
+    Scene const scene = TestFixture::scene(packing_fraction, 100);
+    Sampling const sampling{150, 7, 600};
+    Snapshot const start = first_snapshot(shaken_start(scene));
+    auto plain = TestFixture::engine(scene, start, {});
+    Observed expected(plain, 100, 0, SampleChoice(11));
+    plain.advance(sampling.last_step, sampling, expected.windows);
+    EXPECT_GT(expected.listener->all.size(), 20u);
+    EXPECT_GT(expected.listener->samples.size(), 10u);
+    EXPECT_GT(expected.listener->picks.size(), 100u);
+    for (std::int64_t const piece : {600, 47}) {
+      auto one = std::make_unique<typename TestFixture::Engine>(
+          TestFixture::engine(scene, start, {32, true}));
+      Observed observed(*one, 100, 0, SampleChoice(11));
+      while (one->step() < sampling.last_step) {
+        one->advance(piece, sampling, observed.windows);
+        one = std::make_unique<typename TestFixture::Engine>(
+            TestFixture::engine(scene, one->snapshot(), {32, true}));
+      }
+      TestFixture::expect_equal(observed.windows, expected.windows);
+      TestFixture::expect_equal(*observed.listener, *expected.listener);
+    }
+  }
 }
 
 /// With the step, the disk of the start and the number that a failure has without a queue.

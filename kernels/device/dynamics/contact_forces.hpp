@@ -89,6 +89,25 @@ struct ContactForces {
     }
   }
 
+  /// visit(neighbour j, whether i touches it, r_ij, 1/d_ij, v_ij, thetadot_i d_i + thetadot_j d_j)
+  /// for the neighbours j of i for which wanted(index of j, whether i touches it) is true.
+  template <class Wanted, class Visit>
+  KOKKOS_FUNCTION void each_neighbor(std::uint32_t i, Wanted const& wanted,
+                                     Visit const& visit) const {
+    Own const own = own_of(i);
+    for (auto k = neighbors.begin(i); k < neighbors.end(i); ++k) {
+      Neighbor const neighbor = neighbors.entry(k);
+      Vec2<Real> const separation = separation_from(own, neighbor);
+      Real const distance2 = dot(separation, separation);
+      Real const reach = class_distance(own.pair_class_with(neighbor));
+      bool const touching = distance2 < reach * reach;
+      if (!wanted(neighbor.index(), touching)) continue;
+      show(own, neighbor, separation, distance2,
+           [&](Neighbor j, Vec2<Real> const& r, Real, Real inverse_distance, Vec2<Real> const& v,
+               Real spins) { visit(j, touching, r, inverse_distance, v, spins); });
+    }
+  }
+
   /// The same for disks that i is known to touch: touching(k), k < count.
   template <class Touching, class Visit>
   KOKKOS_FUNCTION void each_of(std::uint32_t i, int count, Touching const& touching,

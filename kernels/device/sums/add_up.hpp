@@ -17,10 +17,10 @@ constexpr std::int64_t groups_of_sums(std::int64_t count) {
 }
 
 /// One column of one group: index k = group * columns + column.
-template <bool Rotates, class Space>
+template <class Columns, class Space>
 struct AddGroup {
-  using Row = Kokkos::View<Sums<Rotates>*, Space>;
-  static constexpr std::int64_t columns = Sums<Rotates>::columns;
+  using Row = Kokkos::View<Columns*, Space>;
+  static constexpr std::int64_t columns = Columns::columns;
 
   Row from;
   std::int64_t count;  ///< of sums in `from`
@@ -36,6 +36,26 @@ struct AddGroup {
   }
 };
 
+/// Adds the sums of disks, in the order of `of_disk`, and puts the total at totals(place). of_disk
+/// and of_group, [groups_of_sums(N)], are worked with.
+template <class Loops, class Columns, class Space>
+KOKKOS_FUNCTION void add_groups(Loops const& loops, Kokkos::View<Columns*, Space> const& of_disk,
+                                Kokkos::View<Columns*, Space> const& of_group,
+                                Kokkos::View<Columns*, Space> const& totals, std::int64_t place) {
+  using Group = AddGroup<Columns, Space>;
+  auto count = static_cast<std::int64_t>(of_disk.extent(0));
+  auto from = of_disk, to = of_group;
+  while (count > added_together) {
+    auto const groups = groups_of_sums(count);
+    loops.for_all("sums::AddGroups", groups * Group::columns, Group{from, count, to});
+    auto const added = to;
+    to = from;
+    from = added;
+    count = groups;
+  }
+  loops.for_all("sums::AddLastGroup", Group::columns, Group{from, count, totals, place});
+}
+
 /// The sums of a configuration: a disk a thread, then group by group, by launches or in a team.
 template <class Forces, class Space>
 struct AddUp {
@@ -50,19 +70,9 @@ struct AddUp {
   /// Puts the total at totals(place).
   template <class Loops>
   KOKKOS_FUNCTION void operator()(Loops const& loops, Row const& totals, std::int64_t place) const {
-    using Group = AddGroup<rotates, Space>;
-    auto count = static_cast<std::int64_t>(of_disk.extent(0));
-    loops.for_all("sums::MeasureDisks", count, MeasureDisks<Forces, Space>{forces, of_disk, rank});
-    Row from = of_disk, to = of_group;
-    while (count > added_together) {
-      auto const groups = groups_of_sums(count);
-      loops.for_all("sums::AddGroups", groups * Group::columns, Group{from, count, to});
-      Row const added = to;
-      to = from;
-      from = added;
-      count = groups;
-    }
-    loops.for_all("sums::AddLastGroup", Group::columns, Group{from, count, totals, place});
+    loops.for_all("sums::MeasureDisks", static_cast<std::int64_t>(of_disk.extent(0)),
+                  MeasureDisks<Forces, Space>{forces, of_disk, rank});
+    add_groups(loops, of_disk, of_group, totals, place);
   }
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Kokkos_Macros.hpp>
 #include <cmath>
 
 #include "kernels/physics/vec2.hpp"
@@ -49,10 +50,12 @@ struct ContactMotion {
     contacts,
     count
   };
-  Real value[count] = {};
+  static constexpr int columns = count;
+  Real value[columns] = {};
 
   /// spin: as in contact_velocities().
-  void add(Real weight, Vec2<Real> const& separation, Vec2<Real> const& velocity, Real spin) {
+  KOKKOS_FUNCTION void add(Real weight, Vec2<Real> const& separation, Vec2<Real> const& velocity,
+                           Real spin) {
     Real const r2 = dot(separation, separation), along = dot(velocity, separation);
     Real const across = cross(velocity, separation), r = std::sqrt(r2);
     value[normal2] += weight * (along * along / r2);

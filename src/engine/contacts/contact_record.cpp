@@ -109,7 +109,7 @@ void ContactRecord::add(ContactMotion const& motion, std::int64_t step, Sampling
 }
 
 ContactPicker ContactRecord::picker() const {
-  return {choice, first_step_, listener_ ? listener_->limit() : 0};
+  return {{choice, first_step_, listener_ ? listener_->limit() : 0}};
 }
 
 void ContactRecord::add(std::vector<ContactPick>& picks) const {

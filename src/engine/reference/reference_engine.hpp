@@ -14,8 +14,8 @@
 #include "kernels/device/sums/add_up.hpp"
 #include "src/engine/download_state.hpp"
 #include "src/engine/drive_columns.hpp"
+#include "src/engine/reference/device_contacts.hpp"
 #include "src/engine/reference/disk_order.hpp"
-#include "src/engine/reference/row_contacts.hpp"
 #include "src/engine/run_clock.hpp"
 #include "src/engine/simulation.hpp"
 #include "src/engine/throw_unsound.hpp"
@@ -49,7 +49,8 @@ class ReferenceEngine final : public Simulation {
         diameter_(snapshot.state.diameter),
         plan_(plan),
         order_(static_cast<std::int64_t>(snapshot.state.count()), plan.sorts),
-        queue_(loops_.space, 2 * plan.queued) {
+        queue_(loops_.space, 2 * plan.queued),
+        contacts_(static_cast<std::int64_t>(snapshot.state.count()), plan.queued) {
     State const& state = snapshot.state;
     system_.table = table;
     system_.law = law;
@@ -81,7 +82,7 @@ class ReferenceEngine final : public Simulation {
   std::int64_t step() const override { return step_; }
 
   void advance(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) override {
-    bool const each_alone = plan_.queued == 1 || drive_ || windows.contacts || !queueable;
+    bool const each_alone = plan_.queued == 1 || drive_ || !queueable;
     for (auto const end = std::min(step_ + steps, sampling.last_step); step_ < end;) {
       if (!each_alone) {
         do_queued(std::min({plan_.queued, end - step_, clock_.rate_end - step_}), sampling,
@@ -95,8 +96,11 @@ class ReferenceEngine final : public Simulation {
       bool const sampled = sampling.sampled(step);
       Sums<rotates> sums;
       if (sampled) sums = measure();
-      if (windows.contacts)
-        detect_along_rows(system_.forces(box_at(step)), step, sampling, windows);
+      if (windows.contacts) {
+        contacts_.begin(step, windows);
+        detect_contacts(loops_, step, sampling);
+        contacts_.take(step + 1, sampling, windows);
+      }
       if (sampled && !drive_) windows.add(sampling.window(step), sums.value, 1);
       auto const power = do_step(sampled && drive_);
       if (sampled && drive_) add_driven(sums, power, sampling.window(step), windows);
@@ -142,6 +146,10 @@ class ReferenceEngine final : public Simulation {
   /// So many steps, or fewer where the list is outrun, without waiting between them.
   void do_queued(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) {
     queue_.begin();
+    if (windows.contacts) {
+      steps = contacts_.steps(step_, steps, sampling, windows);
+      contacts_.begin(step_, windows);
+    }
     QueuedLoops<Space> const queued{&queue_};
     std::int64_t totals = 0;
     for (auto step = step_; step < step_ + steps; ++step) {
@@ -150,11 +158,17 @@ class ReferenceEngine final : public Simulation {
       queue_.set_limit({});
       system_.begin_step(queued, box_at(step));
       if (sampling.sampled(step)) add_up(queued, system_.measured_forces(box_at(step)), totals++);
+      if (windows.contacts) detect_contacts(queued, step, sampling);
       queue_.set_limit(
           QueuedLimit::of_list(std::max(std::abs(strain), std::abs(next_strain)), skin_));
       system_.end_step(queued, box_at(step), box_at(step + 1), strain, next_strain);
     }
     take_queued(steps, totals, sampling, windows);
+  }
+
+  template <class Loops>
+  void detect_contacts(Loops const& loops, std::int64_t step, Sampling const& sampling) {
+    contacts_.detect(loops, system_.forces(box_at(step)), order_.original(), step, sampling);
   }
 
   /// Reads how far the queue came, and stands there.
@@ -174,6 +188,7 @@ class ReferenceEngine final : public Simulation {
       sound = limit.by_list && value != std::numeric_limits<Real>::max();
       break;
     }
+    if (windows.contacts) contacts_.take(step_, sampling, windows);
     if (trial_is_change && steps % 2 != 0)  // taken for done when they were queued
       std::swap(system_.disks.position, system_.disks.trial_position);
     if (!sound) stop_unsound();
@@ -340,6 +355,7 @@ class ReferenceEngine final : public Simulation {
   CellGridRoom<Space> room_;
   Kokkos::View<Species*, Space> other_species_;  ///< [N] where disks are sorted
   LaunchQueue<Space> queue_;
+  DeviceContacts<Space> contacts_;  ///< takes room where they are asked for
   SumsRow disk_sums_, group_sums_;  ///< [N], [groups_of_sums(N)], to work with
   SumsRow totals_;                  ///< of each configuration that is measured in a queue
 };
