@@ -107,9 +107,9 @@ std::vector<Refusal> not_events(Scene const& scene) {
     refuse({"shear.protocol"},
            "needs one strain rate for each contact, of shear.protocol = \"ramp\" it changes",
            other);
-  if (scene.measure.contacts)
-    refuse({"measure.contacts"}, "does not yet report single contacts",
-           "set measure.contacts = false, or integration.engine = \"auto\"");
+  if (scene.measure.correlations)
+    refuse({"measure.correlations"}, "does not sample contacts in single configurations",
+           "set measure.correlations = false, or integration.engine = \"auto\"");
   return list;
 }
 

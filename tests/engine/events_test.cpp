@@ -8,6 +8,7 @@
 #include "src/config/errors.hpp"
 #include "src/config/laws.hpp"
 #include "src/engine/events/event_engine.hpp"
+#include "tests/support/contacts.hpp"
 #include "tests/support/simulations.hpp"
 
 namespace bagnold::test {
@@ -304,6 +305,91 @@ TEST_P(Events, OfEqualTimes) {
   EXPECT_LT(spread(events->state(), plain->state()), 1e-5);
 }
 
+/// As a record has them of steps so short that they are the limit.
+TEST_P(Events, ReportTheirContacts) {
+  Scene scene = dilute_scene(law(), 0.7, 64);
+  scene.measure.contacts = true;
+  State const start = flying_start(scene);
+  double const time = 150;
+  struct Measured {
+    std::vector<double> sums;
+    std::vector<Happened> all;
+    double dt;
+    int columns;
+  };
+  auto const measure = [&](Scene const& of) {
+    auto const simulation = simulate(of, start);
+    auto const listener = std::make_shared<Listener>();
+    double const dt = time_step(of);
+    Sampling sampling;
+    sampling.every = 1;
+    sampling.last_step = std::llround(time / dt);
+    OpenWindows windows;
+    windows.contacts =
+        std::make_shared<ContactRecord>(start.count(), simulation->columns(), 0, listener);
+    while (simulation->step() < sampling.last_step) simulation->advance(50, sampling, windows);
+    return Measured{windows.sums[0].sums, listener->all, dt, simulation->columns()};
+  };
+  auto const events = measure(scene), plain = measure(stepped(scene, 0.01));
+  auto const of = [](Measured const& m, int column) {
+    return m.sums[static_cast<std::size_t>(m.columns + column)];
+  };
+  using K = ContactColumns;
+  EXPECT_GT(of(events, K::ended), 20);
+  for (int const c : {int{K::begun}, int{K::ended}, int{K::binary}})
+    EXPECT_EQ(of(events, c), of(plain, c)) << c;
+  double const duration = events.dt * of(events, K::duration) / of(events, K::ended);
+  EXPECT_NEAR(duration / (plain.dt * of(plain, K::duration) / of(plain, K::ended)), 1, 0.01);
+  for (int c = 0; c < ContactMotion::count; ++c) {
+    double const expected = of(plain, c) * plain.dt;
+    double const scale = c < 6 ? of(plain, 0) + of(plain, 1) + of(plain, 2)
+                               : std::sqrt(of(plain, 9) * (of(plain, 0) + of(plain, 1)));
+    EXPECT_NEAR(of(events, c) * events.dt, expected,
+                2e-3 * (c == ContactMotion::contacts ? expected : scale * plain.dt))
+        << c;
+  }
+  ASSERT_EQ(events.all.size(), plain.all.size());
+  for (auto const& one : events.all) {
+    auto const other = std::ranges::find_if(plain.all, [&](Happened const& h) {
+      return h.begins == one.begins && h.pair == one.pair &&
+             std::abs(static_cast<double>(h.step) * plain.dt -
+                      static_cast<double>(one.step) * events.dt) < 0.4;
+    });
+    ASSERT_NE(other, plain.all.end()) << one.pair.first << " " << one.pair.second;
+    double const turned = std::abs(std::remainder(other->theta - one.theta, 360));
+    EXPECT_LT(turned, 3) << one.theta;
+  }
+}
+
+TEST_P(Events, ContactsDoNotDependOnCutsOrRestarts) {
+  Scene scene = dilute_scene(law(), 0.8, 100, 3);
+  scene.measure.contacts = true;
+  State const start = flying_start(scene);
+  Sampling const sampling{300, 1, 1800};
+  auto const record = [&](int columns) {
+    return std::make_shared<ContactRecord>(start.count(), columns, 0, nullptr);
+  };
+  auto const straight = simulate(scene, start);
+  auto chained = simulate(scene, start);
+  OpenWindows a, b;
+  a.contacts = record(straight->columns());
+  b.contacts = record(straight->columns());
+  straight->advance(1800, sampling, a);
+  for (int k = 0; chained->step() < 1800; ++k) {
+    chained->advance(1 + 97 * (k % 5), sampling, b);
+    chained = make_simulation(scene, chained->snapshot(), "serial");
+  }
+  ASSERT_EQ(a.sums.size(), b.sums.size());
+  for (std::size_t w = 0; w < a.sums.size(); ++w) EXPECT_EQ(a.sums[w].sums, b.sums[w].sums) << w;
+  auto const one = a.contacts->table.sorted(), other = b.contacts->table.sorted();
+  ASSERT_EQ(one.size(), other.size());
+  for (std::size_t k = 0; k < one.size(); ++k) {
+    EXPECT_EQ(one[k].a, other[k].a);
+    EXPECT_EQ(one[k].begin, other[k].begin);
+  }
+  EXPECT_EQ(one.size(), touching(*straight, scene.rotates()).size());
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Events, testing::Values("CD", "CD_n", "CD_rot", "CD_nt"),
                          [](auto const& info) { return info.param; });
 
@@ -321,6 +407,7 @@ TEST(EventsRefuse, WhatTheyCannotDo) {
   has(refused([](Scene& s) { s.disks.elasticity = 0.5; }), "overdamped");
   has(refused([](Scene& s) { s.drive.kind = "stokes"; }), "fly straight");
   has(refused([](Scene& s) { s.shear.protocol = "ramp"; }), "one strain rate");
+  has(refused([](Scene& s) { s.measure.correlations = true; }), "single configurations");
   has(refused([](Scene& s) { s.integration.scheme = papers_scheme; }), "exact-contacts");
   has(refused(
           [](Scene& s) { s.integration.engine = "auto", s.integration.scheme = exact_contacts; }),

@@ -71,6 +71,10 @@ void EventEngine<Rotates>::advance(std::int64_t steps, Sampling const& sampling,
   auto end = std::min(step_ + steps, sampling.last_step);
   bool const cuts_a_window = sampling.last_step % sampling.window_steps != 0;
   if (sampling.whole && cuts_a_window) end = std::min(end, sampling.last_step - 1);
+  if (windows.contacts && !watches_contacts_) {
+    watches_contacts_ = true;
+    system_.watch_contacts(now());
+  }
   while (step_ < end) {
     auto const window = sampling.window(step_);
     auto const window_end = std::min((window + 1) * sampling.window_steps, sampling.last_step);
@@ -82,8 +86,19 @@ void EventEngine<Rotates>::advance(std::int64_t steps, Sampling const& sampling,
       system_.end_window(now());
       in_window_ = false;
     }
+    if (windows.contacts) tell_contacts(from, sampling, windows);
     if (step_ - list_step_ == system_.all().build_step) renew();
   }
+}
+
+template <bool Rotates>
+void EventEngine<Rotates>::tell_contacts(std::int64_t from, Sampling const& sampling,
+                                         OpenWindows& windows) {
+  system_.tell_contacts(step_, list_step_, sampling, windows);
+  windows.contacts->evaluated(from, step_, sampling, windows);
+  if (in_window_) return;
+  windows.contacts->add(system_.contact_motion(), step_ - 1, sampling, windows);
+  system_.contact_motion() = {};
 }
 
 template <bool Rotates>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "src/engine/events/event_system.hpp"
@@ -43,6 +44,10 @@ class EventEngine final : public Simulation {
   template <class Self, class Visit>
   static void visit_memory(Self& self, Visit const& visit) {
     self.system_.visit_memory(visit);
+    for (int c = 0; c < ContactMotion::count; ++c) {
+      auto const name = "events_motion_" + std::to_string(c);
+      visit(name.c_str(), self.system_.contact_motion().value[c]);
+    }
     visit("events_in_window", self.in_window_);
     visit("events_window_begun", self.begun_);
   }
@@ -50,6 +55,7 @@ class EventEngine final : public Simulation {
   double now() const { return system_.all().time(step_ - list_step_); }
   double* columns_of(std::int64_t window, OpenWindows& windows) const;
   void open_window(double* columns);
+  void tell_contacts(std::int64_t from, Sampling const& sampling, OpenWindows& windows);
   void go_to(std::int64_t step);
   void renew();
   void restore(Snapshot const& snapshot);
@@ -63,6 +69,7 @@ class EventEngine final : public Simulation {
   std::int64_t builds_;
   bool touches_known_;  ///< of the start
   bool in_window_ = false;
+  bool watches_contacts_ = false;
   std::int64_t begun_ = 0;  ///< step from which on the window under way is summed
 };
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "src/engine/events/contact_log.hpp"
 #include "src/engine/events/event_sums.hpp"
 #include "src/engine/events/predictions.hpp"
 
@@ -45,18 +46,24 @@ struct EventState {
   EventSums<Rotates> sums;
   ClusterSteps<Rotates> steps;
   EventCounts counts;
+  ContactLog log;
   std::int64_t build_step = 0;  ///< after which the lists are built anew at the latest
   Real now = 0;                 ///< of the last event, [tau_e]
   std::optional<DeepOverlap> too_deep;
 
   Real time(std::int64_t step) const { return time_step * static_cast<Real>(step); }
 
+  /// The first step that ends at a time, or after it.
+  std::int64_t step_at(Real from) const {
+    auto const step = static_cast<std::int64_t>(std::ceil(from / time_step));
+    if (time(step) < from) return step + 1;
+    return time(step - 1) >= from ? step - 1 : step;
+  }
+
   /// The lists are to be built at the first end of a step from a time on.
   void ask_for_build(Real from) {
     predictions.watch_reach = false;
-    auto step = static_cast<std::int64_t>(std::ceil(from / time_step));
-    if (time(step) < from) ++step;
-    build_step = std::min(build_step, step);
+    build_step = std::min(build_step, step_at(from));
   }
 
   void check_overlap(std::uint32_t disk, Real relative_overlap) {

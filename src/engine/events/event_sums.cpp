@@ -18,19 +18,22 @@ template <bool Rotates>
 void EventSums<Rotates>::configuration(Cluster<Rotates> const& cluster,
                                        ClusterSteps<Rotates> const& steps, Real s, Real weight) {
   using C = SumColumns;
-  auto const motion = [&](std::uint32_t a) { return cluster.members[a].at(s, cluster.step); };
+  auto const moving = [&](std::uint32_t a) { return cluster.members[a].at(s, cluster.step); };
   for (auto const& link : cluster.links) {
-    auto const pair = steps.force(cluster, link, cluster.time + s, motion);
+    auto const pair = steps.force(cluster, link, cluster.time + s, moving);
     add_pair(to_, pair, weight);
+    Real turn = 0;
+    auto const &a = cluster.members[link.a], &b = cluster.members[link.b];
+    Real const inverse_distance = inverse_class_distance(pair_class(a.species, b.species));
     if constexpr (Rotates) {
-      auto const &a = cluster.members[link.a], &b = cluster.members[link.b];
       auto const& diameter = disks_->material.table.diameter;
-      Real const turn = diameter[a.species] * motion(link.a).motion.spin +
-                        diameter[b.species] * motion(link.b).motion.spin;
-      to_[C::torque_power] +=
-          weight * turn *
-          pair.torque_per_diameter(inverse_class_distance(pair_class(a.species, b.species)));
+      turn = diameter[a.species] * moving(link.a).motion.spin +
+             diameter[b.species] * moving(link.b).motion.spin;
+      to_[C::torque_power] += weight * turn * pair.torque_per_diameter(inverse_distance);
     }
+    if (motion)
+      motion->add(weight, pair.separation, steps.velocity(cluster, link, s),
+                  turn * inverse_distance / 2);
   }
   for (auto const& m : cluster.members) {
     auto const of = m.at(s, cluster.step);

@@ -17,7 +17,8 @@ class EventSums {
   EventSums(EventDisks<Rotates> const& disks, Real time_step)
       : disks_(&disks), inverse_step_(1 / time_step) {}
 
-  Real strain_rate = 0;  ///< gammadot, [1 / tau_e]
+  Real strain_rate = 0;             ///< gammadot, [1 / tau_e]
+  ContactMotion* motion = nullptr;  ///< where that of contacts is asked for
 
   /// From a time on everything is added to these columns.
   void begin(Real* columns, Real time) {
@@ -45,6 +46,7 @@ class EventSums {
       nodes.add_pair_columns(to_, weight);
       nodes.add_motion_columns(to_, of.centre, disks_->mass(of.i), disks_->mass(of.j()),
                                strain_rate, weight);
+      if (motion) nodes.add_contact_motion(*motion, weight);
     });
   }
 

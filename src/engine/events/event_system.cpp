@@ -55,11 +55,25 @@ void EventSystem<Rotates>::find_touches() {
       Real const d = disks.distance(i, n);
       if (!(dot(r, r) < d * d)) continue;
       group.touches.push_back({i, n, ever});
+      s_.log.begins(i, j, 0, r, r);
       taken[i] = taken[j] = true;
     }
   for (std::uint32_t i = 0; i < disks.count(); ++i)
     if (taken[i]) group.disks.push_back({i, disks.on_line(i, 0)});
   touches_.settle(std::move(group), 0);
+}
+
+template <bool Rotates>
+void EventSystem<Rotates>::watch_contacts(Real time) {
+  s_.log.on = true;
+  s_.sums.motion = &s_.log.motion;
+  auto& disks = s_.disks;
+  for (std::uint32_t i = 0; i < disks.count(); ++i) {
+    Path const& p = disks.path[i];
+    if (p.manner != Manner::contact || p.straight <= time) continue;
+    if (auto& contact = disks.contacts[disks.touching[i]]; contact.i == i)
+      touches_.expect_end(contact);
+  }
 }
 
 template <bool Rotates>
@@ -128,6 +142,7 @@ void EventSystem<Rotates>::renew(Real time, ShearedBox const& box) {
   }
   for (std::uint32_t i = 0; i < disks.count(); ++i) frames.move(i, disks.path[i]);
   s_.now = 0;
+  s_.log.shift(time);
   build(frames.position(), box);
   for (auto const k : clusters) touches_.plan(k);
   predict_all();

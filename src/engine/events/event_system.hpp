@@ -66,6 +66,21 @@ class EventSystem {
   EventCounts& counts() { return s_.counts; }
   EventCounts const& counts() const { return s_.counts; }
 
+  /// Contacts are reported from now on, at a time.
+  void watch_contacts(Real time);
+
+  /// Their motion in the window under way.
+  ContactMotion& contact_motion() { return s_.log.motion; }
+  ContactMotion const& contact_motion() const { return s_.log.motion; }
+
+  /// Tells of all up to the end of a step.
+  void tell_contacts(std::int64_t step, std::int64_t list_step, Sampling const& sampling,
+                     OpenWindows& windows) {
+    s_.log.tell(
+        s_.time(step - list_step), [&](Real t) { return list_step + s_.step_at(t); }, sampling,
+        windows);
+  }
+
   /// All that touch at a time that has been reached, i < j.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> touching(Real time) const;
 

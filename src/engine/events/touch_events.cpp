@@ -17,6 +17,10 @@ void TouchEvents<Rotates>::touch(std::uint32_t i, Neighbor n, Real time) {
   take_in(i, time, group);
   take_in(n.index(), time, group);
   group.touches.push_back({i, n, time});
+  if (s_.log.on) {
+    auto const pair = pair_motion(group.of(i), s_.disks.image(group.of(n.index()), n, time));
+    s_.log.begins(i, n.index(), time, pair.separation, pair.velocity);
+  }
   settle(std::move(group), time);
 }
 
@@ -27,9 +31,18 @@ void TouchEvents<Rotates>::begin_lone(std::uint32_t i, Neighbor n, Real time) {
   s_.sums.flight(j, time);
   auto const k =
       add_contact(s_.disks.on_line(i, time), s_.disks.on_line(j, time), {i, n, time}, true, time);
+  auto const& start = s_.disks.contacts[k].start;
+  s_.log.begins(i, j, time, start.separation, start.velocity);
   s_.disks.begin_contact(k);
   s_.predictions.of_disk(i);
   s_.predictions.of_disk(j);
+}
+
+template <bool Rotates>
+void TouchEvents<Rotates>::expect_end(LoneContact<Rotates>& contact) {
+  auto const& end = contact.closed.end;
+  contact.number =
+      s_.log.expect_end(contact.i, contact.j(), contact.end(), end.separation, end.velocity);
 }
 
 template <bool Rotates>
@@ -49,6 +62,7 @@ std::uint32_t TouchEvents<Rotates>::add_contact(Moving const& a, Moving const& b
   contact.centre = c.centre(a, image);
   contact.solve(c);
   s_.sums.contact(contact, time, 1);
+  expect_end(contact);
   s_.check_overlap(touch.i, contact.closed.largest_overlap() * c.inverse_distance);
   return k;
 }
@@ -69,6 +83,7 @@ template <bool Rotates>
 void TouchEvents<Rotates>::take_contact(std::uint32_t k, Real time, Group& group) {
   auto const& contact = s_.disks.contacts[k];
   s_.sums.contact(contact, time, -1);
+  s_.log.cut(contact.number);
   group.disks.push_back({contact.i, s_.disks.first_of(contact, time)});
   group.disks.push_back({contact.j(), s_.disks.second_of(contact, time)});
   group.touches.push_back({contact.i, contact.other, contact.touched});
@@ -159,6 +174,8 @@ void TouchEvents<Rotates>::end_step(std::uint32_t k) {
   }
   auto const parted = cluster.links[static_cast<std::size_t>(cluster.ending)];
   auto const i = cluster.members[parted.a].disk;
+  s_.log.ends(i, parted.other.index(), time, s_.steps.separation(cluster, parted, cluster.step),
+              s_.steps.velocity(cluster, parted, cluster.step));
   Group group;
   take_cluster(k, time, group);
   std::erase_if(group.touches,

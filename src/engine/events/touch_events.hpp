@@ -30,6 +30,9 @@ class TouchEvents {
                             Real time);
   void plan(std::uint32_t k);
 
+  /// Tells the log when a contact will end.
+  void expect_end(LoneContact<Rotates>& contact);
+
  private:
   void begin_lone(std::uint32_t i, Neighbor n, Real time);
   void take_in(std::uint32_t disk, Real time, Group& group);

@@ -32,6 +32,10 @@ struct TouchingGroup {
     return std::ranges::any_of(disks, [&](Disk const& d) { return d.disk == disk; });
   }
 
+  DiskMotion<Rotates> const& of(std::uint32_t disk) const {
+    return std::ranges::find(disks, disk, &Disk::disk)->motion;
+  }
+
   /// Falls apart into what hangs together, each with its disks and touches in order: how they came
   /// together has no part in it.
   std::vector<TouchingGroup> parts() {
