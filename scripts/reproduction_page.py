@@ -24,6 +24,7 @@ PAGE = ROOT / "docs/reproduction.md"
 PICTURES = ROOT / "docs/figures"
 BEGIN, END = "<!-- table: scripts/reproduction_page.py -->\n", "<!-- end of the table -->\n"
 NOT_FOUND = "not found"  # ours, where no data are there
+NOT_TOLD = "not told"  # where they do not reach
 
 
 def stated(figure, program, out, draws):
@@ -51,11 +52,12 @@ def table(program, out, draws=True):
             if row["ours"] == NOT_FOUND:
                 missing[figure] = missing.get(figure, 0) + 1
                 continue
-            counts[row["agrees"]] += 1
+            counts[NOT_TOLD if row["ours"] == NOT_TOLD else row["agrees"]] += 1
             cells = [figure, row["what"], row["stated"], row["ours"], row["deviation"], row["source"]]
             lines.append("| " + " | ".join(cell.replace("|", "\\|").replace("+-", "±") for cell in cells) + " |")
     lines += ["", f"Of {sum(counts.values())} numbers {counts['yes']} agree within two standard errors or the bounds, "
-              f"{counts['no']} deviate by more, {counts['untold']} lie inside bounds that our errors exceed."]
+              f"{counts['no']} deviate by more, {counts['untold']} lie inside bounds that our errors exceed, "
+              f"{counts[NOT_TOLD]} our data do not tell."]
     if missing:
         lines += ["", "Without data yet: " + ", ".join(f"{n} of {figure}" for figure, n in missing.items()) + "."]
     return "\n".join(lines) + "\n"

@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "src/analysis/fit/chance.hpp"
+#include "src/analysis/random.hpp"
 #include "src/config/errors.hpp"
+#include "src/statistics/student.hpp"
 
 namespace bagnold::analysis {
 namespace {
@@ -24,7 +27,24 @@ double standard_deviation(std::vector<std::vector<double>> const& replicas, std:
   return deviation > rounding * std::abs(sum / count) ? deviation : 0.0;
 }
 
-Outcome carry_out(Task const& task, Request const& request) {
+/// What the scatter about a fit makes of the errors of a good one, see carry_out().
+void widen(FitResult& found) {
+  if (found.step || found.freedom == 0) return;
+  bool const poor = beyond_chance(found);
+  if (poor && found.misfit == 0.0)
+    found.widened = std::sqrt(found.chi2 / static_cast<double>(found.freedom));
+  if (poor || found.alike || !found.weighted)
+    found.widened *= statistics::student_factor(found.freedom);
+  for (double& error : found.error) error *= found.widened;
+}
+
+/// Puts places anywhere between points, see carry_out().
+void spread(std::vector<double>& value, std::vector<double> const& grid, Draw const& draw) {
+  for (std::size_t k = 0; k < grid.size(); ++k)
+    value[k] += std::sqrt(12.0) * grid[k] * random_offset(draw, "place " + std::to_string(k));
+}
+
+Outcome carry_out(Task const& task, std::uint32_t number, Request const& request) {
   Outcome out;
   out.labels = task.labels;
   try {
@@ -33,12 +53,13 @@ Outcome carry_out(Task const& task, Request const& request) {
     out.failure = error.what();
     return out;
   }
-  if (out.found.misfit == 0.0 && !out.found.step && beyond_chance(out.found))
-    for (double& error : out.found.error)
-      error *= std::sqrt(out.found.chi2 / static_cast<double>(out.found.freedom));
+  widen(out.found);
+  for (std::size_t k = 0; k < out.found.grid.size(); ++k)
+    out.found.error[k] = std::hypot(out.found.error[k], out.found.grid[k]);
   auto const parameters = out.found.value.size();
   for (std::uint32_t replica = 1; replica <= request.resamples; ++replica) try {
       out.replicas.push_back(task.find(replica).value);
+      spread(out.replicas.back(), out.found.grid, {request.seed, replica, number});
     } catch (InputError const&) {
       out.replicas.emplace_back(parameters, unknown);
     }
@@ -56,7 +77,8 @@ bool beyond_chance(FitResult const& found) {
 
 std::vector<Outcome> carry_out(std::vector<Task> const& tasks, Request const& request) {
   std::vector<Outcome> out;
-  for (auto const& task : tasks) out.push_back(carry_out(task, request));
+  for (auto const& task : tasks)
+    out.push_back(carry_out(task, static_cast<std::uint32_t>(out.size()), request));
   if (std::ranges::all_of(out, [](auto const& one) { return !one.failure.empty(); }))
     throw InputError(out.empty() ? "nothing to analyse" : out.front().failure);
   return out;

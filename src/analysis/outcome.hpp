@@ -25,7 +25,10 @@ struct FitResult {
   std::vector<Line> lines = {};
   bool weighted = true;  ///< the points had errors
   double misfit = 0.0;   ///< of the law, relative: added to errors of points, see fit_all
+  bool alike = false;    ///< points weighed alike in ln y, the misfit being their scatter
   bool step = false;     ///< the place is known to lie between two points, its error is theirs
+  std::vector<double> grid = {};  ///< [parameters] or empty: of the points' spacing, see carry_out
+  double widened = 1.0;           ///< errors are those of a good fit, times this (carry_out)
 };
 
 /// Something to find, on the measured points (replica 0) or on resampled ones.
@@ -47,8 +50,12 @@ struct Outcome {
 bool beyond_chance(FitResult const& found);
 
 /// Does all tasks. Errors of what was found by a fit with chi2 beyond chance, which no misfit of
-/// the law allows for yet, are widened by (chi2 / freedom)^(1/2). A task that fails does not stop
-/// the others; where all fail, throws InputError with the first reason.
+/// the law allows for yet, are widened by (chi2 / freedom)^(1/2), the scale factor of the Particle
+/// Data Group (Navas et al., PRD 110, 030001 (2024), Sec. 5.2.2). Errors that come from the scatter
+/// about the fit, these, those with a misfit and those of points without errors, have Student's
+/// factor of its degrees of freedom. To these comes, as independent, what a place is not known to
+/// between points (FitResult::grid); the bootstrap draws it evenly over 12^(1/2) times that. A task
+/// that fails does not stop the others; where all fail, throws InputError with the first reason.
 std::vector<Outcome> carry_out(std::vector<Task> const& tasks, Request const& request);
 
 /// A curve sampled at 200 places between two x, evenly in ln x where asked for.

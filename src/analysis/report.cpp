@@ -16,7 +16,8 @@ Rows tabulate(std::vector<Outcome> const& outcomes, std::vector<std::string> con
     for (auto const& [key, value] : outcomes.front().labels) out.columns.push_back(key);
   for (auto const& name : parameters)
     out.columns.insert(out.columns.end(), {name, name + "_error", name + "_bootstrap"});
-  out.columns.insert(out.columns.end(), {"chi2", "freedom", "points", "failure"});
+  out.columns.insert(out.columns.end(),
+                     {"chi2", "freedom", "points", "misfit", "widened", "failure"});
   for (auto const& one : outcomes) {
     std::vector<std::string> row;
     for (auto const& [key, value] : one.labels) row.push_back(value);
@@ -29,6 +30,8 @@ Rows tabulate(std::vector<Outcome> const& outcomes, std::vector<std::string> con
     row.push_back(cell(one.found.chi2));
     row.push_back(found ? fmt::format("{}", one.found.freedom) : "");
     row.push_back(found ? fmt::format("{}", one.found.points) : "");
+    row.push_back(found && one.found.misfit > 0.0 ? cell(one.found.misfit) : "");
+    row.push_back(found && one.found.widened > 1.0 ? cell(one.found.widened) : "");
     row.push_back(one.failure);
     out.rows.push_back(std::move(row));
   }
@@ -76,6 +79,22 @@ void note_fits(Report& report, std::vector<Outcome> const& outcomes,
         "fitted allow for it",
         poor, found, worst->found.chi2, worst->found.freedom, named(*worst),
         misfit > 0.0 ? fmt::format(" (off by {:.2g}%)", 100.0 * misfit) : ""));
+  double widest = 1.0;
+  for (auto const& one : outcomes) {
+    if (!one.failure.empty()) continue;
+    if (one.found.misfit == 0.0 && beyond_chance(one.found))
+      widest = std::max(widest, one.found.widened);
+    if (one.found.alike)
+      report.notes.push_back(fmt::format(
+          "the law that the places come from is not exact: they weigh alike in logarithms, errors "
+          "come from their scatter, {:.2g}%{}; --weigh errors weighs by those of the places",
+          100.0 * one.found.misfit, named(one)));
+  }
+  if (widest > 1.0)
+    report.notes.push_back(fmt::format(
+        "errors of what is fitted are widened, by up to {:.2g}, (chi2/freedom)^(1/2) with "
+        "Student's factor: column widened",
+        widest));
   for (std::size_t k = 0; k < parameters.size(); ++k) {
     std::string list;
     for (auto const& one : outcomes)

@@ -18,7 +18,7 @@ struct Report {
 };
 
 /// Columns of the labels, then NAME, NAME_error, NAME_bootstrap of each parameter, chi2, freedom,
-/// points, failure; a row for each outcome.
+/// points, misfit, widened, failure; a row for each outcome.
 Rows tabulate(std::vector<Outcome> const& outcomes, std::vector<std::string> const& parameters);
 
 /// A note on data that weigh by a pooled error (`pooled` of `data`), and on errors widened

@@ -30,6 +30,7 @@ struct Request {
   std::vector<double> rates;       ///< transition: two; empty: the smallest two
   std::optional<double> split;     ///< transition
   std::string of = "crossover";    ///< divergence: crossover, jump, transition, value
+  std::string weigh = "auto";      ///< divergence: auto, alike (in ln y), errors
   std::optional<double> pressure;  ///< constant-pressure, [m/tau_e^2]
   std::size_t window = 3;          ///< exponents: points a local slope is taken over
   std::uint32_t resamples = 400;   ///< of the bootstrap; 0: none

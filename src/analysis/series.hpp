@@ -19,6 +19,7 @@ struct Series {
   std::size_t left_out = 0;  ///< data without a value, or without an error
   std::size_t pooled = 0;    ///< data that weigh by a pooled error
   double widened = 1.0;      ///< see Quantity
+  bool alike = false;        ///< points weigh alike in ln y, whatever their errors (fit_all)
 };
 
 /// y against x for every curve of the sweep. Data without x or y (failed, undefined) are left out.

@@ -14,7 +14,7 @@ namespace {
 
 using analysis::Rows;
 
-constexpr std::size_t most_columns = 24;  ///< wider tables are only written
+constexpr std::size_t most_columns = 26;  ///< wider tables are only written
 
 /// Numbers to four digits, all else as it is.
 std::string shown(std::string const& text) {

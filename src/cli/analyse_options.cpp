@@ -34,6 +34,9 @@ void add_fit(Words command, analysis::Request& request) {
           "NAME=VALUE: a parameter that is not fitted; may be repeated")
       .one_value_each();
   command.option("--of", request.of, "divergence: crossover, jump, transition or value");
+  command.option("--weigh", request.weigh,
+                 "divergence: places by their errors or alike (in ln); auto: alike where the law "
+                 "that they come from is not exact [auto]");
   command.option("--kinks", request.kinks, "kink: 1 or 2 [1]");
   command.flag("--curved", request.curved, "kink: between curved branches, which make none");
   command.option("--direction", request.direction,

@@ -67,6 +67,9 @@ std::string differences(Rows const& table, std::vector<std::size_t> const& chose
   return out;
 }
 
+/// A row that did not fail has left the column out on purpose: the data do not reach it.
+std::string missing(Row const& row) { return row.text("failure") == "" ? "not told" : "not found"; }
+
 Comparison compared(json const& entry, Row const& row) {
   auto const column = entry.at("column").get<std::string>();
   auto const& stated = entry.at("stated");
@@ -80,7 +83,7 @@ Comparison compared(json const& entry, Row const& row) {
   Comparison out{entry.at("what"),
                  entry.at("source"),
                  is_range ? fmt::format("{:g} to {:g}", low, high) : with_error(low, given),
-                 std::isfinite(ours) ? with_error(ours, own) : "not found",
+                 std::isfinite(ours) ? with_error(ours, own) : missing(row),
                  "-",
                  ""};
   auto const about = entry.value("about", json(false));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace bagnold::analysis {
 namespace {
@@ -48,6 +49,14 @@ Model divergence_model(Points const& points) {
            {"phi_J", false, most, jammings},
            {"x", false, 0.0, {0.3, 0.6, 1.0, 1.5, 2.0, 3.0, 5.0}}},
           divergence};
+}
+
+Model logarithm_of(Model model) {
+  for (auto& parameter : model.parameters) parameter.linear = false;
+  model.value = [of = std::move(model.value)](double x, std::span<double const> parameters) {
+    return std::log(of(x, parameters));
+  };
+  return model;
 }
 
 Model friction_law_model() {

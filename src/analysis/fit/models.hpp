@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <span>
 #include <string>
@@ -21,7 +22,7 @@ struct Parameter {
 struct Model {
   std::string name;
   std::vector<Parameter> parameters;
-  double (*value)(double x, std::span<double const> parameters);
+  std::function<double(double x, std::span<double const> parameters)> value;
 };
 
 /// C [1 + (x/x*)^s]^(q/s), with parameters C, x*, s, q. P1 Sec. III A (unnumbered, above Fig. 4):
@@ -31,6 +32,9 @@ Model crossover_model(Points const& points);
 /// Q0 + c (phi_J - phi)^-x, with parameters Q0, c, phi_J, x. P1 Sec. III B and Fig. 5a for Q*(phi),
 /// P2 Fig. 3 for Q_c(phi). phi_J lies above all phi of the points, x above 0.
 Model divergence_model(Points const& points);
+
+/// ln of a model, none of whose parameters is linear then: to be fitted from a known start.
+Model logarithm_of(Model model);
 
 /// mu_J + c I^b, with parameters mu_J, c, b. P1 Eq. (21) and Fig. 15. b above 0.
 Model friction_law_model();

@@ -42,6 +42,17 @@ std::vector<Outcome> find_places(SweepTable const& table, Request const& request
   return find_jumps(table, first, series);
 }
 
+/// Weigh places alike? By themselves where the law that they come from is not exact: they are off
+/// by what it is then, and their errors, of what is fitted to few points or many, do not tell that.
+bool weigh_alike(std::vector<Outcome> const& outcomes, Request const& request) {
+  if (request.weigh == "alike") return true;
+  if (request.weigh == "errors") return false;
+  if (request.weigh != "auto")
+    throw InputError(fmt::format("--weigh {} (must be auto, alike or errors)", request.weigh));
+  return request.of == "crossover" &&
+         std::ranges::any_of(outcomes, [](auto const& one) { return beyond_chance(one.found); });
+}
+
 /// Series of places against phi, a curve for each combination of the other labels.
 std::vector<Series> places_against_phi(std::vector<Outcome> const& outcomes,
                                        Request const& request) {
@@ -104,6 +115,7 @@ Report divergence(SweepTable const& table, Request const& request) {
               request.of == "crossover" ? crossover_names : std::vector<std::string>{});
     series = places_against_phi(places, request);
   }
+  for (auto& one : series) one.alike = weigh_alike(places, request);
   auto fixed = request.fixed;
   if (request.phi_j) fixed["phi_J"] = *request.phi_j;
   auto const outcomes = fit_all(series, divergence_model, fixed, false, request);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/analysis/kinds/model_kinds.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -36,6 +38,25 @@ double misfit_of(Model const& model, Points const& points, Fixed const& fixed,
   return 0.0;
 }
 
+/// From where a series is fitted: found on the measured points.
+struct Start {
+  std::vector<double> value;
+  double chi2 = 0.0, misfit = 0.0;
+};
+
+/// ln y, of no errors: all weigh the same.
+Points in_logarithms(Points const& points) {
+  auto out = with_logarithms(points, false, true);
+  out.error.clear();
+  return out;
+}
+
+Fit fit_weighing(bool alike, Model const& model, Points const& points, Fixed const& fixed,
+                 Start const& start) {
+  if (alike) return fit_from(logarithm_of(model), in_logarithms(points), fixed, start.value);
+  return fit_from(model, with_misfit(points, start.misfit), fixed, start.value);
+}
+
 FitResult found_from(Model const& model, Points const& points, Fit const& fitted, bool log_x) {
   FitResult out{fitted.value, fitted.error, fitted.chi2, fitted.freedom, points.size()};
   out.weighted = points.weighted();
@@ -51,27 +72,27 @@ std::vector<Outcome> fit_all(std::vector<Series> const& series, ModelOf const& m
                              Fixed const& fixed, bool log_x, Request const& request) {
   std::vector<Task> tasks;
   for (auto const& one : series) {
-    auto const start = std::make_shared<std::pair<std::vector<double>, double>>();
-    tasks.push_back({one.labels, [=, points_of = one.points](std::uint32_t replica) {
-                       auto const points = points_of(replica);
-                       check_points(points, 2, "fit");  // a model takes its guesses from them
-                       auto const curve = model(points);
-                       auto& [values, misfit] = *start;
-                       double chi2 = 0.0;
-                       if (replica == 0) {
-                         auto const first = fit(curve, points, fixed);
-                         chi2 = first.chi2;
-                         misfit = misfit_of(curve, points, fixed, first);
-                         values = first.value;
-                       }
-                       auto found = found_from(
-                           curve, points,
-                           fit_from(curve, with_misfit(points, misfit), fixed, values), log_x);
-                       if (replica == 0) values = found.value;
-                       found.chi2 = chi2;
-                       found.misfit = misfit;
-                       return found;
-                     }});
+    auto const start = std::make_shared<Start>();
+    tasks.push_back(
+        {one.labels, [=, points_of = one.points, alike = one.alike](std::uint32_t replica) {
+           auto const points = points_of(replica);
+           check_points(points, 2, "fit");  // a model takes its guesses from them
+           auto const curve = model(points);
+           if (replica == 0) {
+             auto const first = fit(curve, points, fixed);
+             *start = {first.value, first.chi2,
+                       alike ? 0.0 : misfit_of(curve, points, fixed, first)};
+           }
+           auto const fitted = fit_weighing(alike, curve, points, fixed, *start);
+           auto found = found_from(curve, points, fitted, log_x);
+           if (replica == 0) start->value = found.value;
+           found.chi2 = start->chi2;
+           found.alike = alike;
+           found.misfit = start->misfit;
+           if (alike && fitted.freedom != 0)
+             found.misfit = std::sqrt(fitted.chi2 / static_cast<double>(fitted.freedom));
+           return found;
+         }});
   }
   return carry_out(tasks, request);
 }
@@ -90,10 +111,40 @@ std::vector<Outcome> find_crossovers(SweepTable const& table, Request const& req
   return found;
 }
 
+namespace {
+
+/// A law that is not exact tells q from as far as x goes beyond Q*. Where that is not a decade, and
+/// chi2 of any curve is beyond chance, q is taken out, and that is said.
+void leave_out_exponents(Report& report, std::vector<Outcome>& outcomes,
+                         std::vector<Series> const& series) {
+  constexpr double decade = 10.0;
+  constexpr std::size_t exponent = 3;
+  if (std::ranges::none_of(outcomes, [](auto const& one) { return beyond_chance(one.found); }))
+    return;
+  std::string list;
+  for (std::size_t k = 0; k < outcomes.size(); ++k) {
+    auto& [labels, found, failure, replicas, bootstrap] = outcomes[k];
+    if (!failure.empty() || found.error[exponent] == 0.0) continue;
+    double const reach = series[k].points(0).x.back() / found.value[crossover_place];
+    if (reach >= decade) continue;
+    found.value[exponent] = found.error[exponent] = bootstrap[exponent] = unknown;
+    list += fmt::format("{}{}to {:.2g} Q_star", list.empty() ? "" : "; ",
+                        labels.empty() ? "" : caption(labels) + ", ", reach);
+  }
+  if (!list.empty())
+    report.notes.push_back(fmt::format(
+        "no q ({}): the law is not exact, so the range of x decides q where it goes less than a "
+        "decade beyond Q_star",
+        list));
+}
+
+}  // namespace
+
 Report crossover(SweepTable const& table, Request const& request) {
   Report report;
   std::vector<Series> series;
-  auto const outcomes = find_crossovers(table, request, series);
+  auto outcomes = find_crossovers(table, request, series);
+  leave_out_exponents(report, outcomes, series);
   report.results = tabulate(outcomes, crossover_names);
   note_fits(report, outcomes, crossover_names);
   note_left_out(report, table, series);

@@ -57,6 +57,18 @@ TEST(Stated, TellsWhatAgrees) {
   EXPECT_EQ(agree({{"stated", {1.3, 1.6}}}), "untold;no;;");  // our error is wider
 }
 
+/// A fit that was found and leaves a parameter out says that data do not tell it.
+TEST(Stated, SaysWhatIsNotTold) {
+  Rows const fits{{"phi", "x", "x_error", "failure"},
+                  {{"0.8", "1.5", "0.3", ""}, {"0.83", "", "", ""}, {"0.9", "", "", "2 points"}}};
+  auto const found = compare(entry(nlohmann::json::object()), fits);
+  ASSERT_EQ(found.size(), 3u);
+  EXPECT_EQ(found[0].ours, "1.5 +- 0.3");
+  EXPECT_EQ(found[1].ours, "not told");
+  EXPECT_EQ(found[1].agrees, "");
+  EXPECT_EQ(found[2].ours, "not found");
+}
+
 TEST(Stated, SaysWhatIsNotFound) {
   auto const missing = compare(entry({{"row", {{"disks.elasticity", 100}}}}), rows);
   ASSERT_EQ(missing.size(), 1u);
