@@ -47,4 +47,12 @@ Points with_logarithms(Points const& points, bool log_x, bool log_y) {
   return out;
 }
 
+double grid_error(Points const& points, double x) {
+  double width = 0.0;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i)
+    if (x >= points.x[i] && x <= points.x[i + 1])
+      width = std::max(width, points.x[i + 1] - points.x[i]);
+  return width / (2.0 * std::sqrt(12.0));
+}
+
 }  // namespace bagnold::analysis

@@ -23,4 +23,16 @@ void check_points(Points const& points, std::size_t fewest, std::string_view wha
 /// a logarithm is asked of what is not above 0.
 Points with_logarithms(Points const& points, bool log_x, bool log_y);
 
+/// The least that the place of a feature, of a kink or a peak, is known to on these points: it lies
+/// evenly over half the distance of the two that it lies between, or of the wider two about a
+/// point,
+///
+///     (x_(i + 1) - x_i) / (2 12^(1/2)).
+///
+/// A fit gives less where the points are exact; but that pieces are straight up to a kink, or a
+/// peak a parabola, is assumed between them. Of exact points of peaks (Gaussians 0.7 spacings wide
+/// and more, Lorentzians, cusps) the vertex of three lies within 0.2 spacings in 95%. `points` in
+/// order of x.
+double grid_error(Points const& points, double x);
+
 }  // namespace bagnold::analysis

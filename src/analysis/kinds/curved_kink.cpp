@@ -88,10 +88,11 @@ FitResult CurvedKinks::operator()(Points const& measured, std::uint32_t replica)
     double const place = x_of(curve.place(k));
     bool const given = known_->stands[k];
     double const error = std::hypot(curve.place_error(k), difference);
+    double const scale = request_.log_x ? place : 1.0;
     out.value.insert(out.value.end(),
                      {given ? place : unknown, given ? y_of(curve(curve.place(k))) : unknown});
-    out.error.insert(out.error.end(),
-                     {given ? error * (request_.log_x ? place : 1.0) : unknown, unknown});
+    out.error.insert(out.error.end(), {given ? error * scale : unknown, unknown});
+    out.grid.insert(out.grid.end(), {grid_error(points, curve.place(k)) * scale, 0.0});
   };
   if (replica != 0) {
     auto const curve =

@@ -22,7 +22,9 @@ FitResult kinks_of(Points const& measured, Request const& request) {
   for (std::size_t k = 3; k < fitted.value.size(); k += 2) {
     double const x = fitted.value[k], place = x_of(x);
     out.value.insert(out.value.end(), {place, y_of(piecewise_linear(x, fitted.value))});
-    out.error.insert(out.error.end(), {fitted.error[k] * (request.log_x ? place : 1.0), unknown});
+    double const scale = request.log_x ? place : 1.0;
+    out.error.insert(out.error.end(), {fitted.error[k] * scale, unknown});
+    out.grid.insert(out.grid.end(), {grid_error(points, x) * scale, 0.0});
   }
   auto line = sample_line(points.x.front(), points.x.back(), false,
                           [&](double x) { return piecewise_linear(x, fitted.value); });

@@ -21,8 +21,22 @@ Vertex vertex(std::array<double, 3> const& x, std::array<double, 3> const& y) {
   return {at, y[0] + (at - x[0]) * (left + bend * (at - x[1]))};
 }
 
+/// What the place of a peak is not known to for its shape: the parabola through the points one
+/// further out, of a grid twice as wide, has its vertex elsewhere. Without these points the place
+/// may lie anywhere between two.
+double shape_error(Points const& points, std::size_t at, double place) {
+  double const grid = grid_error(points, place);
+  if (at < 2 || at + 2 >= points.size()) return 2.0 * grid;
+  auto const wide = vertex({points.x[at - 2], points.x[at], points.x[at + 2]},
+                           {points.y[at - 2], points.y[at], points.y[at + 2]});
+  double const off = wide.x - place;
+  return std::isfinite(off)
+             ? std::hypot(grid, std::min(std::abs(off), 2.0 * std::sqrt(12.0) * grid))
+             : 2.0 * grid;
+}
+
 /// value = {place, height}: of the parabola through the highest point and its neighbours, errors of
-/// the three carried over to first order.
+/// the three carried over to first order, and that of the shape.
 FitResult highest(Points const& points) {
   check_points(points, 3, "peak");
   auto const at = std::ranges::max_element(points.y) - points.y.begin();
@@ -44,6 +58,7 @@ FitResult highest(Points const& points) {
     out.error[0] = std::hypot(out.error[0], (then.x - best.x) / small);
     out.error[1] = std::hypot(out.error[1], (then.y - best.y) / small);
   }
+  out.grid = {shape_error(points, static_cast<std::size_t>(at), best.x), 0.0};
   return out;
 }
 

@@ -27,14 +27,15 @@ FitResult meet(Points const& measured, Request const& request, Draw const& draw)
   auto const back = [](double value, bool logarithm) {
     return logarithm ? std::exp(value) : value;
   };
-  double const place = back(lines.meeting.x, request.log_x);
+  double const place = back(lines.meeting.x, request.log_x), scale = request.log_x ? place : 1.0;
   FitResult out{{place},
-                {lines.meeting.error * (request.log_x ? place : 1.0)},
+                {lines.meeting.error * scale},
                 lines.first.chi2 + lines.second.chi2,
                 lines.first.freedom + lines.second.freedom,
                 points.size()};
   out.weighted = points.weighted();
   out.step = lines.step;
+  if (!lines.step) out.grid = {grid_error(points, lines.meeting.x) * scale};
   double const beyond = 0.05 * (points.x.back() - points.x.front());
   auto const add = [&](Fit const& fit, double low, double high) {
     if (!lines.step) {
