@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "src/analysis/fit/chance.hpp"
 #include "src/analysis/fit/fit.hpp"
+#include "src/analysis/run_ratios.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/nearest_word.hpp"
 #include "src/statistics/jackknife.hpp"
@@ -57,7 +59,7 @@ Value merge_seeds(std::span<double const> means, std::span<double const> errors)
 }
 
 Quantity::Quantity(SweepTable const& table, std::string const& name, std::optional<double> phi_j)
-    : name_(name) {
+    : name_(name), table_(&table) {
   if (auto const sign = name.find_last_of("*/"); sign != std::string::npos) {
     first_ = std::make_shared<Quantity>(table, name.substr(0, sign), phi_j);
     second_ = std::make_shared<Quantity>(table, name.substr(sign + 1), phi_j);
@@ -75,18 +77,19 @@ Quantity::Quantity(SweepTable const& table, std::string const& name, std::option
 }
 
 /// Merged over seeds; a seed without an error has the pooled one.
-Value Quantity::measured(std::span<std::size_t const> rows) const {
-  auto const means = at(observable_->mean, rows);
-  auto errors = at(observable_->error, rows);
+Value Quantity::measured(Measured const& observable, SeedErrors const& pool,
+                         std::span<std::size_t const> rows) const {
+  auto const means = at(observable.mean, rows);
+  auto errors = at(observable.error, rows);
   double sum = 0.0, count = 0.0;
   for (double const value : means)
     if (std::isfinite(value)) sum += value, count += 1.0;
   bool pooled = false;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (std::isfinite(errors[i])) {
-      errors[i] *= errors_.factor;
+      errors[i] *= pool.factor;
     } else if (std::isfinite(means[i])) {
-      errors[i] = errors_.relative * std::abs(sum / count);
+      errors[i] = pool.relative * std::abs(sum / count);
       pooled = std::isfinite(errors[i]);
     }
   }
@@ -130,13 +133,79 @@ double Quantity::error_of_seeds(std::span<std::size_t const> rows) const {
          statistics::Jackknife(seeds, 0, of_means).error(1);
 }
 
+std::vector<std::string> Quantity::observables() const {
+  std::vector<Quantity const*> parts;
+  add_parts(parts);
+  std::vector<std::string> names;
+  for (auto const* part : parts)
+    if (part->observable_) names.push_back(part->name_);
+  return names;
+}
+
+double Quantity::of_observables(std::size_t row, std::span<double const> means) const {
+  std::vector<Quantity const*> parts;
+  add_parts(parts);
+  std::vector<double> all;
+  for (auto const* part : parts)
+    if (part->observable_) {
+      all.push_back(means.front());
+      means = means.subspan(1);
+    } else {
+      all.push_back(part->number_[row]);
+    }
+  std::span<double const> rest(all);
+  return of_parts(rest);
+}
+
+std::vector<double> Quantity::errors_of_runs() const {
+  if (auto const kept = table_->observables.find(name_); kept != table_->observables.end())
+    return kept->second.error;
+  auto const [known, is_new] = table_->ratio_errors->try_emplace(name_);
+  auto const names = observables();
+  for (std::size_t row = 0; is_new && row < table_->runs.size(); ++row)
+    known->second.push_back(
+        error_of_run(table_->runs[row] / "result.h5", names,
+                     [&](std::span<double const> means) { return of_observables(row, means); }));
+  known->second.resize(table_->points, unknown);
+  return known->second;
+}
+
+Quantity::OwnErrors const* Quantity::own_errors() const {
+  if (std::exchange(own_errors_sought_, true)) return own_errors_ ? &*own_errors_ : nullptr;
+  auto const names = observables();
+  if (names.size() < 2) return nullptr;
+  Measured found{{}, errors_of_runs()};
+  if (std::ranges::none_of(found.error, [](double error) { return std::isfinite(error); }))
+    return nullptr;
+  for (std::size_t row = 0; row < table_->points; ++row) {
+    std::vector<double> means;
+    for (auto const& name : names) means.push_back(observable(*table_, name).mean[row]);
+    found.mean.push_back(of_observables(row, means));
+  }
+  auto const pool = seed_errors(*table_, found);
+  own_errors_ = {std::move(found), pool};
+  return &*own_errors_;
+}
+
 double Quantity::widened() const {
+  if (own_errors_) return own_errors_->pool.factor;
   return first_ ? std::max(first_->widened(), second_->widened()) : errors_.factor;
 }
 
 Value Quantity::of(std::span<std::size_t const> rows) const {
+  auto out = of_merged(rows);
+  if (!first_ || is_key()) return out;
+  if (auto const* own = own_errors()) {
+    auto const merged = measured(own->measured, own->pool, rows);
+    out.error = merged.error;
+    out.pooled = merged.pooled;
+  }
+  return out;
+}
+
+Value Quantity::of_merged(std::span<std::size_t const> rows) const {
   if (first_) {
-    auto const first = first_->of(rows), second = second_->of(rows);
+    auto const first = first_->of_merged(rows), second = second_->of_merged(rows);
     bool const pooled = first.pooled || second.pooled;
     double const mean = divides_ ? first.mean / second.mean : first.mean * second.mean;
     if (!first_->is_key() && !second_->is_key()) {
@@ -147,13 +216,14 @@ Value Quantity::of(std::span<std::size_t const> rows) const {
       return {mean, std::hypot(first.error * second.mean, first.mean * second.error), pooled};
     return {mean, std::hypot(first.error / second.mean, mean * second.error / second.mean), pooled};
   }
-  if (observable_) return measured(rows);
+  if (observable_) return measured(*observable_, errors_, rows);
   return {rows.empty() ? unknown : number_[rows.front()], 0.0};
 }
 
 double Quantity::resampled(std::span<std::size_t const> rows, Draw const& draw) const {
   if (draw.replica == 0 || is_key()) return of(rows).mean;
-  if (first_) {
+  bool const is_own = first_ && rows.size() == 1 && own_errors();
+  if (first_ && !is_own) {
     double const first = first_->resampled(rows, draw), second = second_->resampled(rows, draw);
     return divides_ ? first / second : first * second;
   }

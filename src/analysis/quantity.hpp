@@ -34,9 +34,11 @@ Value merge_seeds(std::span<double const> means, std::span<double const> errors)
 ///   tells (SeedErrors);
 /// - `phi_J-phi`, the distance to jamming, phi_J given (no error);
 /// - A/B, A*B, the ratio or product of two of these after merging; of several signs the last one is
-///   worked out last. Where both are observables of the same runs they vary together, and from
-///   three seeds on the error is the jackknife's over seeds, times Student's factor; of one or two
-///   seeds errors are added as independent, and too large for most ratios.
+///   worked out last. Observables of one run vary together, so its error is that of its own blocks
+///   in each run (error_of_run), then merged over seeds as that of an observable. Where the runs'
+///   series are not there, as for tables in CSV without a column A/B and A/B_error, it is from
+///   three seeds on the jackknife's over seeds, times Student's factor; of one or two seeds errors
+///   are added as independent then, and too large for most ratios.
 class Quantity {
  public:
   /// Keeps a reference to the table. Throws InputError for an unknown name, with the nearest one.
@@ -60,7 +62,25 @@ class Quantity {
   double widened() const;
 
  private:
-  Value measured(std::span<std::size_t const> rows) const;
+  Value measured(Measured const& observable, SeedErrors const& pool,
+                 std::span<std::size_t const> rows) const;
+
+  /// As of(), but for the error of a ratio from its own blocks.
+  Value of_merged(std::span<std::size_t const> rows) const;
+
+  /// Names of the observables it is made of, from left to right; its value in a row from theirs;
+  /// and its error in each row, from its own blocks (error_of_run) or as the table has it.
+  std::vector<std::string> observables() const;
+  double of_observables(std::size_t row, std::span<double const> means) const;
+  std::vector<double> errors_of_runs() const;
+
+  /// A ratio or product of at least two observables as one, with the errors of its own blocks, or
+  /// nullptr where no run tells them. Worked out when first asked for.
+  struct OwnErrors {
+    Measured measured;
+    SeedErrors pool;
+  };
+  OwnErrors const* own_errors() const;
 
   /// The keys and observables it is made of, from left to right, and its value from theirs, which
   /// it takes off the front of `means`.
@@ -77,6 +97,9 @@ class Quantity {
   SeedErrors errors_{};                   ///< of an observable
   std::shared_ptr<Quantity const> first_, second_;
   bool divides_ = false;  ///< first_ / second_; else their product
+  SweepTable const* table_;
+  mutable std::optional<OwnErrors> own_errors_ = {};
+  mutable bool own_errors_sought_ = false;
 };
 
 }  // namespace bagnold::analysis

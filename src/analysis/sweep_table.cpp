@@ -20,7 +20,7 @@ namespace bagnold::analysis {
 namespace {
 
 constexpr std::string_view error_ending = "_error";
-constexpr std::string_view scene_name = "scene";
+constexpr std::string_view scene_name = "scene", folder_name = "folder";
 constexpr std::string_view texts[] = {"rough_errors", "warnings", "notes", "folder"};
 
 std::size_t count_points(io::Hdf5Reader const& file, std::string const& first) {
@@ -37,8 +37,12 @@ void read_keys(io::Hdf5Reader const& file, SweepTable& table) {
     if (table.points == 0) table.points = count_points(file, path);
     if (name == scene_name) {
       table.scenes = file.texts(path, table.points);
+    } else if (name == folder_name && file.holds_text(path)) {
+      auto const points = std::filesystem::path(table.origin).parent_path() / "points";
+      for (auto const& folder : file.texts(path, table.points))
+        table.runs.push_back(points / std::filesystem::path(folder).filename());
     } else if (name.find('.') == std::string::npos) {
-      continue;  // about the point, its folder for example: no key of the scene
+      continue;  // about the point: no key of the scene
     } else if (file.holds_text(path)) {
       table.keys[name].texts = file.texts(path, table.points);
     } else {
@@ -254,9 +258,11 @@ SweepTable merge_tables(std::vector<SweepTable> tables) {
       append(values.error, own == table.observables.end() ? none : own->second.error);
     }
     append(out.scenes, table.scenes);
+    append(out.runs, table.runs);
     out.points += table.points;
   }
   if (out.scenes.size() != out.points) out.scenes.clear();
+  if (out.runs.size() != out.points) out.runs.clear();
   for (auto const& [name, column] : out.keys)
     if (column.is_text() && !column.numbers.empty())
       throw InputError(

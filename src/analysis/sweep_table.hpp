@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,12 @@ struct SweepTable {
   std::map<std::string, KeyColumn> keys;        ///< the varied ones, by "table.key"
   std::map<std::string, Measured> observables;  ///< by NAME
   std::vector<std::string> scenes;              ///< the resolved scenes, TOML; may be empty
+  std::vector<std::filesystem::path> runs;      ///< folders of the points; may be empty
+
+  /// Errors of ratios and products of observables that were worked out from the runs, one a point,
+  /// by A/B. Copies of a table share them.
+  std::shared_ptr<std::map<std::string, std::vector<double>>> ratio_errors =
+      std::make_shared<std::map<std::string, std::vector<double>>>();
 
   /// Has a point a value of anything? One without has failed.
   bool failed(std::size_t point) const;
@@ -39,10 +46,10 @@ struct SweepTable {
 };
 
 /// Reads `sweep.h5`, or that file in a folder: `/points/KEY` [P] (numbers or texts of fixed
-/// length), `/points/scene` [P], `/observables/NAME` and `/observables/NAME_error` [P]. Files come
-/// from anywhere: Hdf5Reader refuses what is not plain. Or a table NAME.csv like `sweep.csv`:
-/// columns with a dot in their names are keys, others observables. Throws InputError, naming the
-/// file.
+/// length), `/points/scene` and `/points/folder` [P], `/observables/NAME` and
+/// `/observables/NAME_error` [P]. Files come from anywhere: Hdf5Reader refuses what is not plain.
+/// Or a table NAME.csv like `sweep.csv`: columns with a dot in their names are keys, others
+/// observables. Throws InputError, naming the file.
 SweepTable read_sweep_table(std::filesystem::path const& path);
 
 /// Several sweeps as one, their points one after another. Keys are those that any of them varies,

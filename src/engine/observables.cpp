@@ -81,6 +81,8 @@ void add_contacts(Scene const& scene, std::vector<Observable>& list) {
                   [=](Averages a) { return dt * sum(a, K::duration) / sum(a, K::ended); }});
   list.push_back({"nu_coll", "1/tau_e", "contacts begun per disk and time",
                   [=](Averages a) { return sum(a, K::begun) / (n * dt * sum(a, K::steps)); }});
+  list.push_back({"nu_end", "1/tau_e", "contacts ended per disk and time, their duration known",
+                  [=](Averages a) { return sum(a, K::ended) / (n * dt * sum(a, K::steps)); }});
   list.push_back({"v_N_rms", "d_s/tau_e", "relative velocity in contact, along the line of centres",
                   rms(int{K::motion} + M::normal2)});
   list.push_back({"v_T_rms", "d_s/tau_e", "across it", rms(int{K::motion} + M::tangential2)});

@@ -3,12 +3,17 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <map>
+#include <memory>
 #include <numeric>
 #include <random>
 
 #include "src/config/errors.hpp"
+#include "src/io/result_file.hpp"
 #include "src/statistics/student.hpp"
 #include "tests/analysis/tables.hpp"
+#include "tests/io/folder.hpp"
 
 namespace bagnold::analysis {
 namespace {
@@ -109,6 +114,124 @@ TEST(Quantity, RatiosOfTwoSeedsTakeErrorsAsIndependent) {
   EXPECT_DOUBLE_EQ(ratio.mean, sigma.mean / p.mean);
   EXPECT_DOUBLE_EQ(ratio.error,
                    ratio.mean * std::hypot(sigma.error / sigma.mean, p.error / p.mean));
+}
+
+/// A sweep of runs of `windows` windows, their series in result.h5: p and sigma = 0.3 p vary
+/// together by 20%, slowly, their ratio by 2%; contacts begin and end, and Z is their durations'
+/// sum, but for what windows cut. Returns the table; the exact ratios of a run's averages are those
+/// of its means.
+SweepTable runs_of_series(std::filesystem::path const& folder, int runs, std::size_t windows,
+                          std::mt19937_64& random) {
+  std::normal_distribution<double> normal;
+  std::exponential_distribution<double> duration(1.0 / 50.0);
+  SweepTable table;
+  table.origin = "made";
+  for (int run = 0; run < runs; ++run) {
+    std::map<std::string, std::vector<double>> series;
+    double slow = normal(random), before = 0.0;
+    double ended = 0.0, lasted = 0.0, begun = 0.0, stayed = 0.0;
+    for (std::size_t w = 0; w < windows; ++w) {
+      slow = 0.95 * slow + std::sqrt(1.0 - 0.95 * 0.95) * normal(random);
+      double const p = 1.0 + 0.2 * slow;
+      std::poisson_distribution<int> number(40.0 * (1.0 + 0.3 * std::max(-3.0, slow)) + 1.0),
+          open(4.0);
+      int const ends = number(random) + 1, now = open(random);
+      double const begins = std::max(0.0, ends + now - before);
+      before = now;
+      double sum = 0.0;
+      for (int k = 0; k < ends; ++k) sum += duration(random) * p;
+      ended += ends, lasted += sum, begun += begins;
+      double const contacts = 2.0 * sum / 1000.0 * (1.0 + 0.01 * normal(random));
+      stayed += contacts;
+      series["evaluations"].push_back(10.0);
+      series["p"].push_back(p);
+      series["sigma"].push_back(0.3 * p * (1.0 + 0.02 * normal(random)));
+      series["tau_dur"].push_back(sum / ends);
+      series["nu_coll"].push_back(begins / 1000.0);
+      series["nu_end"].push_back(ends / 1000.0);
+      series["Z"].push_back(contacts);
+    }
+    double const n = static_cast<double>(windows);
+    auto const add = [&](std::string const& name, double mean, double error) {
+      table.observables[name].mean.push_back(mean);
+      table.observables[name].error.push_back(error);
+    };
+    for (auto const* name : {"p", "sigma"})
+      add(name, std::accumulate(series[name].begin(), series[name].end(), 0.0) / n, 0.03);
+    add("tau_dur", lasted / ended, 2.0);
+    add("nu_coll", begun / n / 1000.0, 0.001);
+    add("Z", stayed / n, 0.1);
+    table.keys["disks.elasticity"].numbers.push_back(run);
+    ++table.points;
+    table.runs.push_back(folder / std::to_string(run));
+    std::filesystem::create_directory(table.runs.back());
+    io::Result result;
+    for (auto const& [name, values] : series) {
+      // a transient that is discarded
+      std::vector<double> all(100, 1e3);
+      all.insert(all.end(), values.begin(), values.end());
+      result.series.push_back({name, "1", "made", all});
+    }
+    result.discarded_windows = 100;
+    io::write_result(table.runs.back() / "result.h5", result);
+  }
+  return table;
+}
+
+/// Of one seed: what varies together does not count, and two errors hold the truth.
+TEST(Quantity, RatiosOfOneSeedHaveTheErrorOfTheirOwnBlocks) {
+  io::TestFolder const folder;
+  std::mt19937_64 random(28);
+  int const runs = 200;
+  auto const table = runs_of_series(folder.path(), runs, 1000, random);
+  struct Case {
+    char const* name;
+    double truth;
+    double independent;  ///< error of the ratio, were its parts independent
+    double most;         ///< times the scatter of runs that its error is
+  };
+  for (auto const& [name, truth, independent, most] :
+       {Case{"sigma/p", 0.3, 0.04, 1.15}, Case{"tau_dur*nu_coll/Z", 0.5, 0.05, 1.7}}) {
+    Quantity const ratio(table, name);
+    int inside = 0;
+    double squares = 0.0, told = 0.0;
+    for (std::size_t row = 0; row < table.points; ++row) {
+      std::vector<std::size_t> const rows{row};
+      auto const found = ratio.of(rows);
+      inside += std::abs(found.mean - truth) <= 2.0 * found.error;
+      squares += std::pow(found.mean - truth, 2) / runs;
+      told += found.error * found.error / runs;
+    }
+    EXPECT_GT(inside / static_cast<double>(runs), 0.9545 - 4.0 * std::sqrt(0.0455 / runs)) << name;
+    EXPECT_GT(std::sqrt(told / squares), 0.85) << name;
+    EXPECT_LT(std::sqrt(told / squares), most) << name;
+    EXPECT_LT(std::sqrt(told), independent / 10.0) << name;
+    // the bootstrap of a single seed draws it from that
+    std::vector<std::size_t> const rows{0};
+    double spread = 0.0;
+    for (std::uint32_t replica = 1; replica <= 1000; ++replica)
+      spread += std::pow(ratio.resampled(rows, {1, replica, 0}) - ratio.of(rows).mean, 2) / 1000;
+    EXPECT_NEAR(std::sqrt(spread) / ratio.of(rows).error, 1.0, 0.1) << name;
+  }
+}
+
+/// Runs that are gone, and tables without series, leave the errors of before; a table may have the
+/// ratio as a column.
+TEST(Quantity, RatiosWithoutSeries) {
+  io::TestFolder const folder;
+  std::mt19937_64 random(29);
+  auto table = runs_of_series(folder.path(), 2, 300, random);
+  std::vector<std::size_t> const rows{0};
+  double const own = Quantity(table, "sigma/p").of(rows).error;
+  auto gone = table;
+  gone.ratio_errors = std::make_shared<std::map<std::string, std::vector<double>>>();
+  for (auto& run : gone.runs) run += "-gone";
+  double const independent = Quantity(gone, "sigma/p").of(rows).error;
+  EXPECT_GT(independent, 10.0 * own);
+  gone.observables["sigma/p"] = {{0.3, 0.3}, {own, own}};
+  EXPECT_DOUBLE_EQ(Quantity(gone, "sigma/p").of(rows).error, own);
+  EXPECT_DOUBLE_EQ(Quantity(gone, "sigma/p").of(rows).mean,
+                   Quantity(table, "sigma/p").of(rows).mean);
 }
 
 /// The variance of a mean over 3 seeds, each of variance 1, is 1/3: resampling tells that on

@@ -9,7 +9,7 @@ import numpy as np
 
 from bagnold import LAWS, CliTest, read_summary, seconds_to_strain
 
-SCALARS = ("tau_dur", "nu_coll", "v_N_rms", "v_T_rms", "v_C_T_rms", "v_R_rms",
+SCALARS = ("tau_dur", "nu_coll", "nu_end", "v_N_rms", "v_T_rms", "v_C_T_rms", "v_R_rms",
            "contact_rotation_correlation", "cluster_binary_share")
 HISTOGRAMS = ("cluster_disks", "tau_dur", "theta", "theta_begin", "theta_end")
 ENGINES = ("reference", "few-contacts", "many-contacts", "lookahead")
