@@ -38,6 +38,7 @@ void print_in_list(analysis::Figure const& figure, bool has_quick) {
 void print(analysis::PreparedFigure const& made) {
   auto const& figure = made.figure;
   fmt::print("{}: {}\nThe paper: {}\n", figure.name, figure.title, figure.claims);
+  if (!figure.remark.empty()) fmt::print("Ours: {}\n", figure.remark);
   if (!made.stated.empty()) fmt::print("\n{}", to_lines(made.stated));
 }
 

@@ -8,7 +8,7 @@ import unittest
 import h5py
 import numpy as np
 
-from bagnold import CliTest
+from bagnold import SOURCE, CliTest
 from sweep_table import crossover, grid, noisy, q_star, write_sweep
 
 PHI_J, X, Q0, C = 0.84335, 1.65, 1.89, 0.05
@@ -182,6 +182,7 @@ class AnalyseTest(CliTest):
         for row in rows:
             self.near(row, "phi_1", low)
             self.near(row, "phi_2", high)
+            self.assertGreater(float(row["phi_1_error"]), 0.002 / (2 * math.sqrt(12)))
 
     def test_kinks_between_curved_branches(self):
         """The branch below rises ever more steeply; at the large rate all is smooth."""
@@ -220,6 +221,8 @@ class AnalyseTest(CliTest):
             self.near(row, "phi_peak", truth)
             self.near(row, "spin_var_peak", 3)
             self.assertLess(float(row["phi_peak_error"]), 0.002)
+            for ending in ("error", "bootstrap"):  # a grid of 0.005
+                self.assertGreater(float(row[f"phi_peak_{ending}"]), 0.005 / (2 * math.sqrt(12)))
         self.refused("peak", "--range", 0.80, 0.83, "--where", "disks.elasticity=1", words=["beyond it"])
 
     def test_constant_pressure(self):
@@ -289,6 +292,87 @@ class AnalyseTest(CliTest):
         self.sweep(points, 0.02, B_p_el=crossover(q, 2000.0))
         self.analyse("crossover", "--resamples", 0)
         self.assertIn("Q_star: the error exceeds the value", self.result.stderr)
+
+    def crossovers_of_p1(self, kind, *options):
+        """Of docs/data/figures at 1e-5."""
+        self.bagnold("analyse", kind, SOURCE / "docs/data/figures/cd_n.csv", "--by", "disks.packing_fraction", "--where",
+                     "shear.strain_rate=1e-5", "--resamples", 0, "--out", self.folder / "found", *options)
+        return rows_of(self.folder / "found.csv")
+
+    def test_the_divergence_of_p1(self):
+        """Q* weigh alike as P1's form is not exact: 1.64(2) and 1.83(7) by another code, without Student's factor."""
+        (row,) = self.crossovers_of_p1("divergence", "--phi-j", PHI_J)
+        students = 2.3665 / 2  # eight degrees of freedom
+        for name, value, error in (("x", 1.638, 0.0207), ("Q0", 1.832, 0.0734)):
+            self.assertLess(abs(float(row[name]) - value), 0.002)
+            self.assertLess(abs(float(row[f"{name}_error"]) / (students * error) - 1), 0.05)
+        self.assertLess(abs(float(row["misfit"]) - 0.03), 0.002)
+        self.assertLess(abs(float(row["widened"]) - students), 0.001)
+        (row,) = self.crossovers_of_p1("divergence", "--phi-j", PHI_J, "--weigh", "errors")
+        self.assertLess(abs(float(row["x"]) - 1.73), 0.01)
+        self.assertEqual((row["misfit"], row["widened"]), ("", ""))
+        self.refused_weigh()
+
+    def refused_weigh(self):
+        result = self.bagnold("analyse", "divergence", SOURCE / "docs/data/figures/cd_n.csv", "--weigh", "none",
+                              "--by", "disks.packing_fraction", "--where", "shear.strain_rate=1e-5", "--out", self.folder / "no")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("--weigh none", result.stderr)
+
+    def test_exponents_of_p1_need_a_decade_of_q(self):
+        """Q goes to 500: 16 Q* at 0.82, 7 at 0.83, 3 at 0.835; for the law is not exact."""
+        rows = {row["disks.packing_fraction"]: row for row in self.crossovers_of_p1("crossover")}
+        self.assertLess(abs(float(rows["0.82"]["q"]) - 1.31), 0.02)
+        for phi in ("0.83", "0.835"):
+            self.assertEqual((rows[phi]["q"], rows[phi]["q_error"], rows[phi]["failure"]), ("", "", ""))
+            self.assertGreater(float(rows[phi]["Q_star"]), 50)
+
+    def test_errors_of_scatter_are_told(self):
+        points = grid(disks__packing_fraction=list(np.linspace(0.70, 0.80, 11)), disks__seed=[1])
+        phi = points["disks.packing_fraction"]
+        self.sweep(points, 0.002, p=np.exp(phi) * (1 + 0.05 * np.sin(300 * phi)))
+        (row,) = self.analyse("kink", "--y", "p", "--log-y")
+        students = 2.4288 / 2  # seven degrees of freedom
+        scale = math.sqrt(float(row["chi2"]) / 7)
+        self.assertGreater(scale, 5)
+        self.assertLess(abs(float(row["widened"]) / (scale * students) - 1), 0.001)
+        self.assertIn("errors of what is fitted are widened", self.result.stderr)
+
+    def test_ratios_of_one_seed_have_their_own_error(self):
+        """Of real runs: sigma and p_el vary together, and Z = 2 tau_dur nu_coll."""
+        sweep = self.folder / "ratio.toml"
+        sweep.write_text('''[disks]
+model = "CD_n"
+count = 64
+packing_fraction = 0.78
+mass = "area"
+[shear]
+strain_rate = 1e-3
+strain = 20.0
+[measure]
+contacts = true
+[output]
+plot = false
+[sweep]
+grid = { "disks.elasticity" = [1, 2] }
+''')
+        out = self.folder / "ratio"
+        self.assertEqual(self.bagnold("sweep", sweep, "--out", out, "--quiet").returncode, 0)
+
+        def found(y, source=out):
+            result = self.bagnold("analyse", "table", source, "--x", "disks.elasticity", "--y", y, "--out", self.folder / "t")
+            self.assertEqual(result.returncode, 0, result.stderr)
+            return rows_of(self.folder / "t.csv")
+
+        for y, truth in (("tau_dur*nu_coll/Z", 0.5), ("sigma/p_el", None)):
+            own, alone = found(y), found(y, out / "sweep.csv")
+            for row, other in zip(own, alone):
+                self.assertEqual(row[y], other[y])
+                self.assertLess(float(row[f"{y}_error"]), 0.5 * float(other[f"{y}_error"]))
+                self.assertGreater(float(row[f"{y}_error"]), 1e-6)
+                if truth:
+                    self.assertLess(abs(float(row[y]) - truth), 4 * float(row[f"{y}_error"]) + 0.001)
+                    self.assertLess(float(row[f"{y}_error"]), 0.25 * float(other[f"{y}_error"]))
 
     def test_same_bytes_each_time(self):
         self.bagnold_states()

@@ -123,6 +123,19 @@ class FigureTest(CliTest):
                 width, height = size_of(out / f"{name}-quick.png")
                 self.assertGreater(min(width, height), 200)
 
+    def test_remarks_stand_under_the_picture(self):
+        """What ours shows beside the paper's claims; P1-2's left panel has nothing to show but errors."""
+        own = self.own(ONE.replace('claims = "a claim"', 'claims = "a claim"\nremark = "a remark"'))
+        result = self.figure("P9-1", "--figures", own, "--out", "out")
+        self.assertIn("The paper: a claim\nOurs: a remark\n", result.stdout)
+        folder = self.folder / "out/P9-1"
+        drawn = figure_page.draw(json.loads((folder / "recipe.json").read_text()), str(folder))
+        self.assertIn("a remark", [text.get_text() for text in drawn.texts])
+        figures = tomllib.loads(FIGURES.read_text())
+        self.assertIn("p_dis of whole contacts is 0", figures["P1-2"]["remark"])
+        self.assertIn("time step", figures["P1-2"]["remark"])
+        self.assertIn("the range of Q decides", figures["P1-5"]["remark"])
+
     def test_runs_once_and_compares(self):
         own = self.own(ONE)
         result = self.figure("P9-1", "--figures", own, "--out", "out")

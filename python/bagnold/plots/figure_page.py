@@ -446,6 +446,8 @@ def draw(recipe, folder):
         figure.set_figwidth(width * columns)
     title = textwrap.fill(f"{recipe['name']}  {recipe.get('title', '')}", int(11 * width * columns))
     figure.suptitle(title, x=0.01, ha="left", fontsize=11, weight="bold")
+    if "remark" in recipe:
+        figure.supxlabel(textwrap.fill(recipe["remark"], int(14 * width * columns)), x=0.01, ha="left", fontsize=8)
     return figure
 
 

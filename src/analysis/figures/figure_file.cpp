@@ -97,8 +97,15 @@ Figure FigureFile::read(std::string const& name, bool quick) const try {
   json values = found.value("values", json::object());
   if (quick) values.update(found.at("quick").value("values", json::object()));
 
-  Figure figure{name, found.at("title"), found.at("claims"), found.value("hours", 0.0), {}, {}, {},
-                {}};
+  Figure figure{.name = name,
+                .title = found.at("title"),
+                .claims = found.at("claims"),
+                .remark = found.value("remark", ""),
+                .hours = found.value("hours", 0.0),
+                .data = {},
+                .panels = {},
+                .stated = {},
+                .layout = {}};
   auto const take = [&](char const* key, json& to) {
     to = json::array();
     for (auto const& entry : found.value(key, json::array())) {

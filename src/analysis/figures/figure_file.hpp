@@ -13,6 +13,7 @@ struct Figure {
   std::string name;               ///< "P2-15"
   std::string title;              ///< what it shows
   std::string claims;             ///< what the paper says of it
+  std::string remark;             ///< what ours shows beside that; may be empty
   double hours = 0;               ///< of one core, for all its data
   std::vector<std::string> data;  ///< its sweeps: files DATA.toml beside the file of figures
   nlohmann::json panels;          ///< as python/bagnold/plots/figure_page.py takes them
