@@ -23,6 +23,7 @@ from .errors import (Error, FileError, InputError, InternalError, Interrupted, M
 from .exports import export
 from .frames import Box, Frame, Frames
 from .imports import ImportedState, import_state
+from .movies import movie
 from .observables import Observable, Warning
 from .program import find_program, resume, run, sweep_file
 from .reports import report
@@ -40,7 +41,7 @@ __all__ = [
     "Analysis", "Box", "Contacts", "Error", "FileError", "Frame", "Frames", "ImportedState", "InputError",
     "InternalError", "Interrupted", "LimitCheck", "MissingLibrary", "NumericalError", "Observable", "Run", "Scene", "Status",
     "Sweep", "SweepError", "Validation", "Warning", "analyse", "check_limit", "contacts_of", "export", "find_program",
-    "import_state", "load", "plots", "report", "resume", "run", "status", "structure", "sweep", "sweep_file", "validate", "watch",
+    "import_state", "load", "movie", "plots", "report", "resume", "run", "status", "structure", "sweep", "sweep_file", "validate", "watch",
 ]
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""python -m bagnold plot SOURCE TARGET, export DIR --to FORMAT, import FILE --out STATE, report DIR, watch DIR.
+"""python -m bagnold plot SOURCE TARGET, export DIR --to FORMAT, import FILE --out STATE, report DIR, watch DIR, movie DIR FILE.
 
 The program calls them so. Exit codes: 0 done, 1 no picture, else those of the program.
 """
@@ -15,6 +15,7 @@ from collections.abc import Sequence
 from .errors import Error, FileError, InputError
 from .exports import FORMATS, export, parse_frames
 from .imports import FORMATS as SOURCES, import_state, parse_diameters, parse_number
+from .movies import movie
 from .reports import report
 from .watching import watch
 
@@ -81,6 +82,25 @@ def run_watch(options: argparse.Namespace) -> int:
     return 0
 
 
+def run_movie(options: argparse.Namespace) -> int:
+    """Films a trajectory."""
+    if importlib.util.find_spec("matplotlib"):
+        import matplotlib
+
+        matplotlib.use("Agg")
+    shown = sys.stderr.isatty() and not options.quiet
+
+    def progress(share: float) -> None:
+        if shown:
+            print(f"\r{100 * share:3.0f}%", end="" if share < 1 else "\n", file=sys.stderr, flush=True)
+
+    path = movie(options.folder, options.file, frames=parse_frames(options.frames), color=options.color,
+                 forces=not options.no_forces, series=options.series, fps=options.fps, progress=progress)
+    if not options.quiet:
+        print(path)
+    return 0
+
+
 def main(words: Sequence[str] | None = None) -> int:
     """Reads the command line, returns the exit code."""
     line = argparse.ArgumentParser(prog="python -m bagnold", description="Pictures, exports and imports of Bagnold.")
@@ -125,6 +145,16 @@ def main(words: Sequence[str] | None = None) -> int:
     command.add_argument("--once", action="store_true", help="one look")
     command.add_argument("--program", help="bagnold [BAGNOLD_PROGRAM, or in PATH]")
     command.set_defaults(run=run_watch)
+    command = commands.add_parser("movie", help="film a trajectory")
+    command.add_argument("folder", help="folder of a run with a trajectory")
+    command.add_argument("file", help="NAME.gif or NAME.mp4")
+    command.add_argument("--frames", default=":", metavar="A:B:K", help="from frame A to before B, every K-th, from 0 [all]")
+    command.add_argument("--color", default="velocity", help="velocity, speed, rate, spin, contacts, size [velocity]")
+    command.add_argument("--no-forces", action="store_true", help="disks alone")
+    command.add_argument("--series", default="", help="drawn below [sigma; of a ramp its rate]")
+    command.add_argument("--fps", type=int, default=15, help="frames a second [15]")
+    command.add_argument("--quiet", action="store_true", help="no progress")
+    command.set_defaults(run=run_movie)
     options = line.parse_args(words)
     try:
         code: int = options.run(options)

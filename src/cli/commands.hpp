@@ -111,13 +111,15 @@ struct Command {
 
 using AddCommand = Command(Words program);
 
-AddCommand add_run, add_validate, add_resume, add_status, add_watch, add_plot, add_sweep,
-    add_analyse, add_check_limit, add_figure, add_report, add_export, add_import, add_info;
+AddCommand add_init, add_schema, add_units, add_run, add_validate, add_resume, add_status,
+    add_watch, add_plot, add_sweep, add_analyse, add_check_limit, add_figure, add_movie, add_report,
+    add_export, add_import, add_info;
 
 /// All of them, in the order of the help.
 inline constexpr AddCommand* all_commands[] = {
-    add_run,     add_validate,    add_resume, add_status, add_watch,  add_plot,   add_sweep,
-    add_analyse, add_check_limit, add_figure, add_report, add_export, add_import, add_info};
+    add_init,   add_run,    add_validate, add_resume,      add_status, add_watch,
+    add_plot,   add_sweep,  add_analyse,  add_check_limit, add_figure, add_movie,
+    add_report, add_export, add_import,   add_schema,      add_units,  add_info};
 
 /// Prints what a sweep file comes to: points, chains, steps, time.
 int validate_sweep_command(SceneOptions const& options);

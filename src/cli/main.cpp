@@ -57,6 +57,8 @@ Elsewhere const elsewhere[] = {
     {"sweep", {"scan", "batch", "array", "collect", "submit"}},
     {"export", {"convert", "write", "dump"}},
     {"import", {"read", "load"}},
+    {"init", {"new", "create", "template", "example"}},
+    {"units", {"si", "convert-units", "grains"}},
     {"info", {"about", "config", "machine"}},
     {"--version", {"version"}},
 };

@@ -32,10 +32,15 @@ fs::path in_path(std::string const& name) {
 
 std::vector<fs::path> pythons() {
   std::vector<fs::path> found;
-  if (char const* const chosen = std::getenv("BAGNOLD_PYTHON"))
+  if (char const* const chosen = std::getenv("BAGNOLD_PYTHON")) {
     found = {fs::path(chosen).has_parent_path() ? fs::path(chosen) : in_path(chosen)};
-  else
-    found = {"/usr/bin/python3", in_path("python3")};
+  } else {
+    std::error_code ignored;
+    auto const beside = fs::read_symlink("/proc/self/exe", ignored).parent_path() / "python3";
+    if (is_program(beside)) found = {beside};
+    for (auto const& python : {fs::path("/usr/bin/python3"), in_path("python3")})
+      if (std::ranges::count(found, python) == 0) found.push_back(python);
+  }
   std::erase_if(found, [](fs::path const& python) { return !python.is_absolute(); });
   return found;
 }

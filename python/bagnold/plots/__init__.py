@@ -12,7 +12,7 @@ import os
 import pathlib
 from typing import TYPE_CHECKING, Any, Union
 
-from . import analysis_page, figure_page, frame_pages, run_page, style, sweep_page
+from . import analysis_page, figure_page, frame_pages, packing_page, run_page, style, sweep_page
 from ..errors import FileError, InputError
 from ..hdf5 import open_hdf5
 from ..sweeps import Sweep, sweep as read_sweep
@@ -20,11 +20,13 @@ from ..sweeps import Sweep, sweep as read_sweep
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+    from ..contacts import Contacts
+    from ..frames import Frame, Frames
     from ..results import Run
 
     Source = Union["Run", str, "os.PathLike[str]"]
 
-__all__ = ["analysis", "draw_to", "fields", "figure", "histograms", "profiles", "run", "save", "sweep"]
+__all__ = ["analysis", "draw_to", "fields", "figure", "film", "histograms", "packing", "profiles", "run", "save", "sweep"]
 
 
 def run(source: Source) -> Figure:
@@ -58,6 +60,23 @@ def sweep(source: Sweep | str | os.PathLike[str]) -> Figure:
     found = source if isinstance(source, Sweep) else read_sweep(source)
     with style.plt.rc_context(style.STYLE):
         return sweep_page.draw(found)
+
+
+def packing(source: Source | Frame, which: int = -1, *, color: str | Any = "velocity", forces: bool | Contacts = True,
+            axes: Any = None) -> Figure:
+    """A packing with its contact forces, right at the images.
+
+    source: a frame, or a run: frame `which` of its trajectory, else its last state. color: "velocity" (beyond the mean flow,
+    along it), "speed", "rate" (of its slice: bands), "spin", "contacts", "size", or a number for each disk, [N]. forces: lines
+    between centres, as wide as the force; or the contacts that they are of. axes: to draw into."""
+    with style.plt.rc_context(style.STYLE):
+        return packing_page.draw(source, which, color, forces, axes)
+
+
+def film(run: Run, frames: Frames, *, color: str = "velocity", forces: bool = True, series: str = "") -> packing_page.Film:
+    """What `bagnold.movie` films: ``film.show(k)`` draws frame k into ``film.figure``."""
+    with style.plt.rc_context(style.STYLE):
+        return packing_page.Film(run, frames, color, forces, series)
 
 
 def analysis(drawn: str | os.PathLike[str]) -> Figure:
