@@ -22,7 +22,7 @@ LABELS = {
     "phi_J-phi": r"$\phi_J - \phi$", "mu": r"$\mu = \sigma/p$", "I": r"$I = \dot\gamma/\sqrt{p/m_0}$",
     "Z": "$Z$", "R_v": r"$R_v = \langle\delta v_x^2\rangle/\langle v_y^2\rangle$",
     "Q_star": "$Q^*$", "q": "$q$", "Q": "$Q$", "phi": r"$\phi$", "exponent": "local exponent",
-    "tau_dur": r"$\tau_{dur}/\tau_e$", "nu_coll": r"$\nu_{coll}$", "T_g": "$T_g$",
+    "tau_dur": r"$\tau_{dur}/\tau_e$", "nu_coll": r"$\nu_{coll}$", "nu_end": r"$\nu_{end}$", "T_g": "$T_g$",
     "spin_mean": r"$\langle\dot\theta\rangle/\dot\gamma$",
     "spin_var": r"var$[\dot\theta/\dot\gamma]$",
 }

@@ -15,9 +15,10 @@ namespace {
 constexpr std::array all{
     Kind{"crossover", "y = C [1 + (Q/Q*)^s]^(q/s)", "P1 Sec. III A, Figs. 1, 3, 5",
          "--y [B_p_el], --x [disks.elasticity], --fix NAME=VALUE", crossover},
-    Kind{"divergence", "Q*(phi) = Q0 + c (phi_J - phi)^-x", "P1 Sec. III B, Fig. 5a; P2 Fig. 3",
-         "--of crossover|jump|transition|value, --phi-j VALUE fixes phi_J, else it is free",
-         divergence},
+    Kind{
+        "divergence", "Q*(phi) = Q0 + c (phi_J - phi)^-x", "P1 Sec. III B, Fig. 5a; P2 Fig. 3",
+        "--of crossover|jump|transition|value, --phi-j VALUE fixes phi_J, else it is free, --weigh",
+        divergence},
     Kind{"friction-law", "mu = mu_J + c I^b", "P1 Eq. (21), Fig. 15",
          "--fix mu_J=VALUE, --range of I, --along KEY", friction_law},
     Kind{"exponents", "d ln y / d ln x, over a few points at a time and over all",
