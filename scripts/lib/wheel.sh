@@ -9,7 +9,7 @@ provide_sources() {
   sources="$BAGNOLD_CACHE/sources-r$sources_recipe"
   [ ! -d "$sources" ] || return 0
   say "Fetching the sources of Kokkos, HDF5 and fmt (180 MB)"
-  fetch_kokkos
+  fetch_kokkos "$kokkos_of_debian" || die "the sources of Kokkos could not be fetched (see above)"
   (
     cd "$scratch/apt"
     quietly private_apt_get source --download-only hdf5/bookworm fmtlib/bookworm
