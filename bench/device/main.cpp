@@ -13,6 +13,7 @@
 #include "bench/device/starts.hpp"
 #include "kernels/device/initialize_kokkos.hpp"
 #include "src/config/scene_file.hpp"
+#include "src/engine/contacts/contact_record.hpp"
 #include "src/engine/make_simulation.hpp"
 
 namespace bagnold::bench {
@@ -23,6 +24,7 @@ struct Options {
   std::string what, scene, backend = "cuda", order = "start", table;
   std::vector<std::string> set;
   std::int64_t steps = 1000, warm = 200, every = 10;
+  bool contacts = false;
 };
 
 using Simulations = std::vector<std::unique_ptr<Simulation>>;
@@ -34,6 +36,22 @@ Simulations simulations(Scene const& scene, std::vector<Snapshot> const& from,
   Simulations all;
   for (auto const& snapshot : from) all.push_back(make_simulation(scene, snapshot, backend));
   return all;
+}
+
+/// With a record of contacts where these are asked for.
+OpenWindows windows_of(Simulation const& simulation, Scene const& scene, bool contacts) {
+  OpenWindows windows;
+  if (contacts)
+    windows.contacts =
+        std::make_shared<ContactRecord>(static_cast<std::size_t>(scene.disks.count),
+                                        simulation.columns(), 0, nullptr, SampleChoice(1));
+  return windows;
+}
+
+Windows windows_of(Simulations const& all, Scene const& scene, bool contacts) {
+  Windows windows;
+  for (auto const& simulation : all) windows.push_back(windows_of(*simulation, scene, contacts));
+  return windows;
 }
 
 void advance(Simulations const& all, std::int64_t steps, Sampling const& sampling,
@@ -49,7 +67,7 @@ std::string engine_of(Scene const& scene, std::string const& backend) {
 int time(Options const& options, Scene const& scene) {
   using Clock = std::chrono::steady_clock;
   auto const all = simulations(scene, starts(scene, options.order), options.backend);
-  Windows windows(all.size());
+  auto windows = windows_of(all, scene, options.contacts);
   Sampling const sampling{std::int64_t{1} << 40, options.every};
   advance(all, options.warm, sampling, windows);
   auto const builds = all[0]->snapshot().list_builds;
@@ -60,7 +78,8 @@ int time(Options const& options, Scene const& scene) {
   double const disk_steps = steps * static_cast<double>(scene.disks.count * scene.disks.replicas);
   auto const row = fmt::format(
       "{},{},{},{},{},{},{},{},{},{},{:.4g},{:.4g},{:.4g}\n", options.backend, scene.disks.model,
-      scene.disks.packing_fraction, scene.integration.scheme, engine_of(scene, options.backend),
+      scene.disks.packing_fraction, scene.integration.scheme,
+      engine_of(scene, options.backend) + (options.contacts ? " with contacts" : ""),
       scene.disks.count, scene.disks.replicas, options.order, options.every, options.steps,
       disk_steps / seconds / 1e6, 1e6 * seconds / steps,
       steps /
@@ -103,14 +122,14 @@ int bits(Options const& options, Scene scene) {
   auto const all = simulations(scene, from, options.backend);
   auto const engine = engine_of(scene, options.backend);
   Sampling const sampling{options.steps, options.every, options.steps};
-  Windows windows(all.size());
+  auto windows = windows_of(all, scene, options.contacts);
   advance(all, options.steps, sampling, windows);
   scene.integration.engine = "reference";
   scene.disks.replicas = 1;
   Difference states, sums;
   for (std::size_t s = 0; s < all.size(); ++s) {
     auto const host = make_simulation(scene, from[s], "serial");
-    OpenWindows expected;
+    auto expected = windows_of(*host, scene, options.contacts);
     host->advance(options.steps, sampling, expected);
     compare(all[s]->state(), host->state(), states);
     compare(windows[s], expected, sums);
@@ -149,6 +168,7 @@ int main(int argc, char** argv) {
   app.add_option("--steps", options.steps, "(1000)");
   app.add_option("--warm", options.warm, "steps before time is taken (200)");
   app.add_option("--every", options.every, "steps from one sample to the next (10)");
+  app.add_flag("--contacts", options.contacts, "with the begins and ends of contacts");
   app.add_option("--table", options.table, "a file that a row of times is added to");
   CLI11_PARSE(app, argc, argv);
   if (auto const why = why_no_start(); !why.empty()) {
