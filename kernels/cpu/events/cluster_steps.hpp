@@ -15,20 +15,30 @@
 
 namespace bagnold::events {
 
+/// Of a step of a cluster, at most: the phase of a lone contact's oscillation, and the exponent by
+/// which its damping acts.
+inline constexpr Real longest_phase = 0.35, longest_decay = 0.4;
+
 /// What acts between disks, and what they are.
 template <bool Rotates>
 struct Material {
   SpeciesTable table;
   LinearDamping<Rotates> damping;
   ContactClasses<Rotates> classes;
-  Real longest_step = 0.25;  ///< of a cluster, [tau_e]
+  Real longest_step = 0;  ///< of a cluster, [tau_e]
 
   static Material of(LinearDamping<Rotates> const& damping, SpeciesTable const& table) {
     Material material{table, damping, {}};
+    Real fastest = 0;
     for (Species i = 0; i < 2; ++i)
       for (Species j = 0; j < 2; ++j)
         material.classes.of[i][j] =
             ContactClass<Rotates>::of_constants(damping.normal, damping.tangential, table, i, j);
+    for (auto const& row : material.classes.of)
+      for (auto const& c : row)
+        fastest = std::max({fastest, c.frequency0 / longest_phase,
+                            2 * c.rates.damping / longest_decay, c.rates.sliding / longest_decay});
+    material.longest_step = 1 / fastest;
     return material;
   }
 };
@@ -177,7 +187,13 @@ class ClusterSteps {
   Real parting(Cluster<Rotates> const& cluster, Link const& link) const {
     Real low = 0, high = cluster.step;
     auto [width, rate] = gap(cluster, link, high);
-    if (width < 0 || rate < 0) return never;
+    if (width < 0) {  // parted and met again in between, if at all
+      Real const at_first = gap(cluster, link, 0).second;
+      if (!(at_first > 0 && rate < 0)) return never;
+      high *= at_first / (at_first - rate);
+      std::tie(width, rate) = gap(cluster, link, high);
+      if (width < 0) return never;
+    }
     Real s = high;
     for (int n = 0; n < 60; ++n) {
       (width > 0 ? high : low) = s;

@@ -8,10 +8,10 @@ void EventSums<Rotates>::step(Cluster<Rotates> const& cluster, ClusterSteps<Rota
                               Real until) {
   Real const from = std::max(cluster.time, begin_), time = until - from;
   if (!(time > 0)) return;
-  Real const s = from - cluster.time, sixth = time / 6 * inverse_step_;
-  configuration(cluster, steps, s, sixth);
-  configuration(cluster, steps, s + time / 2, 4 * sixth);
-  configuration(cluster, steps, s + time, sixth);
+  constexpr Real node = 0.21132486540518711775;  // (1 - 1/sqrt(3))/2
+  Real const s = from - cluster.time, half = time / 2 * inverse_step_;
+  configuration(cluster, steps, s + node * time, half);
+  configuration(cluster, steps, s + (1 - node) * time, half);
 }
 
 template <bool Rotates>

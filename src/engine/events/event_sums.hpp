@@ -9,8 +9,9 @@ namespace bagnold::events {
 
 /// Integrals over time of all columns of SumColumns, over the time step: sums over as many
 /// configurations as there are steps. Flights and contacts of two in closed form, steps of clusters
-/// by Simpson's rule. What a disk does is added when it changes, or the window ends; the contact of
-/// two is added whole when it begins, and what lies ahead is taken back where it is cut short.
+/// by Gauss's rule of two nodes. What a disk does is added when it changes, or the window ends; the
+/// contact of two is added whole when it begins, and what lies ahead is taken back where it is cut
+/// short.
 template <bool Rotates>
 class EventSums {
  public:

@@ -8,6 +8,16 @@
 
 namespace bagnold::events {
 
+namespace {
+
+PackTouches pack_of(Path const& p) {
+  Real const small = class_distance(pair_class(p.species, 0)),
+             big = class_distance(pair_class(p.species, 1));
+  return {p, small * small, big * big};
+}
+
+}  // namespace
+
 template <bool Rotates>
 LinePair Predictions<Rotates>::lines(std::uint32_t i, Neighbor n) const {
   Path const &p = disks_->path[i], &q = disks_->path[n.index()];
@@ -28,9 +38,7 @@ template <bool Rotates>
 void Predictions<Rotates>::of_disk(std::uint32_t i) {
   auto const* const paths = disks_->path.data();
   Path const& p = paths[i];
-  Real const small = class_distance(pair_class(p.species, 0)),
-             big = class_distance(pair_class(p.species, 1));
-  PackTouches pack(p, small * small, big * big);
+  auto pack = pack_of(p);
   Real first = never;
   Event event{i, 0, 0, Event::Kind::leave};
   auto const end = lists_->end(i);
@@ -58,25 +66,28 @@ void Predictions<Rotates>::of_disk(std::uint32_t i) {
 
 template <bool Rotates>
 void Predictions<Rotates>::of_cluster(std::uint32_t k) {
+  auto const* const paths = disks_->path.data();
   auto const& cluster = disks_->clusters[k];
   Real first = cluster.end();
   Event event{cluster.slot(), 0, 0, Event::Kind::end};
   for (std::uint32_t a = 0; a < cluster.members.size(); ++a) {
     auto const i = cluster.members[a].disk;
-    Path const& p = disks_->path[i];
-    for (auto e = lists_->begin(i); e < lists_->end(i); ++e) {
-      Neighbor const n = lists_->entry(e);
-      auto const j = n.index();
-      Path const& q = disks_->path[j];
-      bool const mate = q.manner == Manner::cluster && disks_->touching[j] == k;
-      if (mate && (j < i || cluster.linked(a, disks_->member[j]))) continue;
-      auto const pair = lines(i, n);
-      if (!pair.may_touch_before(p.deviation + q.deviation, pair.from - std::max(p.begun, q.begun)))
-        continue;
-      Real const time = touch(i, n, pair);
-      if (!(time < first)) continue;
-      first = time;
-      event = {i, e, q.changes, Event::Kind::touch};
+    auto pack = pack_of(paths[i]);
+    auto const end = lists_->end(i);
+    for (auto e = lists_->begin(i); e < end; e += simd::width) {
+      auto const* const neighbors = lists_->entries() + e;
+      pack.find(paths, disks_->shifts, neighbors, std::min<std::uint32_t>(simd::width, end - e));
+      for (unsigned left = pack.near; left != 0; left &= left - 1) {
+        auto const lane = static_cast<unsigned>(std::countr_zero(left));
+        Neighbor const n = neighbors[lane];
+        auto const j = n.index();
+        bool const mate = paths[j].manner == Manner::cluster && disks_->touching[j] == k;
+        if (mate && (j < i || cluster.linked(a, disks_->member[j]))) continue;
+        Real const time = touch(i, n, lines(i, n));
+        if (!(time < first)) continue;
+        first = time;
+        event = {i, e + lane, paths[j].changes, Event::Kind::touch};
+      }
     }
   }
   queue_->set(cluster.slot(), first, event);

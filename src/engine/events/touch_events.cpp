@@ -149,11 +149,12 @@ void TouchEvents<Rotates>::plan(std::uint32_t k) {
   s_.steps.plan(cluster);
   ++s_.counts.cluster_steps;
   s_.disks.begin_step(k);
-  for (auto const& m : cluster.members)
-    if (s_.predictions.watch_reach &&
-        s_.lists.leaves(m.disk, s_.disks.path[m.disk].place, s_.disks.path[m.disk].velocity) <
-            cluster.end())
-      s_.ask_for_build(cluster.end());
+  if (s_.predictions.watch_reach)
+    for (auto const& m : cluster.members) {
+      Path const& p = s_.disks.path[m.disk];
+      if (!s_.lists.within_reach(m.disk, p.place, p.velocity, cluster.end()))
+        s_.ask_for_build(cluster.end());
+    }
   for (auto const& link : cluster.links) {
     auto const r = s_.steps.separation(cluster, link, cluster.step);
     s_.check_overlap(cluster.members[link.a].disk,
