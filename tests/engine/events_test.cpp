@@ -393,6 +393,50 @@ TEST_P(Events, ContactsDoNotDependOnCutsOrRestarts) {
 INSTANTIATE_TEST_SUITE_P(All, Events, testing::Values("CD", "CD_n", "CD_rot", "CD_nt"),
                          [](auto const& info) { return info.param; });
 
+/// Pressure, temperature and contacts of a steady state are those of the default engine, within
+/// four joint errors of ten blocks.
+TEST(EventsSteadyState, IsThatOfTheDefaultEngine) {
+  Scene scene = dilute_scene("CD_n", 0.6, 144, 50);
+  State const start = flying_start(scene);
+  using C = SumColumns;
+  struct Mean {
+    double mean, error;
+  };
+  auto const measure = [&](Scene const& of) {
+    auto const simulation = simulate(of, start);
+    auto const block = std::llround(1.0 / (slow * time_step(of)));
+    advance(*simulation, 2 * block);
+    std::array<std::vector<double>, 4> blocks;
+    for (int k = 0; k < 10; ++k) {
+      auto const [sums, weight] = advance(*simulation, block, 10);
+      double const elastic = sums[C::elastic_xx] + sums[C::elastic_yy];
+      double const kinetic = sums[C::kinetic_xx] + sums[C::kinetic_yy];
+      blocks[0].push_back((elastic + kinetic) / weight);
+      blocks[1].push_back(kinetic / weight);
+      blocks[2].push_back(-(sums[C::elastic_xy] + sums[C::dissipative_xy] + sums[C::kinetic_xy]) /
+                          weight);
+      blocks[3].push_back(sums[C::contacts] / weight);
+    }
+    std::array<Mean, 4> means{};
+    for (std::size_t c = 0; c < 4; ++c) {
+      double mean = 0, squares = 0;
+      for (double const b : blocks[c]) mean += b / 10;
+      for (double const b : blocks[c]) squares += (b - mean) * (b - mean);
+      means[c] = {mean, std::sqrt(squares / 90)};
+    }
+    return means;
+  };
+  auto const events = measure(scene);
+  scene.integration.engine = "auto";
+  scene.integration.scheme = two_stage_scheme;
+  auto const expected = measure(scene);
+  for (std::size_t c = 0; c < 4; ++c) {
+    double const error = std::hypot(events[c].error, expected[c].error);
+    EXPECT_NEAR(events[c].mean, expected[c].mean, 4 * error) << c;
+    EXPECT_LT(error, 0.08 * expected[c].mean) << c;
+  }
+}
+
 TEST(EventsRefuse, WhatTheyCannotDo) {
   auto const refused = [](auto const& change) {
     Scene scene = dilute_scene("CD_n");
