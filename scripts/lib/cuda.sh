@@ -36,6 +36,6 @@ provide_cuda_kokkos() {
   [ -x "$prefix/bin/nvcc_wrapper" ] || die "there is no nvcc_wrapper in Kokkos_ROOT=$prefix"
   kokkos_arguments=(-UKokkos_DIR -DKokkos_ROOT="$prefix" -DCMAKE_CXX_COMPILER="$prefix/bin/nvcc_wrapper")
   # CMake forgets all options of a build folder whose compiler changes.
-  grep -qsxF "CMAKE_CXX_COMPILER:FILEPATH=$prefix/bin/nvcc_wrapper" "$root/build/cuda/CMakeCache.txt" ||
+  grep -qsx "CMAKE_CXX_COMPILER:[A-Z]*=$prefix/bin/nvcc_wrapper" "$root/build/cuda/CMakeCache.txt" ||
     rm -rf "$root/build/cuda"
 }
