@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import argparse
 import importlib.util
+import os
 import re
 import sys
 from collections.abc import Sequence
@@ -19,7 +20,7 @@ from .movies import movie
 from .reports import report
 from .watching import watch
 
-PLOT_FAILED, BAD_INPUT, FILE_FAILURE, INTERRUPTED = 1, 2, 4, 130
+PLOT_FAILED, BAD_INPUT, FILE_FAILURE, INTERRUPTED, NOBODY_READS = 1, 2, 4, 130, 141
 
 
 def plot(options: argparse.Namespace) -> int:
@@ -158,12 +159,26 @@ def main(words: Sequence[str] | None = None) -> int:
     options = line.parse_args(words)
     try:
         code: int = options.run(options)
+        sys.stdout.flush()
     except Error as error:
         print(f"bagnold: {error}", file=sys.stderr)
         return FILE_FAILURE if isinstance(error, FileError) else BAD_INPUT
     except KeyboardInterrupt:
         return INTERRUPTED
+    except OSError as error:
+        if error.filename is not None:
+            raise
+        return _without_output(error)
     return code
+
+
+def _without_output(error: OSError) -> int:
+    """Standard output cannot be written, or nobody reads it any more, which is no failure to tell."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # what is left would fail again at the end
+    if isinstance(error, BrokenPipeError):
+        return NOBODY_READS
+    print(f"bagnold: standard output cannot be written: {error.strerror or error}", file=sys.stderr)
+    return FILE_FAILURE
 
 
 if __name__ == "__main__":

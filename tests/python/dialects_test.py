@@ -206,7 +206,10 @@ class Rows(Import):
                 (DATA[DATA.index("Velocities\n") + 11:], "\n", "Velocities has none of atom 3"),
                 ("Velocities", "Masses\n\n1 1.0 2.0\n\nVelocities", "Masses, row 1: 3 columns"),
                 ("Velocities", "Masses\n\n1 1.0\n1 2.0\n2 1\n\nVelocities", "a type twice"),
-                ("Velocities", "Atoms # sphere", "section Atoms is there twice")):
+                ("Velocities", "Atoms # sphere", "section Atoms is there twice"),
+                ("4 atoms\n", "4 atoms\n2 0 0\n", "'2 0 0' in the header has no name .*xy xz yz"),
+                ("4 atoms\n", "4 atoms\n0 9 xlo xhi\n", "two lines of the header end with xlo xhi"),
+                ("4 atoms\n", "4 atoms\n5 atoms\n", "two lines of the header end with atoms")):
             self.refused_with(old, new, expected, DATA, "lammps")
 
     def test_header_of_a_frame(self):
@@ -305,9 +308,10 @@ class Ends(Import):
         text = dump(disks(PLACES, RADII), "id type x y radius", step="0.500000")
         made, state = self.imported(self.file(text, "x.dump"))
         self.assertEqual(state.time, 0.5)
-        self.assertIn("TIMESTEP 0.5 is no whole number: read as the time", str(made))
-        _, state = self.imported(self.file(text.replace("0.500000", "100.000"), "x.dump"))
-        self.assertEqual(state.time, 0)
+        self.assertIn("TIMESTEP 0.5 is written as no whole number: read as the time", str(made))
+        for word, time in (("5.0", 5), ("1e2", 100), ("100", 0)):
+            _, state = self.imported(self.file(text.replace("0.500000", word), "x.dump"))
+            self.assertEqual(state.time, time, word)
         _, state = self.imported(self.file("ITEM: TIME\n7\n" + text, "x.dump"))
         self.assertEqual(state.time, 7)
 

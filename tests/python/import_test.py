@@ -370,6 +370,16 @@ class CommandLine(Import):
             self.assertIn(expected, said.stderr)
             self.assertEqual(len(said.stderr.splitlines()), 1, said.stderr)
 
+    def test_output_that_cannot_be_written(self):
+        """Standard output is full, or nobody reads it: one line or none, and the state is there."""
+        self.file(DATA)
+        command = f"{sys.executable} -m bagnold import x.data --out"
+        for sink, code, lines in (("s.h5 >/dev/full", 4, 1), ("t.h5 | exec true", 141, 0)):
+            said = subprocess.run(["bash", "-o", "pipefail", "-c", f"{command} {sink}"], stderr=subprocess.PIPE, text=True,
+                                  env={**os.environ, "PYTHONPATH": str(SOURCE / "python")}, cwd=self.folder)
+            self.assertEqual((said.returncode, len(said.stderr.splitlines())), (code, lines), said.stderr)
+            self.assertTrue((self.folder / sink.split()[0]).exists())
+
     def test_of_the_program(self):
         """As of the package, whatever the folder is; its exit codes."""
         def program(*words):

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import pathlib
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -21,9 +22,9 @@ STYLES = {
     "atomic": "id type x y z", "charge": "id type q x y z", "bond": "id molecule type x y z",
     "angle": "id molecule type x y z", "molecular": "id molecule type x y z", "full": "id molecule type q x y z"}
 SECTION = re.compile(r"[A-Z][A-Za-z]*( [A-Z][A-Za-z]*)*")
+NUMBER = re.compile(r"[-+]?[\d.][-+.\deE]*")
 VECTORS = ("avec", "bvec", "cvec", "abc origin")  # of a general triclinic cell
 OF_CELLS = "xlo xhi ylo yhi zlo zhi xy xz yz avec bvec cvec abc origin tilt"  # words that are of cells alone
-
 
 
 @dataclass
@@ -69,6 +70,17 @@ def _sections(path: pathlib.Path, lines: list[str]) -> tuple[list[list[str]], di
     return [line.split() for line in head], out
 
 
+def _refuse_unclear(path: pathlib.Path, head: list[list[str]], names: Sequence[str]) -> None:
+    """Lines of numbers that nothing names, and names that two lines have: which of them counts cannot be known."""
+    for words in head:
+        if all(NUMBER.fullmatch(word) for word in words):
+            raise InputError(f"{path}: {' '.join(words)!r} in the header has no name (three after the bounds are a tilt: write "
+                             "xy xz yz behind them); mend the line")
+    for name in names:
+        if sum(" ".join(words).lower().endswith(" " + name) for words in head) > 1:
+            raise InputError(f"{path}: two lines of the header end with {name}; leave one")
+
+
 def _header(head: list[list[str]], *names: str) -> list[str] | None:
     """The words before names that end a line of the header."""
     for words in head:
@@ -90,7 +102,9 @@ def _columns(path: pathlib.Path, asked: str | None, hint: str) -> list[str]:
 
 def _cell(path: pathlib.Path, head: list[list[str]]) -> Cell:
     """Edges, and the tilt of the line xy xz yz; or the vectors of a general triclinic cell."""
-    lines = {name: _header(head, *name.split()) for name in ("xlo xhi", "ylo yhi", "zlo zhi", "xy xz yz", *VECTORS)}
+    names = ("xlo xhi", "ylo yhi", "zlo zhi", "xy xz yz", *VECTORS)
+    _refuse_unclear(path, head, ("atoms", *names))
+    lines = {name: _header(head, *name.split()) for name in names}
     for words in head:
         known = any(" ".join(words).lower().endswith(name) for name in lines)
         if not known and {word.lower() for word in words} & {*OF_CELLS.split()}:

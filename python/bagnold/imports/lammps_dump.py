@@ -148,9 +148,9 @@ def _told(path: pathlib.Path, items: Mapping[str, Item], box: Box) -> tuple[floa
     step = _only_number(items["TIMESTEP"], f"{where}, TIMESTEP", "a whole number")
     time, rate = 0.0, None
     notes = []
-    if step % 1:
+    if not "".join(items["TIMESTEP"].rows).strip().isdigit():  # of one file, 0.5 and 5.0 are the same quantity
         time = step
-        notes.append(f"TIMESTEP {step!r} is no whole number: read as the time")
+        notes.append(f"TIMESTEP {step!r} is written as no whole number: read as the time")
     elif beside := _beside(path, int(step), box):
         time, rate = beside
         notes.append(f"time and strain rate of {path.with_suffix('.frames.csv').name}")

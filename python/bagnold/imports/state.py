@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import pathlib
 from collections.abc import Mapping
@@ -191,7 +192,8 @@ def _write(out: pathlib.Path, data: Mapping[str, Array | None], box: Box, time: 
     except OSError as error:
         raise FileError(f"{out} cannot be written: {error.strerror or error}") from error
     finally:
-        part.unlink(missing_ok=True)
+        with contextlib.suppress(OSError):  # a file system that may only be read
+            part.unlink(missing_ok=True)
 
 
 def _deepest(box: Box, position: Array, diameter: Array) -> float:
