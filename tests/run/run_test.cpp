@@ -44,8 +44,11 @@ TEST(Run, LeavesTheFolderOfTheProgram) {
   EXPECT_EQ(run(quick_scene(), folder.path() / "run"), RunEnd::done);
   for (auto const* name : results)
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "run" / name)) << name;
-  EXPECT_THROW(run(quick_scene(), folder.path() / "run"), InputError);
-  EXPECT_EQ(run(quick_scene(), folder.path() / "run", {.replace = true}), RunEnd::done);
+  EXPECT_EQ(run(quick_scene(), folder.path() / "run"), RunEnd::done);  // nothing is left
+  Scene other = quick_scene();
+  other.disks.elasticity = 2;
+  EXPECT_THROW(run(other, folder.path() / "run"), InputError);
+  EXPECT_EQ(run(other, folder.path() / "run", {.replace = true}), RunEnd::done);
 }
 
 TEST(Run, GoesOnAfterItWasStopped) {
