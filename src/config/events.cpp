@@ -9,19 +9,13 @@
 
 #include "kernels/physics/repulsion/repulsion.hpp"
 #include "kernels/physics/species.hpp"
+#include "src/config/engine_refusals.hpp"
 #include "src/config/laws.hpp"
 #include "src/config/quasi_static.hpp"
 
 namespace bagnold {
 
 namespace {
-
-bool damps_linearly(Scene const& scene) {
-  auto const* law = known_laws().find(scene.disks.model);
-  if (!law) return true;  // refused by its name
-  auto const constants = law->constants(scene.disks);
-  return constants.normal > 0 || constants.tangential > 0;
-}
 
 /// Largest k_n with which a contact oscillates, 2 sqrt(mu)/d_ij, of the pair that has the smallest.
 double most_damping(Scene const& scene) {
@@ -62,13 +56,7 @@ double least_underdamped_elasticity(Scene const& scene) {
 
 std::vector<Refusal> not_events(Scene const& scene) {
   if (!has_events(scene)) return of_another_engine(scene);
-  std::vector<Refusal> list;
-  auto const refuse = [&](std::vector<std::string_view> keys, std::string const& why,
-                          std::string const& remedy) {
-    keys.emplace_back("integration.engine");
-    list.push_back({std::move(keys), fmt::format("integration.engine = \"{}\" ({}); {}",
-                                                 event_engine, why, remedy)});
-  };
+  EngineRefusals refuse(event_engine);
   std::string const other = "set integration.engine = \"auto\"";
   auto const& scheme = scene.integration.scheme;
   if (scheme != automatic && scheme != exact_contacts)
@@ -92,12 +80,7 @@ std::vector<Refusal> not_events(Scene const& scene) {
                        HarmonicRepulsion::name, HarmonicRepulsion::force_exponent,
                        scene.disks.force_exponent),
            other);
-  if (!damps_linearly(scene))
-    refuse({"disks.model"},
-           fmt::format("needs damping that is linear in the velocity, which model \"{}\" has not",
-                       scene.disks.model),
-           other);
-  else if (normal_damping(scene) >= most_damping(scene))
+  if (refuse.unless_linear(scene, other) && normal_damping(scene) >= most_damping(scene))
     refuse({"disks.elasticity"},
            fmt::format("needs contacts that end of themselves: below Q = {:.3g} they are "
                        "overdamped, disks.elasticity = {}",
@@ -110,7 +93,7 @@ std::vector<Refusal> not_events(Scene const& scene) {
   if (scene.measure.correlations)
     refuse({"measure.correlations"}, "does not sample contacts in single configurations",
            "set measure.correlations = false, or integration.engine = \"auto\"");
-  return list;
+  return refuse.take();
 }
 
 }  // namespace bagnold

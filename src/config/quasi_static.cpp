@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "kernels/physics/repulsion/repulsion.hpp"
-#include "src/config/laws.hpp"
+#include "src/config/engine_refusals.hpp"
 
 namespace bagnold {
 
@@ -21,16 +21,8 @@ double fastest_rate(Scene::Shear const& shear) {
   return shear.strain_rates.empty() ? 0 : std::ranges::max(shear.strain_rates);
 }
 
-bool damps_linearly(Scene const& scene) {
-  auto const* law = known_laws().find(scene.disks.model);
-  if (!law) return true;  // refused by its name
-  auto const constants = law->constants(scene.disks);
-  return constants.normal > 0 || constants.tangential > 0;
-}
-
-/// "integration.engine = "quasi-static" (why); remedy"
 std::string because(std::string const& why, std::string const& remedy) {
-  return fmt::format("integration.engine = \"{}\" ({}); {}", quasi_static_engine, why, remedy);
+  return EngineRefusals::because(quasi_static_engine, why, remedy);
 }
 
 std::vector<Refusal> of_another_engine(Scene const& scene) {
@@ -61,12 +53,7 @@ double quasi_static_time_step(Scene const& scene) {
 
 std::vector<Refusal> not_quasi_static(Scene const& scene) {
   if (!is_quasi_static(scene)) return {};
-  std::vector<Refusal> list;
-  auto const refuse = [&](std::vector<std::string_view> keys, std::string const& why,
-                          std::string const& remedy) {
-    keys.emplace_back("integration.engine");
-    list.push_back({std::move(keys), because(why, remedy)});
-  };
+  EngineRefusals refuse(quasi_static_engine);
   std::string const other = "set integration.engine = \"auto\"";
   auto const& scheme = scene.integration.scheme;
   if (scheme != automatic && scheme != backward_euler)
@@ -85,11 +72,7 @@ std::vector<Refusal> not_quasi_static(Scene const& scene) {
                        HarmonicRepulsion::name, HarmonicRepulsion::force_exponent,
                        scene.disks.force_exponent),
            other);
-  if (!damps_linearly(scene))
-    refuse({"disks.model"},
-           fmt::format("needs damping that is linear in the velocity, which model \"{}\" has not",
-                       scene.disks.model),
-           other);
+  refuse.unless_linear(scene, other);
   if (scene.shear.protocol == "ramp")
     refuse({"shear.protocol"}, "steps by strain, where shear.protocol = \"ramp\" goes by time",
            other);
@@ -99,7 +82,7 @@ std::vector<Refusal> not_quasi_static(Scene const& scene) {
   if (scene.measure.profiles)
     refuse({"measure.profiles"}, "has no stresses of single disks",
            "set measure.profiles = false, or integration.engine = \"auto\"");
-  return list;
+  return refuse.take();
 }
 
 std::vector<Refusal> misused_quasi_static(Scene const& scene) {
