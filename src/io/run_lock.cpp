@@ -10,16 +10,22 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <climits>
 #include <cstdlib>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <thread>
 
 #include "src/config/errors.hpp"
 
 namespace bagnold::io {
 namespace {
+
+/// lock_holder() has a share of the lock for microseconds: who meets that waits, rather than
+/// refuse the folder because somebody looks at it.
+constexpr std::chrono::milliseconds a_look{500};
 
 /// What the holder wrote, fit for a terminal.
 std::string holder(Descriptor const& file) {
@@ -77,8 +83,13 @@ RunLock::RunLock(std::filesystem::path const& folder)
 }
 
 void RunLock::take() {
+  auto const patience = std::chrono::steady_clock::now() + a_look;
   while (::flock(file_.get(), LOCK_EX | LOCK_NB) != 0) {
     if (errno == EINTR) continue;
+    if (errno == EWOULDBLOCK && std::chrono::steady_clock::now() < patience) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      continue;
+    }
     if (errno == EWOULDBLOCK)
       throw InputError(fmt::format("{} is in use by {}: wait for it, end it, or use another folder",
                                    path_.string(), holder(file_)));

@@ -40,6 +40,12 @@ std::vector<std::string> names_in(Json const& summary, char const* list) {
   return names;
 }
 
+/// Of the newest checkpoint. Between the two renames of its writer only the one before has its name.
+double checkpoint_age(fs::path const& folder) {
+  auto const age = age_of(folder / "checkpoint.h5");
+  return age > 0 ? age : age_of(folder / "checkpoint.previous.h5");
+}
+
 /// What a run that is done says of itself.
 void add_summary(RunStatus& status, fs::path const& file) try {
   auto const bytes = io::read_file(file);
@@ -68,7 +74,7 @@ bool add_checkpoint(RunStatus& status, fs::path const& folder, Plan const& plan,
                      static_cast<double>(checkpoint->systems.size());
   status.work = static_cast<double>(checkpoint->steps()) * disks;
   status.seconds = checkpoint->wall_seconds;
-  status.age = age_of(folder / "checkpoint.h5");
+  status.age = checkpoint_age(folder);
   return true;
 }
 
@@ -90,7 +96,7 @@ std::string last_words(fs::path const& log) {
 /// Of one that is not done, and that nobody works on.
 Standing without_process(fs::path const& folder, bool begun, RunStatus& status) {
   auto const failed = folder / "failed_state.h5";
-  if (fs::exists(failed) && (!begun || age_of(failed) <= age_of(folder / "checkpoint.h5")))
+  if (fs::exists(failed) && (!begun || age_of(failed) <= checkpoint_age(folder)))
     status.why = fmt::format("numerical failure, its state is in {}", failed.string());
   auto const words = last_words(folder / "log.txt");
   if (words.starts_with("stopped")) return Standing::stopped;

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <csignal>
 #include <optional>
 #include <string>
+#include <thread>
 
 #include "src/config/errors.hpp"
 #include "tests/io/folder.hpp"
@@ -71,6 +73,18 @@ TEST(RunLock, AFolderThatWasMovedIsNotTheirs) {
   std::filesystem::remove(path);
   std::filesystem::rename(folder / "moved", path);
   EXPECT_NO_THROW(lock.check_folder());
+}
+
+TEST(RunLock, IsTakenWhileOthersLook) {
+  TestFolder folder;
+  { RunLock const makes_the_file(folder.path()); }
+  std::atomic<bool> stop = false;
+  std::thread look([&] {
+    while (!stop) lock_holder(folder.path());
+  });
+  for (int k = 0; k < 200; ++k) EXPECT_NO_THROW(RunLock(folder.path()));
+  stop = true;
+  look.join();
 }
 
 TEST(RunLock, CanBeDoneWithout) {
