@@ -35,7 +35,7 @@ sweep::Sweep both_rates(Scene const& scene, LimitRequest const& request) {
                             sweep::point_check(request.allow_unstable));
 }
 
-/// What a run found, by name.
+/// What a run found, by name. An error of 0 is one that is not known: nothing happened in the run.
 std::map<std::string, WithError> summary_of(std::filesystem::path const& point) try {
   auto const bytes = io::read_file(point / "summary.json");
   auto const* text = reinterpret_cast<char const*>(bytes.data());
@@ -46,7 +46,8 @@ std::map<std::string, WithError> summary_of(std::filesystem::path const& point) 
   Json const observables = Json::parse(text, text + bytes.size()).at("observables");
   for (auto const* name : compared_names) {
     Json const& one = observables.at(name);
-    found[name] = {number(one.at("mean"), std::nan("")), number(one.at("error"), INFINITY)};
+    double const error = number(one.at("error"), INFINITY);
+    found[name] = {number(one.at("mean"), std::nan("")), error > 0 ? error : INFINITY};
   }
   return found;
 } catch (Json::exception const& error) {

@@ -67,11 +67,8 @@ std::vector<std::string> keys_between_curves(SweepTable const& table, CurveChoic
 
 /// Equal as numbers where both are numbers, else as texts.
 bool same_value(std::string const& wanted, std::string const& found) {
-  char *wanted_end = nullptr, *found_end = nullptr;
-  double const a = std::strtod(wanted.c_str(), &wanted_end);
-  double const b = std::strtod(found.c_str(), &found_end);
-  bool const numbers = *wanted_end == '\0' && *found_end == '\0' && !wanted.empty();
-  return numbers ? a == b : wanted == found;
+  auto const a = number_in(wanted), b = number_in(found);
+  return a && b ? *a == *b : wanted == found;
 }
 
 bool is_wanted(SweepTable const& table, CurveChoice const& choice, std::size_t point) {

@@ -108,7 +108,12 @@ void note_fits(Report& report, std::vector<Outcome> const& outcomes,
 }
 
 void note_left_out(Report& report, SweepTable const& table, std::vector<Series> const& series) {
-  if (auto const failed = count_failed(table))
+  if (table.hardly_met != 0)
+    report.notes.push_back(fmt::format(
+        "{} of {} points are left out: disks hardly met in them (few_collisions); longer runs "
+        "would tell",
+        table.hardly_met, table.points));
+  if (auto const failed = count_failed(table) - table.hardly_met)
     report.notes.push_back(
         fmt::format("{} of {} points have no result and are left out", failed, table.points));
   std::size_t left_out = 0, unweighted = 0, pooled = 0, data = 0;

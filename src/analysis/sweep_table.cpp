@@ -68,6 +68,16 @@ void read_observables(io::Hdf5Reader const& file, SweepTable& table) {
   }
 }
 
+/// Disks that hardly met tell of no flow: B_p = 1e-32 +- 0 is not to be averaged in.
+void drop_few_collisions(SweepTable& table, std::vector<std::string> const& warnings) {
+  for (std::size_t point = 0; point < warnings.size(); ++point) {
+    if (warnings[point].find("few_collisions") == std::string::npos) continue;
+    ++table.hardly_met;
+    for (auto& [name, measured] : table.observables)
+      measured.mean[point] = measured.error[point] = std::nan("");
+  }
+}
+
 KeyColumn key_column(Rows const& rows, std::size_t column) {
   KeyColumn out;
   for (auto const& row : rows.rows) {
@@ -112,6 +122,9 @@ SweepTable read_csv_table(std::filesystem::path const& path) {
       table.observables[name] = {cells(table, rows, name),
                                  cells(table, rows, name + std::string(error_ending))};
   }
+  if (auto const found = std::ranges::find(rows.columns, "warnings"); found != rows.columns.end())
+    drop_few_collisions(
+        table, key_column(rows, static_cast<std::size_t>(found - rows.columns.begin())).texts);
   return table;
 }
 
@@ -228,6 +241,8 @@ SweepTable read_sweep_table(std::filesystem::path const& path) {
   read_observables(file, table);
   if (table.observables.empty())
     throw InputError(fmt::format("{}: /observables is empty; run the sweep first", table.origin));
+  if (file.has("/warnings") && file.holds_text("/warnings"))
+    drop_few_collisions(table, file.texts("/warnings", table.points));
   return table;
 }
 
@@ -260,6 +275,7 @@ SweepTable merge_tables(std::vector<SweepTable> tables) {
     append(out.scenes, table.scenes);
     append(out.runs, table.runs);
     out.points += table.points;
+    out.hardly_met += table.hardly_met;
   }
   if (out.scenes.size() != out.points) out.scenes.clear();
   if (out.runs.size() != out.points) out.runs.clear();

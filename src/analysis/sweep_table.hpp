@@ -31,6 +31,7 @@ struct SweepTable {
   std::map<std::string, Measured> observables;  ///< by NAME
   std::vector<std::string> scenes;              ///< the resolved scenes, TOML; may be empty
   std::vector<std::filesystem::path> runs;      ///< folders of the points; may be empty
+  std::size_t hardly_met = 0;  ///< points whose run warns of few_collisions: no value is kept
 
   /// Errors of ratios and products of observables that were worked out from the runs, one a point,
   /// by A/B. Copies of a table share them.
@@ -47,9 +48,10 @@ struct SweepTable {
 
 /// Reads `sweep.h5`, or that file in a folder: `/points/KEY` [P] (numbers or texts of fixed
 /// length), `/points/scene` and `/points/folder` [P], `/observables/NAME` and
-/// `/observables/NAME_error` [P]. Files come from anywhere: Hdf5Reader refuses what is not plain.
-/// Or a table NAME.csv like `sweep.csv`: columns with a dot in their names are keys, others
-/// observables. Throws InputError, naming the file.
+/// `/observables/NAME_error` [P], `/warnings` [P] (names). Means of a point that warns of
+/// few_collisions tell its start, not its flow: they are NaN. Files come from anywhere: Hdf5Reader
+/// refuses what is not plain. Or a table NAME.csv like `sweep.csv`: columns with a dot in their
+/// names are keys, others observables. Throws InputError, naming the file.
 SweepTable read_sweep_table(std::filesystem::path const& path);
 
 /// Several sweeps as one, their points one after another. Keys are those that any of them varies,

@@ -17,7 +17,7 @@ using analysis::Rows;
 constexpr std::size_t most_columns = 26;  ///< wider tables are only written
 
 /// Numbers to four digits, all else as it is.
-std::string shown(std::string const& text) {
+std::string cell_text(std::string const& text) {
   char* end = nullptr;
   double const value = std::strtod(text.c_str(), &end);
   if (text.empty()) return "-";
@@ -30,10 +30,10 @@ void print_rows(Rows const& rows) {
   for (auto const& name : rows.columns) width.push_back(name.size());
   for (auto const& row : rows.rows)
     for (std::size_t k = 0; k < row.size(); ++k)
-      width[k] = std::max(width[k], shown(row[k]).size());
+      width[k] = std::max(width[k], cell_text(row[k]).size());
   auto const print = [&](std::vector<std::string> const& row, bool is_head) {
     for (std::size_t k = 0; k < row.size(); ++k)
-      fmt::print("{:<{}}{}", is_head ? row[k] : shown(row[k]), width[k],
+      fmt::print("{:<{}}{}", is_head ? row[k] : cell_text(row[k]), width[k],
                  k + 1 < row.size() ? "  " : "\n");
   };
   print(rows.columns, true);
@@ -77,7 +77,7 @@ int analyse_command(AnalyseOptions const& options) {
   for (auto const& note : made.report.notes) warn(note);
   say_commands(made, options);
   made.picture.replace_extension(options.format);
-  warn(draw_analysis(made.drawn, made.picture));
+  if (!made.report.drawn.rows.empty()) warn(draw_analysis(made.drawn, made.picture));
   return 0;
 }
 

@@ -17,7 +17,10 @@ std::map<std::string, std::string> name_values(std::vector<std::string> const& p
     auto const equal = pair.find('=');
     if (equal == std::string::npos || equal == 0)
       throw InputError(fmt::format("{} {} (is not NAME=VALUE)", option, pair));
-    out[pair.substr(0, equal)] = pair.substr(equal + 1);
+    auto const [place, is_new] = out.try_emplace(pair.substr(0, equal), pair.substr(equal + 1));
+    if (!is_new)
+      throw InputError(fmt::format("{0} {1}, {0} {2}={3} (is given twice); leave one out", option,
+                                   pair, place->first, place->second));
   }
   return out;
 }

@@ -10,6 +10,7 @@
 #include "src/config/errors.hpp"
 #include "src/config/run_time.hpp"
 #include "src/config/scene_file.hpp"
+#include "src/run/messages.hpp"
 #include "src/run/pictures.hpp"
 #include "src/run/plot.hpp"
 #include "src/run/status.hpp"
@@ -34,9 +35,11 @@ void plot_run(fs::path const& folder, std::string const& format) {
   auto const status = status_of(folder);
   auto const result = folder / "result.h5";
   if (!fs::exists(result))
-    throw InputError(fmt::format(
-        "{}: has nothing to draw before its first checkpoint; `kill -USR1 PID` writes one now",
-        folder.string()));
+    throw InputError(
+        fmt::format("{}: has nothing to draw before its first checkpoint; {}", folder.string(),
+                    status.state == RunStatus::State::running
+                        ? "`kill -USR1 PID` writes one now"
+                        : fmt::format("`bagnold resume {}` goes on with it", folder.string())));
   auto of = fmt::format(", of strain {:.4g} of {:.4g}", status.strain, status.whole);
   if (status.state == RunStatus::State::done) of.clear();
   if (status.age > 0)
@@ -78,7 +81,8 @@ void plot_sweep(fs::path const& folder, std::string const& format) {
                     folder.string()));
   auto made = analysis::analyse(folder, {.kind = "table"});
   made.picture.replace_extension(format);
-  refuse(draw_analysis(made.drawn, made.picture));
+  for (auto const& note : made.report.notes) warn(note);
+  if (!made.report.drawn.rows.empty()) refuse(draw_analysis(made.drawn, made.picture));
   say_drawn(made.picture, "; `bagnold analyse table --help` for other axes");
   auto const picture = folder / ("sweep." + format);
   if (draw_plot(folder, picture).empty()) say_drawn(picture, "");

@@ -14,6 +14,7 @@
 #include "src/config/meant_key.hpp"
 #include "src/config/mistakes.hpp"
 #include "src/config/names.hpp"
+#include "src/config/nearest_word.hpp"
 #include "src/config/quasi_static.hpp"
 #include "src/config/shown.hpp"
 #include "src/config/toml_table.hpp"
@@ -68,6 +69,10 @@ class Reader {
     if (auto const set = overrides_.find(std::string(name)); set != overrides_.end())
       return set->second + ": ";
     auto const begin = node.source().begin;
+    auto const inside = std::string(name) + ".";  // a table that only the command line gives
+    if (auto const set = overrides_.lower_bound(inside);
+        begin.line == 0 && set != overrides_.end() && set->first.starts_with(inside))
+      return set->second + ": ";
     return fmt::format("{}:{}:{}: ", origin_, begin.line, begin.column);
   }
 
@@ -86,6 +91,13 @@ class Reader {
                                              place(name, node), name, describe(node), name));
     if (std::find(known_.begin(), known_.end(), name) != known_.end()) return;
     bool const table = node.is_table() && name.find('.') == std::string::npos;
+    if (table && node.as_table()->size() == 1 && nearest_word(name, tables()).empty()) {
+      // run.seed: the key tells more than the table
+      std::string const inner(node.as_table()->begin()->first.str());
+      auto const last = [](std::string const& key) { return key.substr(key.rfind('.') + 1); };
+      if (std::ranges::count(known_, inner, last) == 1)
+        return look_at(name + "." + inner, node.as_table()->begin()->second);
+    }
     auto const meant = table ? meant_table(name, tables()) : meant_key(name, known_);
     bool const given = meant.key.empty() || table_.at_path(meant.key).node() != nullptr;
     mistakes_.add(given ? "" : meant.key,
@@ -109,7 +121,8 @@ class Reader {
   }
 
   /// Of a value of another kind than the key's: what was meant by it.
-  [[noreturn]] void refuse_kind(Key const& key, toml::node const& node, std::string why) const {
+  [[noreturn]] void refuse_kind(Key const& key, toml::node const& node, std::string why,
+                                bool whole = false) const {
     if (node.is_array() && key.name == "shear.strain_rate")
       why +=
           "; several rates in one run are shear.strain_rates of shear.protocol = \"cascade\", runs "
@@ -119,7 +132,8 @@ class Reader {
       why += fmt::format(
           "; a run for each of several is a sweep: [sweep] grid = {{ \"{}\" = [...] }}", key.name);
     if (auto const* text = node.as_string()) {
-      auto const advice = value_advice(text->get());
+      auto advice = value_advice(text->get());
+      if (whole && advice.ends_with(".0")) advice.resize(advice.size() - 2);
       why += advice.empty() ? ", without quotes" : "; " + advice;
     }
     refuse(key, node, why);
@@ -177,7 +191,7 @@ class Reader {
     if (auto const* real = node.as_floating_point();
         real != nullptr && std::abs(real->get()) < 1e15 && std::floor(real->get()) == real->get())
       refuse(key, node, fmt::format("must be an integer; write {:.0f}", real->get()));
-    if (!number) refuse_kind(key, node, "must be an integer");
+    if (!number) refuse_kind(key, node, "must be an integer", /*whole=*/true);
     member = number->get();
     in_range(key, node, static_cast<double>(member));
   }

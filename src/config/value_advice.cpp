@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <cstdlib>
 #include <regex>
 
 namespace bagnold {
@@ -34,7 +36,9 @@ std::string value_advice(std::string_view given) {
   auto const is = [&](char const* pattern) {
     return std::regex_match(value, found, std::regex(pattern, std::regex::icase));
   };
-  if (is("[+-]?[0-9]{1,3}(,[0-9]{3})+"))
+  if (is("[+-]?[1-9][0-9]{0,2}(,[0-9]{3}){2,}"))
+    return fmt::format("a number has no commas; write {}", without(value, ','));
+  if (is("[+-]?[1-9][0-9]{0,2},[0-9]{3}"))
     return fmt::format("a number has no commas; write {}, or {} with a decimal point",
                        without(value, ','), std::regex_replace(value, std::regex(","), "."));
   if (is("([+-]?[0-9]*),([0-9]+(e[+-]?[0-9]+)?)"))
@@ -52,6 +56,13 @@ std::string value_advice(std::string_view given) {
   if (is("[+-]?[0-9.]+(e[+-]?[0-9]+)? *[*/^].*"))
     return "a value is a number, not a formula; write what it comes to";
   if (is("[+-]?[0-9.]+(e[+-]?[0-9]+)? *%")) return "a share is a number from 0 to 1; write it so";
+  if (is("([+-]?[0-9.]+)d([+-]?[0-9]+)"))
+    return fmt::format("an exponent is written with e; write {}e{}", found[1].str(),
+                       found[2].str());
+  if (is("[+-]?[0-9]+") && std::stold(value) >= 0x1p63L)
+    return "an integer is below 2^63 = 9223372036854775808";
+  if (is("[+-]?[0-9]+(\\.[0-9]+)?e[+-]?[0-9]+") && std::isinf(std::strtod(value.c_str(), nullptr)))
+    return "a number is below 1.8e308";
   if (is("true|yes|on")) return "a choice is true or false, in small letters; write true";
   if (is("false|no|off")) return "a choice is true or false, in small letters; write false";
   return {};

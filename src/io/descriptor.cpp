@@ -21,7 +21,10 @@ std::filesystem::path folder_of(std::filesystem::path const& path) {
 
 std::string remedy(std::filesystem::path const& path, int error) {
   auto const folder = folder_of(path);
-  auto const again = fmt::format("then `bagnold resume {}`", folder.string());
+  bool const is_first =
+      path.filename().string().starts_with("scene.toml");  // nothing to resume yet
+  auto const again = is_first ? std::string("then give the same command again")
+                              : fmt::format("then `bagnold resume {}`", folder.string());
   switch (error) {
     case ENOSPC:
       return "free some space, " + again;

@@ -310,7 +310,7 @@ void Runner::say_where_it_stopped() const {
   say(fmt::format("stopped at step {} of {}{}; `bagnold resume {}` goes on", steps(),
                   whole_.steps * run_.scene.disks.replicas,
                   simulations_.size() > 1 ? ", all replicas together" : "",
-                  folder_.path().string()));
+                  folder_to_resume(folder_.path()).string()));
 }
 
 std::string Runner::join_trajectories() {

@@ -40,7 +40,8 @@ std::vector<std::string> names_in(Json const& summary, char const* list) {
   return names;
 }
 
-/// Of the newest checkpoint. Between the two renames of its writer only the one before has its name.
+/// Of the newest checkpoint. Between the two renames of its writer only the one before has its
+/// name.
 double checkpoint_age(fs::path const& folder) {
   auto const age = age_of(folder / "checkpoint.h5");
   return age > 0 ? age : age_of(folder / "checkpoint.previous.h5");

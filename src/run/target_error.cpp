@@ -107,10 +107,24 @@ void judge_errors(Run& run) {
 }
 
 std::string until_target(Run const& run) {
-  double times = 0;
-  for (auto const& [name, error] : run.reached) {
-    if (!error) return {};
-    times = std::max(times, std::pow(*error / run.scene.shear.target_error.at(name), 2));
+  double times = 0;  // of what is short: errors, independent windows, collisions
+  for (auto const& observable : observables(run.scene, run.box_length)) {
+    auto const found = estimate(run, observable.value);
+    if (observable.name == "Z") {
+      double const collisions = collisions_per_disk(
+          run.scene, found.all.mean.value_or(0),
+          measured_strain(run.plan, run.plan.windows,
+                          static_cast<std::size_t>(run.plan.discarded_windows)));
+      if (collisions < fewest_collisions) times = std::max(times, fewest_collisions / collisions);
+    }
+    auto const reached = run.reached.find(std::string(observable.name));
+    if (reached == run.reached.end()) continue;
+    if (!reached->second) return {};
+    times = std::max(
+        times, std::pow(*reached->second / run.scene.shear.target_error.at(reached->first), 2));
+    for (auto const& one : found.each)
+      if (one.independent > 0)
+        times = std::max(times, statistics::fewest_independent / one.independent);
   }
   return longer_run(run, statistics::look_factor * times);
 }

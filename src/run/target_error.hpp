@@ -13,8 +13,9 @@ namespace bagnold {
 void judge_errors(Run& run);
 
 /// The command that makes a run that missed its targets long enough for them: errors fall with the
-/// root of the strain, so it takes (reached/wanted)^2 times the strain, and 1.5 times that for the
-/// look before to meet them too. "" where one has no error.
+/// root of the strain, so it takes (reached/wanted)^2 times the strain, or more where disks have
+/// collided too seldom or independent windows are too few, and 1.5 times that for the look before
+/// to meet them too. "" where one has no error.
 std::string until_target(Run const& run);
 
 /// Where the scene leaves it open ("auto"): the windows to discard, by steady_start() of B_p and

@@ -77,6 +77,26 @@ TEST_F(SweepTableFile, IsRead) {
   EXPECT_TRUE(found.failed(2));
 }
 
+TEST_F(SweepTableFile, HasNoValuesOfDisksThatHardlyMet) {
+  auto const put = [](io::Hdf5Writer& file) {
+    put_good(file);
+    file.texts("/warnings",
+               std::vector<std::string>{"steady_state", "box_size few_collisions", ""});
+  };
+  auto const found = table(put);
+  EXPECT_EQ(found.hardly_met, 1u);
+  EXPECT_FALSE(found.failed(0));
+  EXPECT_TRUE(found.failed(1));
+  EXPECT_TRUE(std::isnan(found.observables.at("p").error[1]));
+
+  io::replace_text(folder_ / "sweep.csv",
+                   "disks.seed,B_p,B_p_error,warnings\n1,9e-33,0,few_collisions\n2,12,0.4,\n");
+  auto const text = read_sweep_table(folder_ / "sweep.csv");
+  EXPECT_EQ(text.hardly_met, 1u);
+  EXPECT_TRUE(text.failed(0));
+  EXPECT_EQ(text.observables.at("B_p").mean[1], 12);
+}
+
 TEST_F(SweepTableFile, KeysThatWereNotVariedAreInTheScenes) {
   Scene scene;
   scene.disks = {"CD", 64, 0.8, 1.0, "equal"};

@@ -398,6 +398,24 @@ grid = { "disks.elasticity" = [1, 2] }
         self.assertIn("4 of 288 points have no result and are left out", self.result.stderr)
         self.assertEqual([row["points"] for row in rows], ["16", "15", "16", "16", "16", "16"])
 
+    def test_disks_that_hardly_met(self):
+        """A run that warns of few_collisions has B_p = 1e-32 +- 0: it is no result."""
+        self.bagnold_states()
+        before = self.analyse("crossover")
+        with h5py.File(self.sweep_folder / "sweep.h5", "r+") as file:
+            names = [b""] * 288
+            names[5] = b"box_size few_collisions"
+            if "warnings" in file:
+                del file["warnings"]
+            file["warnings"] = np.array(names)
+            file["observables/B_p"][5] = 1e-32
+            file["observables/B_p_error"][5] = 0.0
+        after = self.analyse("crossover")
+        self.assertIn("1 of 288 points are left out: disks hardly met", self.result.stderr)
+        for one, two in zip(before, after):
+            self.assertLess(abs(float(one["Q_star"]) - float(two["Q_star"])),
+                            0.1 * float(one["Q_star_error"]) + 1e-12)
+
     def test_a_curve_that_fails_leaves_the_others(self):
         self.bagnold_states()
         with h5py.File(self.sweep_folder / "sweep.h5", "r+") as file:
@@ -415,6 +433,8 @@ grid = { "disks.elasticity" = [1, 2] }
         self.refused("crossover", "--fix", "z=1", words=["no parameter"])
         self.refused("crossover", "--fix", "s", words=["NAME=VALUE"])
         self.refused("crossover", "--fix", "s=two", words=["not a number"])
+        self.refused("crossover", "--fix", "s=1", "--fix", "s=2", words=["s=1", "s=2", "given twice"])
+        self.refused("crossover", "--where", "disks.packing_fraction=0x1", words=["leaves no point"])
         self.refused("crossover", "--range", 1000, 2000, words=["points"])
         self.refused("crossover", "--where", "disks.mass=equal", words=["not varied"])
         self.refused("transition", "--y", "B_p_el", words=["shear.strain_rate"])

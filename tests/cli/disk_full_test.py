@@ -100,6 +100,16 @@ class Full(DiskTest):
         for name in ("summary.json", "state.h5"):
             self.assertFalse((disk / "out" / name).exists())
 
+    def test_before_anything_is_there(self):
+        disk = self.small_disk("disk", "size=16k")
+        (disk / "filler").write_bytes(bytes(12 << 10))
+        result = self.bagnold("run", self.scene(**LONG), "--out", disk / "out")
+        self.assert_clean_error(result, 4, "space", "give the same command again")
+        self.assertNotIn("resume", result.stderr)
+        (disk / "filler").unlink()
+        subprocess.run(["mount", "-o", "remount,size=60m", disk], check=True)
+        self.run_scene(self.scene(**LONG), disk / "out", "--quiet")
+
     def test_no_inodes(self):
         disk = self.small_disk("disk", "size=8m,nr_inodes=4")
         result = self.bagnold("run", self.scene(**LONG), "--out", disk / "out")

@@ -93,6 +93,16 @@ class Cascade(ProtocolTest):
                     self.assertTrue(same_bits(one[name], two[name]), name)
             self.assertEqual(read_summary(whole), read_summary(out))
 
+    def test_stopped_in_a_rate_it_names_its_own_folder(self):
+        out = self.folder / "out"
+        path = self.scene(shear__strain=2.0**20, output__sample_strain=2.0**10, disks__packing_fraction=0.7, **CASCADE, **OFTEN)
+        process = self.start("run", path, "--out", out)
+        self.wait_until((out / STAGES[0] / "checkpoint.h5").exists, process)
+        process.send_signal(signal.SIGTERM)
+        code, said = self.finish(process)
+        self.assertEqual(code, 143, said)
+        self.assertIn(f"`bagnold resume {out}` goes on", said)
+
     def test_killed_between_two_stages(self):
         whole = self.run_new("whole", **CASCADE)
         for gone in (["summary.json"], ["summary.json", STAGES[2]],

@@ -177,6 +177,16 @@ class Plot(SweepTest):
         self.assert_picture(out / "plot.png")
         self.assertIsNone(process.poll())
 
+    def test_killed_before_its_first_checkpoint(self):
+        out = self.folder / "out"
+        process = self.start("run", self.scene(**{**LONG, "output__checkpoint_minutes": None}), "--out", out)
+        self.wait_until((out / "scene.toml").exists, process)
+        process.kill()
+        self.finish(process)
+        result = self.bagnold("plot", out)
+        self.assert_clean_error(result, 2, "nothing to draw", f"`bagnold resume {out}`")
+        self.assertNotIn("USR1", result.stderr)
+
     def test_cascades_and_sweeps(self):
         out = self.run_new("cascade", shear__protocol="cascade", shear__strain_rate=None,
                            shear__strain_rates=[2.0**-6, 2.0**-7])
@@ -185,13 +195,22 @@ class Plot(SweepTest):
         self.assertIn("flow_curve.svg\n", said)
         self.assert_picture(out / "flow_curve.svg")
         out = self.folder / "sweep"
-        path = self.sweep_file(grid={"disks.packing_fraction": [0.7, 0.72]})
+        path = self.sweep_file(grid={"disks.packing_fraction": [0.7, 0.72]}, shear__strain=8.0)
         self.sweep(path, out, "--emit-slurm")
         self.assert_clean_error(self.bagnold("plot", out), 2, "--collect")
         self.sweep(path, out, "--quiet")
         self.assertIn("sweep.pdf\n", self.plot(out, "pdf"))
         self.assert_picture(out / "table.pdf")
         self.assert_picture(out / "sweep.pdf")
+
+    def test_a_sweep_in_which_disks_hardly_met(self):
+        out = self.folder / "sweep"
+        self.sweep(self.sweep_file(grid={"disks.packing_fraction": [0.7, 0.72]}), out, "--quiet")
+        result = self.bagnold("plot", out)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("2 of 2 points are left out: disks hardly met", result.stderr)
+        self.assertFalse((out / "table.png").exists())
+        self.assert_picture(out / "sweep.png")
 
 
 if __name__ == "__main__":

@@ -74,6 +74,14 @@ TEST(Overrides, MessagesNameThem) {
   EXPECT_TRUE(has(message, "disks.count = -2 (must be")) << message;
 }
 
+TEST(Overrides, OfAnUnknownTableAreNamedToo) {
+  auto const message = refusal(minimal_text, {"foo.bar=1"});
+  EXPECT_TRUE(has(message, "--set foo.bar=1")) << message;
+  EXPECT_FALSE(has(message, ":0:0")) << message;
+  auto const seed = refusal(minimal_text, {"run.seed=1"});
+  EXPECT_TRUE(has(seed, "unknown key run.seed; did you mean disks.seed?")) << seed;
+}
+
 TEST(Overrides, CannotBringMoreThanOneValue) {
   for (auto const* bad : {"disks.count=10\n[shear]\nstrain = 3", "disks.count=10\nmass = \"area\"",
                           "measure.every=1\n[x]", "title=x\n[y]", "title=\"x\"\n[y]",

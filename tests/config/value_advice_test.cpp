@@ -18,6 +18,11 @@ TEST(ValueAdvice, SaysHowItIsWritten) {
                                                        {",5", "write 0.5"},
                                                        {" 40,0  # strain", "write 40.0"},
                                                        {"10,000", "write 10000, or 10.000"},
+                                                       {"0,001", "write 0.001"},
+                                                       {"1,000,000", "write 1000000"},
+                                                       {"1d-3", "write 1e-3"},
+                                                       {"1e400", "below 1.8e308"},
+                                                       {"9223372036854775808", "below 2^63"},
                                                        {".5", "write 0.5"},
                                                        {"-.5e3", "write -0.5e3"},
                                                        {"5.", "write 5.0"},
@@ -65,6 +70,7 @@ TEST(ValueAdvice, StandsInTheMessagesOfScenes) {
     EXPECT_TRUE(has(message, words)) << message;
   }
   EXPECT_TRUE(has(refusal(minimal_text, {"shear.strain=40,0"}), "write 40.0"));
+  EXPECT_TRUE(has(refusal(minimal_text, {"disks.count=16,0"}), "write 16)"));
   EXPECT_TRUE(has(refusal(minimal_text, {"integration.time_step=0,1"}), "write 0.1"));
   EXPECT_TRUE(has(refusal(minimal_text, {"shear.discard=0,5"}), "write 0.5"));
   EXPECT_TRUE(has(refusal(minimal_text, {"output.plot=False"}), "write false"));

@@ -86,5 +86,17 @@ TEST_F(Target, AMissedOneTellsTheStrainThatItTakes) {
   EXPECT_EQ(until_target(run), longer_run(run, 1.5 * times));
 }
 
+/// The error alone would be met at once, but disks have hardly collided.
+TEST_F(Target, FewCollisionsTakeMoreStrainThanTheError) {
+  double const half = 10, share = 0.1;
+  double const enough = fewest_collisions / collisions_per_disk(scene, 1.0, half);
+  scene.shear.target_error = {{"B_p", 0.5}};
+  judge(share * enough, 1.0, 0.1);
+  EXPECT_FALSE(run.target_met);
+  double const measured = 20.0 * (1 - static_cast<double>(run.plan.discarded_windows) /
+                                          static_cast<double>(run.plan.windows));
+  EXPECT_EQ(until_target(run), longer_run(run, 1.5 * half / measured / share));
+}
+
 }  // namespace
 }  // namespace bagnold

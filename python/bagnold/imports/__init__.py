@@ -7,6 +7,7 @@
 from __future__ import annotations
 
 import math
+import numbers
 import os
 import pathlib
 import re
@@ -46,6 +47,8 @@ def import_state(file: str | os.PathLike[str], out: str | os.PathLike[str], *, f
     place, target = name_of(file), pathlib.Path(out)
     if format is not None and format not in FORMATS:
         raise InputError(f"--from {format} (must be one of {', '.join(FORMATS)})")
+    if not isinstance(frame, numbers.Integral):
+        raise InputError(f"frame = {frame!r} (must be an integer: 0 is the first, -1 the last)")
     if bounds not in (None, OUTER, EDGES):
         raise InputError(f"--bounds {bounds} (must be {OUTER} or {EDGES})")
     try:

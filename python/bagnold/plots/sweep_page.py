@@ -69,7 +69,9 @@ def curves_of(sweep, along):
 
 def merged(sweep, name, rows):
     """Mean over seeds and its standard error: of two by their own errors where they have them, else by the
-    scatter."""
+    scatter. Runs in which disks hardly met are left out beside others, and where nothing happened in them."""
+    met = [row for row in rows if "few_collisions" not in sweep[int(row)].warnings]
+    rows = met or [row for row in rows if sweep.error(name)[row] != 0]
     values, errors = sweep[name][rows], sweep.error(name)[rows]
     values, errors = values[np.isfinite(values)], errors[np.isfinite(values)]
     if not len(values):

@@ -19,6 +19,14 @@ double most_share(Scene const& scene) {
   return scene.driven() ? std::max(most, many / static_cast<double>(scene.disks.count)) : most;
 }
 
+/// More than rounding: where disks keep to the shear flow that is all there is, p_kin too.
+bool is_motion(MeanMotion const& motion, Scene const& scene) {
+  constexpr double rounding = 1e-12;
+  auto const [x, y] = motion.velocity;
+  double const rate = scene.shear.strain_rate;
+  return x * x + y * y > rounding * rate * rate;  // over a length of d_s
+}
+
 /// Share of the mean motion in sum m dv^2 of one replica while it was measured. As u_x changes by
 /// -u_y in a unit of strain, and u_y not at all, the mean of u^2 over a strain gamma is
 ///
@@ -68,7 +76,8 @@ std::optional<Warning> net_momentum(FinishedRun const& finished) {
   double share = 0;
   MeanMotion motion{};
   for (auto const& replica : replicas)
-    if (replica.end_motion && share_of(*replica.end_motion, finished) > share) {
+    if (replica.end_motion && is_motion(*replica.end_motion, finished.run.scene) &&
+        share_of(*replica.end_motion, finished) > share) {
       motion = *replica.end_motion;
       share = share_of(motion, finished);
     }

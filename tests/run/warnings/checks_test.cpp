@@ -354,6 +354,16 @@ TEST_F(Checks, DisksThatMoveTogether) {
   EXPECT_EQ(names(found()), "net_momentum");
 }
 
+/// Disks that keep to the shear flow move by rounding alone, p_kin too.
+TEST_F(Checks, RoundingIsNoMeanMotion) {
+  warnings_of(Flow{.kinetic = 1e-36});
+  auto const list = estimates(run);
+  for (auto const& [velocity, warned] : {std::pair(1e-19, false), {1e-8, true}}) {
+    run.replicas.front().end_motion = MeanMotion{{velocity, velocity}, 1.0};
+    EXPECT_EQ(net_momentum({run, list}).has_value(), warned) << velocity;
+  }
+}
+
 /// The mean of N disks in a bath has 1/N of the kinetic energy.
 TEST_F(Checks, DisksInABathMoveTogetherByChance) {
   scene.disks.count = 256;

@@ -108,6 +108,11 @@ std::optional<StageFolder> stage_folder_in_cascade(fs::path const& folder) {
   return std::nullopt;
 }
 
+fs::path folder_to_resume(fs::path const& folder) {
+  auto const stage = stage_folder_in_cascade(folder);
+  return stage ? stage->cascade : folder;
+}
+
 void make_cascade_longer(RunFolder const& folder, Scene const& after) {
   auto const last = after.shear.strain_rates.size() - 1;
   auto const path = folder.path() / stage_folder(after, last);

@@ -30,6 +30,10 @@ struct StageFolder {
 };
 std::optional<StageFolder> stage_folder_in_cascade(std::filesystem::path const& folder);
 
+/// What `bagnold resume` is to be given for a run in this folder: of one rate of a cascade the
+/// cascade's folder.
+std::filesystem::path folder_to_resume(std::filesystem::path const& folder);
+
 /// Prepares the folder of a cascade for run_cascade() with more strain at its last rate. Throws
 /// InputError, nothing changed, where that stage cannot be made longer (make_longer.hpp).
 void make_cascade_longer(RunFolder const& folder, Scene const& after);
