@@ -2,58 +2,53 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
+#include "kernels/cpu/events/series.hpp"
 #include "kernels/physics/box/sheared_box.hpp"
 #include "kernels/physics/closed_form/contact_class.hpp"
 
 namespace bagnold::events {
 
-/// A disk of a cluster, and how it moves in one step: r = r_0 + v_0 s + q s^2 + p s^3, the cubic
-/// with the positions and velocities of both ends of the step, and a parabola for the spin.
+/// Series of a spin, of a law that has one.
 template <bool Rotates>
-struct Member {
+struct SpinSeries {};
+
+template <>
+struct SpinSeries<true> {
+  Series spin;  ///< thetadot, [1 / tau_e]
+};
+
+/// A disk of a cluster, and how it moves in one step: by Taylor series from its begin on.
+template <bool Rotates>
+struct Member : SpinSeries<Rotates> {
   std::uint32_t disk;
   Species species;
-  DiskMotion<Rotates> begin, end;
-  Vec2<Real> bend, twist;  ///< q, p
-  Real turn;               ///< thetadot' at the begin, [1 / tau_e^2]
+  DiskMotion<Rotates> begin;
+  Series x, y;        ///< [d_s]
+  Real acceleration;  ///< bound of |r''| over the step, [d_s / tau_e^2]
+  Real deviation;     ///< bound of the distance from the line of its begin, [d_s]
+  bool strays;        ///< it has left its corridor
 
-  void join(Real step) {
-    Real const i = 1 / step;
-    auto const mean = i * (end.position - begin.position);
-    auto const &u = begin.motion.velocity, &v = end.motion.velocity;
-    bend = i * (3.0 * mean - 2.0 * u - v);
-    twist = (i * i) * (u + v - 2.0 * mean);
+  template <class T>
+  Vec2<T> position(T const& s) const {
+    return {value(x, s), value(y, s)};
   }
-
-  Vec2<Real> position(Real s) const {
-    return begin.position + s * (begin.motion.velocity + s * (bend + s * twist));
+  template <class T>
+  Vec2<T> velocity(T const& s) const {
+    return {rate(x, s), rate(y, s)};
   }
-  Vec2<Real> velocity(Real s) const {
-    return begin.motion.velocity + s * (2.0 * bend + (3 * s) * twist);
-  }
-  DiskMotion<Rotates> at(Real s, Real step) const {
-    if (s >= step) return end;
+  DiskMotion<Rotates> at(Real s) const {
     DiskMotion<Rotates> of{position(s), {}};
     of.motion.velocity = velocity(s);
-    if constexpr (Rotates) {
-      Real const rest = end.motion.spin - begin.motion.spin - turn * step, part = s / step;
-      of.motion.spin = begin.motion.spin + turn * s + part * part * rest;
-    }
+    if constexpr (Rotates) of.motion.spin = value(this->spin, s);
     return of;
   }
 
-  /// Bounds over the step: |r''|, [d_s / tau_e^2].
-  Real acceleration(Real step) const {
-    auto const last = 2.0 * bend + (6 * step) * twist;
-    return std::max(2 * std::sqrt(dot(bend, bend)), std::sqrt(dot(last, last)));
-  }
-  /// Distance from the line of the begin, [d_s].
-  Real deviation(Real step) const {
-    return step * step * (std::sqrt(dot(bend, bend)) + step * std::sqrt(dot(twist, twist)));
+  void bound(Real step) {
+    acceleration = second_rate_bound(x, step) + second_rate_bound(y, step);
+    deviation = bend_bound(x, step) + bend_bound(y, step);
   }
 };
 

@@ -15,16 +15,17 @@ namespace bagnold::events {
 enum class Manner : std::uint8_t {
   free,     ///< on its line
   contact,  ///< with one other disk, in closed form, and on its line afterwards
-  cluster   ///< in a cluster, by steps: there is no line after its piece
+  cluster   ///< in a cluster, by steps: the line is one that it stays near for a time
 };
 
 /// The path of a disk from its last change on, in times since the lists were built. It ends on a
-/// straight line, on which the disk flies until something hits it. One cache line.
+/// straight line, on which the disk flies until something hits it. Of a disk in a cluster it is a
+/// corridor: the disk keeps within `deviation` of the line until `straight`. One cache line.
 struct alignas(64) Path {
   Vec2<Real> place;     ///< of the line at time 0, [d_s]
   Vec2<Real> velocity;  ///< on the line, [d_s / tau_e]
   Real begun = 0;       ///< from when on this is the path, [tau_e]
-  Real straight = 0;    ///< from when on it is the line; a piece of a cluster ends there
+  Real straight = 0;    ///< from when on it is the line; of a corridor: its end
   Real deviation = 0;   ///< largest distance from the line in between, [d_s]
   std::uint32_t changes = 0;
   Species species = 0;

@@ -38,7 +38,7 @@ auto EventDisks<Rotates>::at(std::uint32_t i, Real time) const -> Moving {
   Path const& p = path[i];
   if (p.manner == Manner::cluster) {
     auto const& cluster = clusters[touching[i]];
-    return cluster.members[member[i]].at(time - cluster.time, cluster.step);
+    return cluster.members[member[i]].at(time - cluster.time);
   }
   if (time >= p.straight) return on_line(i, time);
   auto const& contact = contacts[touching[i]];
@@ -50,8 +50,7 @@ Real EventDisks<Rotates>::acceleration(std::uint32_t i) const {
   Path const& p = path[i];
   if (p.manner == Manner::free) return 0;
   if (p.manner == Manner::cluster) {
-    auto const& cluster = clusters[touching[i]];
-    return cluster.members[member[i]].acceleration(cluster.step);
+    return clusters[touching[i]].members[member[i]].acceleration;
   }
   auto const& contact = contacts[touching[i]];
   auto const& c = contact_class(contact);
@@ -116,20 +115,51 @@ void EventDisks<Rotates>::begin_contact(std::uint32_t k) {
 }
 
 template <bool Rotates>
-void EventDisks<Rotates>::begin_step(std::uint32_t k) {
-  auto const& cluster = clusters[k];
-  for (std::uint32_t a = 0; a < cluster.members.size(); ++a) {
-    auto const& m = cluster.members[a];
-    leave(m.disk);
-    Path& p = path[m.disk];
+void EventDisks<Rotates>::begin_cluster(std::uint32_t k) {
+  auto const& members = clusters[k].members;
+  for (std::uint32_t a = 0; a < members.size(); ++a) {
+    auto const i = members[a].disk;
+    leave(i);
+    Path& p = path[i];
+    if (p.manner != Manner::cluster) p.straight = p.deviation = 0;  // no corridor yet
     p.manner = Manner::cluster;
-    touching[m.disk] = k;
-    member[m.disk] = a;
+    touching[i] = k;
+    member[i] = a;
+  }
+}
+
+template <bool Rotates>
+bool EventDisks<Rotates>::keeps_corridor(Cluster<Rotates> const& cluster,
+                                         Member<Rotates> const& m) const {
+  Path const& p = path[m.disk];
+  Real const end = cluster.end(), left = p.deviation - m.deviation;
+  auto const off = m.position(cluster.step) - p.at(end);
+  return end <= p.straight && left > 0 && dot(off, off) < left * left;
+}
+
+template <bool Rotates>
+void EventDisks<Rotates>::begin_step(std::uint32_t k) {
+  constexpr Real steps = 8;   // longest ones, for which a corridor is made
+  constexpr Real wide = 1.5;  // over what the speeds of the begin would need
+  auto& cluster = clusters[k];
+  Vec2<Real> mean{};
+  for (auto const& m : cluster.members) mean += m.begin.motion.velocity;
+  mean = (Real(1) / static_cast<Real>(cluster.members.size())) * mean;
+  Real fastest2 = 0;
+  for (auto& m : cluster.members) {
+    m.strays = !keeps_corridor(cluster, m);
+    auto const v = m.begin.motion.velocity - mean;
+    fastest2 = std::max(fastest2, dot(v, v));
+  }
+  Real const time = steps * material.longest_step, width = wide * time * std::sqrt(fastest2);
+  for (auto const& m : cluster.members) {
+    if (!m.strays) continue;
+    Path& p = path[m.disk];
+    ++p.changes;
     p.begun = cluster.time;
-    p.straight = cluster.end();
-    p.fly(m.begin.position, m.begin.motion.velocity, p.begun);
-    p.deviation = m.deviation(cluster.step);
-    spin.take(m.disk, m.begin.motion);
+    p.straight = cluster.time + time;
+    p.fly(m.begin.position, mean, p.begun);
+    p.deviation = width + 2 * m.deviation;
   }
 }
 

@@ -77,9 +77,12 @@ class EventDisks {
   /// Bound of |r''| before its line begins, [d_s / tau_e^2].
   Real acceleration(std::uint32_t i) const;
 
-  /// New paths. A free disk; both disks of contacts[k]; all disks of clusters[k].
+  /// New paths: of a free disk, of both disks of contacts[k], of all disks of clusters[k].
   void fly(std::uint32_t i, Moving const& from, Real time);
   void begin_contact(std::uint32_t k);
+  void begin_cluster(std::uint32_t k);
+
+  /// Corridors for the disks of clusters[k] that would leave their own in its step.
   void begin_step(std::uint32_t k);
 
   /// Of a contact that has ended: the disk flies since.
@@ -87,6 +90,7 @@ class EventDisks {
 
  private:
   void leave(std::uint32_t i);
+  bool keeps_corridor(Cluster<Rotates> const& cluster, Member<Rotates> const& m) const;
   void set_contact(std::uint32_t i, std::uint32_t k, Moving const& end, Real deviation);
 };
 

@@ -1,56 +1,77 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/engine/events/event_sums.hpp"
 
+#include "kernels/cpu/events/node_roots.hpp"
+
 namespace bagnold::events {
 
-template <bool Rotates>
-void EventSums<Rotates>::step(Cluster<Rotates> const& cluster, ClusterSteps<Rotates> const& steps,
-                              Real until) {
-  Real const from = std::max(cluster.time, begin_), time = until - from;
-  if (!(time > 0)) return;
-  constexpr Real node = 0.21132486540518711775;  // (1 - 1/sqrt(3))/2
-  Real const s = from - cluster.time, half = time / 2 * inverse_step_;
-  configuration(cluster, steps, s + node * time, half);
-  configuration(cluster, steps, s + (1 - node) * time, half);
-}
+namespace {
+
+/// Columns at the nodes, of all that is in a cluster.
+struct Columns {
+  AtNodes value[SumColumns::count_rotating];
+  AtNodes& operator[](int column) { return value[column]; }
+};
+
+}  // namespace
 
 template <bool Rotates>
-void EventSums<Rotates>::configuration(Cluster<Rotates> const& cluster,
-                                       ClusterSteps<Rotates> const& steps, Real s, Real weight) {
-  using C = SumColumns;
-  auto const moving = [&](std::uint32_t a) { return cluster.members[a].at(s, cluster.step); };
-  for (auto const& link : cluster.links) {
-    auto const pair = steps.force(cluster, link, cluster.time + s, moving);
-    add_pair(to_, pair, weight);
-    Real turn = 0;
-    auto const &a = cluster.members[link.a], &b = cluster.members[link.b];
-    Real const inverse_distance = inverse_class_distance(pair_class(a.species, b.species));
+void EventSums<Rotates>::step(Cluster<Rotates> const& cluster, Real until) {
+  Real const from = std::max(cluster.time, begin_);
+  if (!(until > from)) return;
+  Real const half = (until - from) / 2, weight = half * inverse_step_;
+  AtNodes const s = AtNodes(from - cluster.time + half) + AtNodes(half) * AtNodes::abscissas();
+  Columns columns;
+  for (auto& c : columns.value) c = AtNodes(0.0);
+  nodes_.resize(cluster.members.size());
+  for (std::size_t k = 0; k < nodes_.size(); ++k) {
+    auto const& m = cluster.members[k];
+    auto& of = nodes_[k];
+    of.position = m.position(s);
+    of.velocity = m.velocity(s);
+    add_motion(columns, AtNodes(disks_->mass(m.disk)),
+               peculiar_x(of.velocity.x, of.position.y, strain_rate), of.velocity.y);
     if constexpr (Rotates) {
-      auto const& diameter = disks_->material.table.diameter;
-      turn = diameter[a.species] * moving(link.a).motion.spin +
-             diameter[b.species] * moving(link.b).motion.spin;
-      to_[C::torque_power] += weight * turn * pair.torque_per_diameter(inverse_distance);
+      of.spin = value(m.spin, s);
+      add_spin(columns, of.spin);
     }
-    if (motion)
-      motion->add(weight, pair.separation, steps.velocity(cluster, link, s),
-                  turn * inverse_distance / 2);
   }
-  for (auto const& m : cluster.members) {
-    auto const of = m.at(s, cluster.step);
-    struct Weighed {  // columns that take a share
-      Real* to;
-      Real weight;
-      struct Column {
-        Real& sum;
-        Real weight;
-        void operator+=(Real value) const { sum += weight * value; }
-      };
-      Column operator[](int c) const { return {to[c], weight}; }
-    } const columns{to_, weight};
-    add_motion(columns, disks_->mass(m.disk),
-               peculiar_x(of.motion.velocity.x, of.position.y, strain_rate), of.motion.velocity.y);
-    if constexpr (Rotates) add_spin(columns, of.motion.spin);
+  AtNodes const time = AtNodes(cluster.time) + s;
+  for (auto const& link : cluster.links) add(columns.value, cluster, link, time, weight);
+  for (int c = 0; c < Sums<Rotates>::columns; ++c)
+    if (c != SumColumns::contacts) to_[c] += weight * columns[c].integral();
+  to_[SumColumns::contacts] += 4 * weight * static_cast<Real>(cluster.links.size());
+}
+
+/// A contact of a cluster.
+template <bool Rotates>
+void EventSums<Rotates>::add(AtNodes* columns, Cluster<Rotates> const& cluster, Link const& link,
+                             AtNodes const& time, Real weight) {
+  using C = SumColumns;
+  auto const &a = nodes_[link.a], &b = nodes_[link.b];
+  auto const &i = cluster.members[link.a], &j = cluster.members[link.b];
+  auto const& shift = disks_->shifts(link.other);
+  Vec2<AtNodes> const away{AtNodes(shift.place.x) + AtNodes(shift.velocity) * time,
+                           AtNodes(shift.place.y)};
+  auto const r = a.position - b.position - away;
+  auto const v = a.velocity - b.velocity - Vec2<AtNodes>{AtNodes(shift.velocity), AtNodes(0.0)};
+  Real const inverse_distance = inverse_class_distance(pair_class(i.species, j.species));
+  AtNodes spins(0.0);
+  if constexpr (Rotates) {
+    auto const& diameter = disks_->material.table.diameter;
+    spins = AtNodes(diameter[i.species]) * a.spin + AtNodes(diameter[j.species]) * b.spin;
   }
+  auto const pair = pair_force(disks_->material.damping, HarmonicRepulsion{}, r, dot(r, r), v,
+                               AtNodes(inverse_distance), spins);
+  auto const of = columns_of(pair);
+  for (int c = 0; c < pair_columns; ++c) columns[c] += of.value[c];
+  if constexpr (Rotates)
+    columns[C::torque_power] += spins * pair.torque_per_diameter(AtNodes(inverse_distance));
+  if (!motion) return;
+  auto const& share = AtNodes::weights().v;
+  for (int k = 0; k < AtNodes::count; ++k)
+    motion->add(weight * share[k], {r.x.v[k], r.y.v[k]}, {v.x.v[k], v.y.v[k]},
+                spins.v[k] * inverse_distance / 2);
 }
 
 template class EventSums<false>;

@@ -9,7 +9,7 @@ namespace bagnold::events {
 
 /// Integrals over time of all columns of SumColumns, over the time step: sums over as many
 /// configurations as there are steps. Flights and contacts of two in closed form, steps of clusters
-/// by Gauss's rule of two nodes. What a disk does is added when it changes, or the window ends; the
+/// by Gauss's rule. What a disk does is added when it changes, or the window ends; the
 /// contact of two is added whole when it begins, and what lies ahead is taken back where it is cut
 /// short.
 template <bool Rotates>
@@ -52,16 +52,23 @@ class EventSums {
   }
 
   /// The step of a cluster up to a time.
-  void step(Cluster<Rotates> const& cluster, ClusterSteps<Rotates> const& steps, Real until);
+  void step(Cluster<Rotates> const& cluster, Real until);
 
  private:
-  void configuration(Cluster<Rotates> const& cluster, ClusterSteps<Rotates> const& steps, Real s,
-                     Real weight);
+  /// A disk of a cluster at the nodes of a part of its step.
+  struct Node {
+    Vec2<AtNodes> position, velocity;
+    AtNodes spin{0.0};
+  };
+
+  void add(AtNodes* columns, Cluster<Rotates> const& cluster, Link const& link, AtNodes const& time,
+           Real weight);
 
   EventDisks<Rotates> const* disks_;
   Real inverse_step_;
   Real* to_ = nullptr;
   Real begin_ = 0;
+  std::vector<Node> nodes_;  ///< of the members of a cluster
 };
 
 extern template class EventSums<false>;

@@ -60,7 +60,7 @@ void EventSystem<Rotates>::find_touches() {
     }
   for (std::uint32_t i = 0; i < disks.count(); ++i)
     if (taken[i]) group.disks.push_back({i, disks.on_line(i, 0)});
-  touches_.settle(std::move(group), 0);
+  touches_.settle(group, 0);
 }
 
 template <bool Rotates>
@@ -115,6 +115,8 @@ void EventSystem<Rotates>::predict(std::uint32_t slot) {
 template <bool Rotates>
 void EventSystem<Rotates>::predict_all() {
   auto const& disks = s_.disks;
+  for (std::uint32_t i = 0; i < disks.count(); ++i)
+    if (disks.path[i].manner == Manner::cluster) s_.predictions.find_near(i);
   for (std::uint32_t i = 0; i < disks.count(); ++i) {
     bool const follows =
         disks.path[i].manner == Manner::cluster && disks.clusters[disks.touching[i]].slot() != i;
@@ -162,7 +164,7 @@ void EventSystem<Rotates>::end_window(Real time) {
     if (disks.path[i].manner != Manner::cluster) {
       s_.sums.flight(i, time);
     } else if (auto const& cluster = disks.clusters[disks.touching[i]]; cluster.slot() == i) {
-      s_.sums.step(cluster, s_.steps, std::min(time, cluster.end()));
+      s_.sums.step(cluster, std::min(time, cluster.end()));
     }
   }
 }

@@ -5,6 +5,7 @@
 
 #include "src/engine/events/event_disks.hpp"
 #include "src/engine/events/event_lists.hpp"
+#include "src/engine/events/near_pairs.hpp"
 
 namespace bagnold::events {
 
@@ -44,21 +45,28 @@ template <bool Rotates>
 class Predictions {
  public:
   Predictions(EventDisks<Rotates> const& disks, EventLists const& lists, EventQueue& queue)
-      : disks_(&disks), lists_(&lists), queue_(&queue) {}
+      : disks_(&disks), lists_(&lists), queue_(&queue), near_(disks.count()) {}
 
   void of_disk(std::uint32_t i);
   void of_cluster(std::uint32_t k);
+
+  /// Whom a disk of a cluster may touch in its corridor.
+  void find_near(std::uint32_t i);
 
   /// Whether disks are still told to leave their reach.
   bool watch_reach = true;
 
  private:
   LinePair lines(std::uint32_t i, Neighbor n) const;
-  Real touch(std::uint32_t i, Neighbor n, LinePair const& pair) const;
+  bool stays_apart(Cluster<Rotates> const& cluster, Member<Rotates> const& m, Neighbor n,
+                   bool mate) const;
+  Real touch(std::uint32_t i, Neighbor n) const;
+  Real gap_closes(std::uint32_t i, Neighbor n, Real from, Real until) const;
 
   EventDisks<Rotates> const* disks_;
   EventLists const* lists_;
   EventQueue* queue_;
+  NearPairs near_;
 };
 
 extern template class Predictions<false>;

@@ -166,6 +166,7 @@ void restore(Arrays const& from, EventState<Rotates>& state) {
       m.species = disks.path[m.disk].species;
     }
     for (auto& link : of.links) visit_link(cluster, link);
+    disks.begin_cluster(k);
     state.steps.plan(of);
     disks.begin_step(k);
   }

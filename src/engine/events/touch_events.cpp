@@ -13,7 +13,8 @@ void TouchEvents<Rotates>::touch(std::uint32_t i, Neighbor n, Real time) {
   }
   if (s_.disks.flies(i, time) && s_.disks.flies(n.index(), time)) return begin_lone(i, n, time);
   ++s_.counts.busy_collisions;
-  Group group;
+  Group& group = group_;
+  group.clear();
   take_in(i, time, group);
   take_in(n.index(), time, group);
   group.touches.push_back({i, n, time});
@@ -21,7 +22,7 @@ void TouchEvents<Rotates>::touch(std::uint32_t i, Neighbor n, Real time) {
     auto const pair = pair_motion(group.of(i), s_.disks.image(group.of(n.index()), n, time));
     s_.log.begins(i, n.index(), time, pair.separation, pair.velocity);
   }
-  settle(std::move(group), time);
+  settle(group, time);
 }
 
 template <bool Rotates>
@@ -93,10 +94,10 @@ void TouchEvents<Rotates>::take_contact(std::uint32_t k, Real time, Group& group
 template <bool Rotates>
 void TouchEvents<Rotates>::take_cluster(std::uint32_t k, Real time, Group& group) {
   auto& cluster = s_.disks.clusters[k];
-  if (time < cluster.end() && time > cluster.time) s_.steps.plan(cluster, time - cluster.time);
   bool const at_begin = !(time > cluster.time);
-  if (!at_begin) s_.sums.step(cluster, s_.steps, time);
-  for (auto const& m : cluster.members) group.disks.push_back({m.disk, at_begin ? m.begin : m.end});
+  if (!at_begin) s_.sums.step(cluster, time);
+  for (auto const& m : cluster.members)
+    group.disks.push_back({m.disk, at_begin ? m.begin : m.at(time - cluster.time)});
   for (auto const& link : cluster.links)
     group.touches.push_back({cluster.members[link.a].disk, link.other, link.touched});
   s_.disks.clusters.remove(k);
@@ -104,9 +105,10 @@ void TouchEvents<Rotates>::take_cluster(std::uint32_t k, Real time, Group& group
 
 /// New paths for all of a group, by what hangs together in it, and what happens to them next.
 template <bool Rotates>
-void TouchEvents<Rotates>::settle(Group group, Real time) {
-  auto const parts = group.parts();
-  std::vector<std::uint32_t> clusters;
+void TouchEvents<Rotates>::settle(Group& group, Real time) {
+  auto const& parts = group.parts();
+  auto& clusters = clusters_;
+  clusters.clear();
   for (auto const& part : parts) {
     if (part.disks.size() == 1) {
       s_.disks.fly(part.disks[0].disk, part.disks[0].motion, time);
@@ -130,16 +132,21 @@ void TouchEvents<Rotates>::settle(Group group, Real time) {
 }
 
 template <bool Rotates>
-std::uint32_t TouchEvents<Rotates>::add_cluster(Group const& part, Real time) {
+std::uint32_t TouchEvents<Rotates>::add_cluster(typename Group::Part const& part, Real time) {
   auto const k = s_.disks.clusters.add();
   auto& cluster = s_.disks.clusters[k];
   cluster.time = time;
   cluster.members.clear();
   cluster.links.clear();
-  for (auto const& d : part.disks)
-    cluster.members.push_back({d.disk, s_.disks.path[d.disk].species, d.motion, {}, {}, {}, 0});
+  for (auto const& d : part.disks) {
+    auto& m = cluster.members.emplace_back();
+    m.disk = d.disk;
+    m.species = s_.disks.path[d.disk].species;
+    m.begin = d.motion;
+  }
   for (auto const& t : part.touches)
     cluster.links.push_back({cluster.member(t.i), cluster.member(t.j()), t.other, t.touched});
+  s_.disks.begin_cluster(k);
   return k;
 }
 
@@ -150,16 +157,12 @@ void TouchEvents<Rotates>::plan(std::uint32_t k) {
   ++s_.counts.cluster_steps;
   s_.disks.begin_step(k);
   if (s_.predictions.watch_reach)
-    for (auto const& m : cluster.members) {
-      Path const& p = s_.disks.path[m.disk];
-      if (!s_.lists.within_reach(m.disk, p.place, p.velocity, cluster.end()))
+    for (auto const& m : cluster.members)
+      if (!s_.lists.within_reach(m.disk, m.position(cluster.step), {}, cluster.end()))
         s_.ask_for_build(cluster.end());
-    }
-  for (auto const& link : cluster.links) {
-    auto const r = s_.steps.separation(cluster, link, cluster.step);
-    s_.check_overlap(cluster.members[link.a].disk,
-                     1 - std::sqrt(dot(r, r)) / s_.steps.distance(cluster, link));
-  }
+  for (std::size_t n = 0; n < cluster.links.size(); ++n)
+    s_.check_overlap(cluster.members[cluster.links[n].a].disk,
+                     s_.steps.relative_overlap(cluster, n));
 }
 
 template <bool Rotates>
@@ -167,9 +170,9 @@ void TouchEvents<Rotates>::end_step(std::uint32_t k) {
   auto& cluster = s_.disks.clusters[k];
   Real const time = cluster.end();
   if (cluster.ending < 0) {
-    s_.sums.step(cluster, s_.steps, time);
+    s_.sums.step(cluster, time);
+    for (auto& m : cluster.members) m.begin = m.at(cluster.step);
     cluster.time = time;
-    for (auto& m : cluster.members) m.begin = m.end;
     plan(k);
     return s_.predictions.of_cluster(k);
   }
@@ -177,11 +180,12 @@ void TouchEvents<Rotates>::end_step(std::uint32_t k) {
   auto const i = cluster.members[parted.a].disk;
   s_.log.ends(i, parted.other.index(), time, s_.steps.separation(cluster, parted, cluster.step),
               s_.steps.velocity(cluster, parted, cluster.step));
-  Group group;
+  Group& group = group_;
+  group.clear();
   take_cluster(k, time, group);
   std::erase_if(group.touches,
                 [&](auto const& t) { return t.i == i && t.other.packed == parted.other.packed; });
-  settle(std::move(group), time);
+  settle(group, time);
 }
 
 template class TouchEvents<false>;

@@ -23,7 +23,7 @@ class TouchEvents {
   void end_step(std::uint32_t k);
 
   /// New paths for all of a group, by what hangs together in it, and what happens to them next.
-  void settle(Group group, Real time);
+  void settle(Group& group, Real time);
 
   /// The contact of two disks from a time on; the step of a cluster from its begin on.
   std::uint32_t add_contact(Moving const& a, Moving const& b, Touch const& touch, bool fresh,
@@ -38,9 +38,11 @@ class TouchEvents {
   void take_in(std::uint32_t disk, Real time, Group& group);
   void take_contact(std::uint32_t k, Real time, Group& group);
   void take_cluster(std::uint32_t k, Real time, Group& group);
-  std::uint32_t add_cluster(Group const& part, Real time);
+  std::uint32_t add_cluster(typename Group::Part const& part, Real time);
 
   EventState<Rotates>& s_;
+  Group group_;  ///< room for one
+  std::vector<std::uint32_t> clusters_;
 };
 
 extern template class TouchEvents<false>;

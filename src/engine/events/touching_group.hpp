@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -12,7 +13,8 @@ namespace bagnold::events {
 
 /// Disks at one time, and which of them touch: what a cluster is made of, and falls apart into.
 template <bool Rotates>
-struct TouchingGroup {
+class TouchingGroup {
+ public:
   struct Disk {
     std::uint32_t disk;
     DiskMotion<Rotates> motion;
@@ -25,8 +27,18 @@ struct TouchingGroup {
 
     std::uint32_t j() const { return other.index(); }
   };
+  /// What hangs together.
+  struct Part {
+    std::span<Disk const> disks;
+    std::span<Touch const> touches;
+  };
   std::vector<Disk> disks;
   std::vector<Touch> touches;
+
+  void clear() {
+    disks.clear();
+    touches.clear();
+  }
 
   bool has(std::uint32_t disk) const {
     return std::ranges::any_of(disks, [&](Disk const& d) { return d.disk == disk; });
@@ -37,43 +49,55 @@ struct TouchingGroup {
   }
 
   /// Falls apart into what hangs together, each with its disks and touches in order: how they came
-  /// together has no part in it.
-  std::vector<TouchingGroup> parts() {
+  /// together has no part in it. Valid until the group changes.
+  std::vector<Part> const& parts() {
     std::ranges::sort(disks, {}, &Disk::disk);
     std::ranges::sort(touches, {}, [](Touch const& t) { return std::tuple(t.i, t.j()); });
-    auto const place = [&](std::uint32_t disk) {
-      return static_cast<std::size_t>(std::ranges::lower_bound(disks, disk, {}, &Disk::disk) -
-                                      disks.begin());
-    };
-    std::vector<std::size_t> root(disks.size());
-    std::iota(root.begin(), root.end(), std::size_t{0});
+    join();
+    ordered_disks_.clear();
+    ordered_touches_.clear();
+    parts_.clear();
+    ordered_disks_.reserve(disks.size());
+    ordered_touches_.reserve(touches.size());
+    for (std::size_t a = 0; a < disks.size(); ++a)
+      if (root_[a] == a) parts_.push_back(part_of(a));
+    return parts_;
+  }
+
+ private:
+  std::size_t place(std::uint32_t disk) const {
+    return static_cast<std::size_t>(std::ranges::lower_bound(disks, disk, {}, &Disk::disk) -
+                                    disks.begin());
+  }
+
+  /// root_[a]: the first disk that a hangs together with.
+  void join() {
+    root_.resize(disks.size());
+    std::iota(root_.begin(), root_.end(), std::size_t{0});
     auto const root_of = [&](std::size_t a) {
-      while (root[a] != a) a = root[a] = root[root[a]];
+      while (root_[a] != a) a = root_[a] = root_[root_[a]];
       return a;
     };
     for (auto const& touch : touches) {
       auto const a = root_of(place(touch.i)), b = root_of(place(touch.j()));
-      root[std::max(a, b)] = std::min(a, b);
+      root_[std::max(a, b)] = std::min(a, b);
     }
-    std::vector<TouchingGroup> all;
-    std::vector<std::size_t> part(disks.size());
-    for (std::size_t a = 0; a < disks.size(); ++a) {
-      auto const r = root_of(a);
-      if (r == a) {
-        part[a] = all.size();
-        all.emplace_back();
-      }
-      all[part[r]].disks.push_back(disks[a]);
-    }
-    for (auto const& touch : touches) all[part[root_of(place(touch.i))]].touches.push_back(touch);
-    return all;
+    for (std::size_t a = 0; a < disks.size(); ++a) root_[a] = root_of(a);
   }
-};
 
-/// The image of disk i that j touches where i touches an image of j. big_i: whether i is.
-inline Neighbor seen_from_other(std::uint32_t i, bool big_i, Neighbor other) {
-  auto const image = other.image();
-  return Neighbor::make(i, {-image.m, -image.n}, big_i);
-}
+  Part part_of(std::size_t root) {
+    auto const from = ordered_disks_.size(), first = ordered_touches_.size();
+    for (std::size_t a = root; a < disks.size(); ++a)
+      if (root_[a] == root) ordered_disks_.push_back(disks[a]);
+    for (auto const& touch : touches)
+      if (root_[place(touch.i)] == root) ordered_touches_.push_back(touch);
+    return {std::span(ordered_disks_).subspan(from), std::span(ordered_touches_).subspan(first)};
+  }
+
+  std::vector<std::size_t> root_;
+  std::vector<Disk> ordered_disks_;
+  std::vector<Touch> ordered_touches_;
+  std::vector<Part> parts_;
+};
 
 }  // namespace bagnold::events

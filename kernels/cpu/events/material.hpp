@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+
+#include "kernels/cpu/events/linear_damping.hpp"
+#include "kernels/physics/closed_form/contact_class.hpp"
+
+namespace bagnold::events {
+
+/// Of a step of a cluster, at most: the phase of a lone contact's oscillation, and the exponent by
+/// which its damping acts. Most steps are shorter, by their error.
+inline constexpr Real longest_phase = 1.2, longest_decay = 1.5;
+
+/// What acts between disks, and what they are.
+template <bool Rotates>
+struct Material {
+  SpeciesTable table;
+  LinearDamping<Rotates> damping;
+  ContactClasses<Rotates> classes;
+  Real longest_step = 0;  ///< of a cluster, [tau_e]
+
+  static Material of(LinearDamping<Rotates> const& damping, SpeciesTable const& table) {
+    Material material{table, damping, {}};
+    Real fastest = 0;
+    for (Species i = 0; i < 2; ++i)
+      for (Species j = 0; j < 2; ++j)
+        material.classes.of[i][j] =
+            ContactClass<Rotates>::of_constants(damping.normal, damping.tangential, table, i, j);
+    for (auto const& row : material.classes.of)
+      for (auto const& c : row)
+        fastest = std::max({fastest, c.frequency0 / longest_phase,
+                            2 * c.rates.damping / longest_decay, c.rates.sliding / longest_decay});
+    material.longest_step = 1 / fastest;
+    return material;
+  }
+};
+
+}  // namespace bagnold::events
