@@ -62,10 +62,11 @@ def _refuse_far(frame: Frame, r_max: float) -> None:
 
 
 def structure_factor(frames: Configurations, q_max: float = 10.0, bins: int = 100) -> tuple[Array, Array]:
-    """S(q) = |sum_j exp(-i q . r_j)|^2 / N at the wave vectors that fit the sheared box, averaged over
-    their directions and over frames.
+    """Structure factor at the wave vectors that fit the sheared box, averaged over their directions and over frames.
 
-    q_max: 1/d_s. Returns the mean |q| of each bin and S, NaN in bins without a wave vector, [bins]."""
+        S(q) = |sum_j exp(-i q . r_j)|^2 / N
+
+    q_max: 1/d_s. Returns the mean length of q in each bin and S, NaN in bins without a wave vector, [bins]."""
     edges = np.linspace(0, q_max, bins + 1)
     power, length, count = np.zeros(bins), np.zeros(bins), np.zeros(bins)
     for frame in _frames(frames):

@@ -9,14 +9,17 @@ import io
 import json
 import os
 import re
+import sys
 import tomllib
 import unittest
 import warnings
 
-from made import SOURCE, Folder, bagnold
+from made import SOURCE, Folder, bagnold, with_frames
 
+import h5py  # noqa: E402
 import matplotlib  # noqa: E402
 import matplotlib.figure  # noqa: E402
+import numpy as np  # noqa: E402
 
 matplotlib.use("Agg")
 NOTEBOOKS = sorted((SOURCE / "examples").glob("*.ipynb"))
@@ -44,6 +47,36 @@ class Documentation(Folder):
         self.assertTrue((self.folder / "first.pdf").read_bytes().startswith(b"%PDF"))
         for name in ("trajectory.lammpstrj", "trajectory.contacts.dump", "trajectory.xyz"):
             self.assertTrue((self.folder / "results/first" / name).exists(), name)
+
+    def test_the_scene_beside_lammps(self):
+        """Both inputs of docs/lammps.md say one physics: the scene's is what bench/peers writes for LAMMPS."""
+        sys.path.insert(0, str(SOURCE / "bench/peers"))
+        import lammps_scene
+        text = (SOURCE / "docs/lammps.md").read_text()
+        theirs, = re.findall(r"^```text\n(units lj\n.*?)^```$", text, re.M | re.S)
+        ours = tomllib.loads(re.findall(r"^```toml\n(.*?)^```$", text, re.M | re.S)[0])
+        scene = lammps_scene.Scene(ours["disks"]["model"], ours["disks"]["elasticity"], ours["shear"]["strain_rate"],
+                                   ours["disks"]["mass"])
+        wanted = lammps_scene.head_lines(scene, lammps_scene.Tuning(centred=False))
+        self.assertEqual(theirs.splitlines()[:len(wanted)], wanted)
+        steps = int(re.search(r"^run (\d+)$", theirs, re.M)[1])
+        self.assertAlmostEqual(steps * scene.time_step * scene.rate, ours["shear"]["strain"])
+
+    @unittest.skipUnless(importlib.util.find_spec("gsd"), "needs gsd")
+    def test_the_way_back_from_gsd(self):
+        """What docs/hoomd.md writes of an exported trajectory is imported as the state that it was, in single precision."""
+        block, = re.findall(r"^```python\n(.*?)^```$", (SOURCE / "docs/hoomd.md").read_text(), re.M | re.S)
+        names = {}
+        exec(compile(block, "docs/hoomd.md", "exec"), names)
+        r = with_frames()
+        path, = bagnold.export(r, "gsd", self.folder / "made.gsd")
+        names["to_extxyz"](path, self.folder / "made.xyz")
+        state = bagnold.import_state(self.folder / "made.xyz", self.folder / "state.h5", strain_rate=r.frames[-1].strain_rate)
+        self.assertEqual(state.scene["disks"]["count"], len(r.frames[-1]))
+        self.assertAlmostEqual(state.scene["disks"]["packing_fraction"], r.scene["disks.packing_fraction"], places=6)
+        with h5py.File(self.folder / "state.h5") as file:
+            away, _ = r.frames[-1].box.nearest(file["state/position"][:] - r.frames[-1].position)
+        self.assertLess(np.abs(away).max(), 1e-5)
 
     def test_names_in_the_text(self):
         """What is called by its name in a sentence is there."""
