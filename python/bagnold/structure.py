@@ -73,22 +73,29 @@ def structure_factor(frames: Configurations, q_max: float = 10.0, bins: int = 10
         reciprocal = 2 * np.pi * np.linalg.inv(frame.box.matrix[:2, :2])  # columns: b_1, b_2
         most = [int(q_max * side / (2 * np.pi)) + 1 for side in
                 (frame.box.length, np.hypot(frame.box.tilt, frame.box.height))]
-        n = np.stack(np.meshgrid(np.arange(0, most[0] + 1), np.arange(-most[1], most[1] + 1),
-                                 indexing="ij"), axis=-1).reshape(-1, 2)
-        n = n[(n[:, 0] > 0) | (n[:, 1] > 0)]  # S(q) = S(-q)
-        q = n @ reciprocal.T
-        size = np.hypot(q[:, 0], q[:, 1])
-        q, size = q[size < q_max], size[size < q_max]
-        s = np.empty(len(q))
-        for first in range(0, len(q), 256):
-            phase = q[first:first + 256] @ frame.position.T
-            s[first:first + 256] = (np.cos(phase).sum(axis=1)**2 + np.sin(phase).sum(axis=1)**2) / len(frame)
+        along, across = np.arange(most[0] + 1), np.arange(-most[1], most[1] + 1)
+        q = along[:, None, None] * reciprocal[:, 0] + across[:, None] * reciprocal[:, 1]
+        size = np.hypot(q[..., 0], q[..., 1])
+        half = (along[:, None] > 0) | (across > 0)  # S(q) = S(-q)
+        chosen = half & (size < q_max)
+        s, size = _power(frame, along, across)[chosen] / len(frame), size[chosen]
         where = np.clip(np.searchsorted(edges, size, side="right") - 1, 0, bins - 1)
         power += np.bincount(where, s, minlength=bins)
         length += np.bincount(where, size, minlength=bins)
         count += np.bincount(where, minlength=bins)
     with np.errstate(invalid="ignore"):
         return length / count, power / count
+
+
+def _power(frame: Frame, along: Integers, across: Integers) -> Array:
+    """|sum_j exp(-2 pi i (n_1 f_1j + n_2 f_2j))|^2 with f_j the place in units of the box's vectors, for all n_1 of `along`
+    and n_2 of `across`: a product of two matrices, as the exponential is one of n_1 and one of n_2."""
+    place = frame.position @ np.linalg.inv(frame.box.matrix[:2, :2])
+    total = np.zeros((len(along), len(across)), dtype=complex)
+    for first in range(0, len(frame), 4096):
+        f = place[first:first + 4096]
+        total += np.exp(-2j * np.pi * np.outer(along, f[:, 0])) @ np.exp(-2j * np.pi * np.outer(f[:, 1], across))
+    return np.asarray(total.real**2 + total.imag**2)
 
 
 def unwrapped(frames: Iterable[Frame]) -> Array:
