@@ -35,11 +35,12 @@ herr_t leave(void*) { return 0; }
 
 }  // namespace
 
-Handle create_in_memory(std::size_t increment) {
+Handle create_in_memory(std::size_t increment, bool virtual_datasets) {
   quiet_hdf5();
   Handle const access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   require(H5Pset_fapl_core(access.get(), increment, /*backing_store=*/false) >= 0);
-  H5Pset_libver_bounds(access.get(), H5F_LIBVER_EARLIEST, H5F_LIBVER_V18);
+  H5Pset_libver_bounds(access.get(), H5F_LIBVER_EARLIEST,
+                       virtual_datasets ? H5F_LIBVER_LATEST : H5F_LIBVER_V18);
   auto const creation = without_times(H5P_FILE_CREATE);
   Handle file(H5Fcreate(name_in_memory().c_str(), H5F_ACC_TRUNC, creation.get(), access.get()),
               H5Fclose);

@@ -10,9 +10,11 @@
 namespace bagnold::io {
 
 /// A new HDF5 file in memory: no disk can fail while it is built. The form is the oldest that any
-/// HDF5 from 1.8 on reads; no times are kept, so equal content gives equal bytes. increment: room
-/// added at once, [bytes]. Throws FileError (in practice: out of memory).
-Handle create_in_memory(std::size_t increment = std::size_t{1} << 20);
+/// HDF5 from 1.8 on reads, from 1.10 on where datasets may be virtual; no times are kept, so equal
+/// content gives equal bytes. increment: room added at once, [bytes]. Throws FileError (in practice:
+/// out of memory).
+Handle create_in_memory(std::size_t increment = std::size_t{1} << 20,
+                        bool virtual_datasets = false);
 
 /// The file as it would be on the disk: HDF5's own memory, while it is open and nothing is added.
 /// Throws FileError.

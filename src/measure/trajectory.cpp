@@ -13,7 +13,7 @@
 #include "src/io/hash.hpp"
 #include "src/io/hdf5_memory.hpp"
 #include "src/io/seal.hpp"
-#include "src/io/xdmf.hpp"
+#include "src/io/vtkhdf.hpp"
 
 namespace bagnold {
 
@@ -49,7 +49,7 @@ void Trajectory::know_contacts(std::shared_ptr<ContactRecord const> const& recor
 
 fs::path Trajectory::folder() const { return fs::path(file_).replace_extension(".parts"); }
 
-fs::path Trajectory::xdmf() const { return fs::path(file_).replace_extension(".xdmf"); }
+fs::path Trajectory::vtkhdf() const { return fs::path(file_).replace_extension(".vtkhdf"); }
 
 fs::path Trajectory::part(std::size_t number) const {
   return folder() / fmt::format("{:06}_{:016x}.h5md", number, hashes_[number]);
@@ -147,7 +147,7 @@ void Trajectory::take_apart() {
 
 void Trajectory::remove_joined() {
   io::remove_file(file_);
-  io::remove_file(xdmf());
+  io::remove_file(vtkhdf());
   outdated_ = false;
 }
 
@@ -217,10 +217,10 @@ void Trajectory::finish() {
   auto const temporary = io::temporary_of(file_);
   auto const time = io::join_h5md(temporary, header_, hashes_.size(),
                                   [&](std::size_t k) { return read_part(k); });
-  auto const text =
-      io::xdmf_of(file_.filename().string(), header_.diameter.size(), time, header_.spins);
+  auto const beside =
+      io::vtkhdf_of(file_.filename().string(), header_.diameter.size(), time, header_.spins);
   try {
-    io::replace_text(xdmf(), text);
+    io::replace_file(vtkhdf(), beside);
     io::rename_file(temporary, file_);  // the last: where it is, all is
   } catch (...) {
     io::remove_file(temporary);

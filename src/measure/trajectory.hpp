@@ -47,7 +47,7 @@ class Trajectory final : public FrameObserver {
   /// Drops what an earlier run left.
   void begin() override;
 
-  /// Joins the parts into NAME.h5md, and writes NAME.xdmf beside it, unless that has been done.
+  /// Joins the parts into NAME.h5md, and writes NAME.vtkhdf beside it, unless that has been done.
   /// FileError where a part is lost, or the disk fails: the parts are left as they are.
   void finish() override;
 
@@ -57,7 +57,7 @@ class Trajectory final : public FrameObserver {
  private:
   std::filesystem::path part(std::size_t number) const;
   std::filesystem::path folder() const;
-  std::filesystem::path xdmf() const;
+  std::filesystem::path vtkhdf() const;
   std::vector<std::byte> read_part(std::size_t number) const;
   void write_part();
   void go_on_from_parts();

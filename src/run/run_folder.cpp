@@ -34,7 +34,7 @@ constexpr char const* run_files[] = {"scene.toml",
                                      "checkpoint.previous.h5"};
 
 std::vector<fs::path> files_of_run(fs::path const& folder) {
-  auto files = io::entries(folder, "trajectory(_[0-9]+)?[.](h5md|xdmf|parts)");
+  auto files = io::entries(folder, "trajectory(_[0-9]+)?[.](h5md|vtkhdf|parts)");
   std::ranges::move(io::entries(folder, "[0-9]{4}_strain_rate=[-+.e0-9]+"),  // stages of a cascade
                     std::back_inserter(files));
   std::error_code ignored;

@@ -18,7 +18,7 @@ from injector import injected  # noqa: E402
 FRAMES = {"disks__count": 16, "shear__strain": 2.0**-6, "output__sample_strain": 2.0**-8,
           "output__trajectory_strain": 2.0**-9, "output__checkpoint_minutes": 1e-9}
 ENDLESS = {**FRAMES, "shear__strain": 2.0**12, "output__sample_strain": 2.0**-6}
-TRAJECTORY = ("trajectory.h5md", "trajectory.xdmf")
+TRAJECTORY = ("trajectory.h5md", "trajectory.vtkhdf")
 
 
 class Parts(CliTest):
@@ -86,7 +86,7 @@ class Parts(CliTest):
         self.interrupted()
         mine = self.folder / "mine"
         mine.write_text("mine")
-        for name in ("trajectory.h5md.tmp", "trajectory.xdmf.tmp", "state.h5.tmp"):
+        for name in ("trajectory.h5md.tmp", "trajectory.vtkhdf.tmp", "state.h5.tmp"):
             (self.out / name).unlink(missing_ok=True)
             (self.out / name).symlink_to(mine)
         self.assertEqual(self.bagnold("resume", self.out, "--quiet").returncode, 0)

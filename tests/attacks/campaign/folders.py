@@ -9,7 +9,7 @@ from target import Target
 
 FILES = ("checkpoint.h5", "checkpoint.h5.tmp", "checkpoint.previous.h5", "state.h5", "state.h5.tmp",
          "result.h5", "summary.json", "summary.json.tmp", "scene.toml", "trajectory.h5md",
-         "trajectory.h5md.tmp", "trajectory.parts", "trajectory.xdmf", "failed_state.h5", "plot.png")
+         "trajectory.h5md.tmp", "trajectory.parts", "trajectory.vtkhdf", "failed_state.h5", "plot.png")
 NAMES = ("a b", "quo'te", 'dou"ble', "$(touch pwned)", "new\nline", "-rf", "x" * 255, "x" * 300, "ü=φ",
          "..", ".", "a/../b", "\x1b[31m", "%n%s", "{}", "a=1", "back\\slash", "*")
 
