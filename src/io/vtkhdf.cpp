@@ -17,8 +17,8 @@ class VtkHdf {
 
   void group(std::string const& path) const {
     auto const creation = without_times(H5P_GROUP_CREATE);
-    Handle made(
-        H5Gcreate2(file_.get(), path.c_str(), H5P_DEFAULT, creation.get(), H5P_DEFAULT), H5Gclose);
+    Handle made(H5Gcreate2(file_.get(), path.c_str(), H5P_DEFAULT, creation.get(), H5P_DEFAULT),
+                H5Gclose);
     require_written(made.valid() && made.close(), file_);
   }
 
@@ -50,9 +50,9 @@ class VtkHdf {
     if (H5Tget_class(type) == H5T_FLOAT)
       H5Pset_fill_value(creation.get(), H5T_NATIVE_DOUBLE, &none);
     auto const from = space_of(there), to = space_of(here);
-    require_written(H5Pset_virtual(creation.get(), to.get(), h5md_.c_str(), source.c_str(),
-                                   from.get()) >= 0,
-                    file_);
+    require_written(
+        H5Pset_virtual(creation.get(), to.get(), h5md_.c_str(), source.c_str(), from.get()) >= 0,
+        file_);
     Handle made(H5Dcreate2(file_.get(), path.c_str(), type, to.get(), H5P_DEFAULT, creation.get(),
                            H5P_DEFAULT),
                 H5Dclose);
@@ -61,9 +61,8 @@ class VtkHdf {
 
  private:
   static Handle space_of(Shape const& shape) {
-    return {shape.empty()
-                ? H5Screate(H5S_SCALAR)
-                : H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
+    return {shape.empty() ? H5Screate(H5S_SCALAR)
+                          : H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
             H5Sclose};
   }
 
@@ -130,8 +129,8 @@ std::vector<std::byte> vtkhdf_of(std::string const& h5md_name, std::size_t count
   std::string const trajectory = "/particles/trajectory/";
   out.group("/VTKHDF/PointData");
   out.group(steps + "/PointDataOffsets");
-  out.values_of(trajectory + "position/value", {frames, disks, 3}, "/VTKHDF/Points",
-                H5T_IEEE_F64LE, {frames * disks, 3});
+  out.values_of(trajectory + "position/value", {frames, disks, 3}, "/VTKHDF/Points", H5T_IEEE_F64LE,
+                {frames * disks, 3});
   auto const element = [&](std::string const& name, Shape const& there, hid_t type,
                            Shape const& here) {
     bool const moves = there.size() > 1;
