@@ -31,7 +31,7 @@ def plot(options: argparse.Namespace) -> int:
         matplotlib.use("Agg")
         from . import plots
 
-        plots.draw_to(options.source, options.target, options.frames)
+        plots.draw_to(options.source, options.target, options.frames, options.style, options.panels)
     except Exception as error:  # the program shows this one line
         kind = "" if isinstance(error, (Error, OSError, ImportError)) else f"{type(error).__name__}: "
         print(f"bagnold plot: {options.source}, {options.target}: {kind}{' '.join(str(error).split())}", file=sys.stderr)
@@ -111,6 +111,8 @@ def main(words: Sequence[str] | None = None) -> int:
     command.add_argument("target", help="picture (.png, .pdf, .svg)")
     command.add_argument("--frames", action="store_true",
                          help="of a run: profiles.png, fields.png and histograms.png, into the folder TARGET, or as FOLDER/ANY.pdf")
+    command.add_argument("--style", choices=("page", "paper"), default="page", help="paper: 3.375 inches wide, panels with letters")
+    command.add_argument("--panels", help="of paper: which, as \"ac\"")
     command.set_defaults(run=plot)
     command = commands.add_parser("export", help="write a trajectory in another format")
     command.add_argument("folder", help="folder of a run with a trajectory")

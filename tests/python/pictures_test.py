@@ -441,5 +441,40 @@ class RampMaps(Pictures):
             self.assertGreaterEqual(len(maps), 3)
 
 
+class Papers(Pictures):
+    """style="paper": the width of a column, letters of 6 points and more, panels with letters, no heading."""
+
+    def smallest(self, figure):
+        return min(one.get_fontsize() for one in figure.findobj(Text) if one.get_visible() and one.get_text().strip())
+
+    def test_a_run(self):
+        figure = plots.run(made(), style="paper")
+        self.assertEqual(figure.get_figwidth(), 7.0)  # of more than three panels
+        self.assertEqual(figure.texts, [])
+        self.readable(figure)
+        self.assertGreaterEqual(self.smallest(figure), 6)
+
+    def test_some_panels(self):
+        figure = plots.run(made(), style="paper", panels="ac")
+        self.assertEqual((figure.get_figwidth(), len(figure.axes)), (3.375, 2))
+        self.readable(figure)
+        self.assertEqual([axes.get_xlabel() for axes in figure.axes], [r"strain $\gamma$"] * 2)
+        self.assertEqual(figure.axes[0].get_ylabel(), r"stress  $[\mathrm{m/\tau_e^2}]$")
+        self.assertEqual([axes.texts[-1].get_text() for axes in figure.axes], ["(a)", "(b)"])
+        for wrong in ({"style": "poster"}, {"style": "paper", "panels": "az"}, {"panels": "a"}):
+            with self.assertRaises(bagnold.InputError):
+                plots.run(made(), **wrong)
+
+    def test_fonts_of_a_pdf_are_truetype(self):
+        plots.save(plots.run(made(), style="paper", panels="a"), self.folder / "one.pdf")
+        content = (self.folder / "one.pdf").read_bytes()
+        self.assertIn(b"/FontFile2", content)
+        self.assertNotIn(b"/Type3", content)
+
+    def test_a_packing(self):
+        figure = plots.packing(made(), style="paper")
+        self.assertEqual(figure.get_figwidth(), 3.375)
+
+
 if __name__ == "__main__":
     unittest.main()

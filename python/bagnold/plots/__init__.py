@@ -3,6 +3,9 @@
 
     figure = bagnold.plots.run("results/first")
     bagnold.plots.save(figure, "first.pdf")
+
+``style="paper"`` makes a page a figure for a journal, 3.375 inches wide, or 7 with more than three panels, which have
+letters; ``panels="ac"`` takes some.
 """
 
 from __future__ import annotations
@@ -12,7 +15,7 @@ import os
 import pathlib
 from typing import TYPE_CHECKING, Any, Union
 
-from . import analysis_page, figure_page, frame_pages, packing_page, run_page, style, sweep_page
+from . import analysis_page, figure_page, frame_pages, packing_page, paper, run_page, style as styles, sweep_page
 from ..errors import FileError, InputError
 from ..hdf5 import open_hdf5
 from ..sweeps import Sweep, sweep as read_sweep
@@ -29,18 +32,18 @@ if TYPE_CHECKING:
 __all__ = ["analysis", "draw_to", "fields", "figure", "film", "histograms", "packing", "profiles", "run", "save", "sweep"]
 
 
-def run(source: Source) -> Figure:
+def run(source: Source, *, style: str = "page", panels: str | None = None) -> Figure:
     """One run on one page, plot.png: stresses, Z, mu, T_g, R_v, the last state; of a ramp its loop.
 
     source: a run, its folder, or its result.h5."""
     data = run_page.Run(str(_result(source)))
-    with style.plt.rc_context(style.STYLE):
-        return run_page.draw(data)
+    with _styled():
+        return _as(style, run_page.draw(data), panels)
 
 
-def profiles(source: Source) -> Figure:
+def profiles(source: Source, *, style: str = "page", panels: str | None = None) -> Figure:
     """Profiles over y (P2 Fig. 28), profiles.png: of a run with measure.profiles."""
-    return _frame_page(source, "profiles", frame_pages.profiles_page)
+    return _as(style, _frame_page(source, "profiles", frame_pages.profiles_page), panels)
 
 
 def fields(source: Source) -> Figure:
@@ -48,75 +51,91 @@ def fields(source: Source) -> Figure:
     return _frame_page(source, "samples/fields", frame_pages.fields_page)
 
 
-def histograms(source: Source) -> Figure:
+def histograms(source: Source, *, style: str = "page", panels: str | None = None) -> Figure:
     """Angles, durations and clusters of contacts, spins, local phi and gammadot, histograms.png: of a run with
     measure.contacts, measure.rotation or measure.fields."""
-    return _frame_page(source, "histograms", frame_pages.histograms_page)
+    return _as(style, _frame_page(source, "histograms", frame_pages.histograms_page), panels)
 
 
-def sweep(source: Sweep | str | os.PathLike[str]) -> Figure:
+def sweep(source: Sweep | str | os.PathLike[str], *, style: str = "page", panels: str | None = None) -> Figure:
     """A sweep at first sight, sweep.png: stresses, B_p, mu, Z against the key with most values. Of a cascade, or
     another sweep of rates, flow curves."""
     found = source if isinstance(source, Sweep) else read_sweep(source)
-    with style.plt.rc_context(style.STYLE):
-        return sweep_page.draw(found)
+    with _styled():
+        return _as(style, sweep_page.draw(found), panels)
 
 
 def packing(source: Source | Frame, which: int = -1, *, color: str | Any = "velocity", forces: bool | Contacts = True,
-            axes: Any = None) -> Figure:
+            axes: Any = None, style: str = "page") -> Figure:
     """A packing with its contact forces, right at the images.
 
     source: a frame, or a run: frame `which` of its trajectory, else its last state. color: "velocity" (beyond the mean flow,
     along it), "speed", "rate" (of its slice: bands), "spin", "contacts", "size", or a number for each disk, [N]. forces: lines
     between centres, as wide as the force; or the contacts that they are of. axes: to draw into."""
-    with style.plt.rc_context(style.STYLE):
-        return packing_page.draw(source, which, color, forces, axes)
+    with _styled():
+        return _as(style, packing_page.draw(source, which, color, forces, axes))
 
 
 def film(run: Run, frames: Frames, *, color: str = "velocity", forces: bool = True, series: str = "") -> packing_page.Film:
     """What `bagnold.movie` films: ``film.show(k)`` draws frame k into ``film.figure``."""
-    with style.plt.rc_context(style.STYLE):
+    with _styled():
         return packing_page.Film(run, frames, color, forces, series)
 
 
-def analysis(drawn: str | os.PathLike[str]) -> Figure:
+def analysis(drawn: str | os.PathLike[str], *, style: str = "page", panels: str | None = None) -> Figure:
     """The picture of an analysis from PREFIX.drawn.csv, which `bagnold analyse` wrote."""
-    panels = analysis_page.read(os.fspath(drawn))
-    with style.plt.rc_context(style.STYLE):
-        return analysis_page.draw(panels)
+    tables = analysis_page.read(os.fspath(drawn))
+    with _styled():
+        return _as(style, analysis_page.draw(tables), panels)
 
 
-def figure(recipe: str | os.PathLike[str]) -> Figure:
+def figure(recipe: str | os.PathLike[str], *, style: str = "page", panels: str | None = None) -> Figure:
     """A figure of the papers from the recipe.json that `bagnold figure` wrote."""
     with open(recipe, encoding="utf-8") as file:
         content = json.load(file)
-    with style.plt.rc_context(style.STYLE):
-        return figure_page.draw(content, os.path.dirname(os.path.abspath(recipe)))
+    with _styled():
+        return _as(style, figure_page.draw(content, os.path.dirname(os.path.abspath(recipe))), panels)
 
 
 def save(figure: Figure, target: str | os.PathLike[str], dpi: int = 110) -> None:
     """Writes a picture whole or not at all, in the form of its name: .pdf, .svg, else PNG."""
-    style.save(figure, target, dpi)
+    styles.save(figure, target, dpi)
 
 
-def draw_to(source: str | os.PathLike[str], target: str | os.PathLike[str], frames: bool = False) -> None:
+def draw_to(source: str | os.PathLike[str], target: str | os.PathLike[str], frames: bool = False,
+            style: str = "page", panels: str | None = None) -> None:
     """The picture that belongs to a file, into a file: of result.h5 (or its folder) the page of the run,
     of the folder of a sweep or a cascade its points, of PREFIX.drawn.csv the analysis, of recipe.json the
     figure. frames: of result.h5 profiles, fields and histograms instead, what it has of them; `target` is then a folder, for PNG, or FOLDER/ANY.pdf or .svg."""
     place = pathlib.Path(source)
     if place.suffix == ".csv":
-        save(analysis(place), target)
+        save(analysis(place, style=style, panels=panels), target)
+    elif place.suffix == ".json" and style == "paper":
+        save(figure(place, style=style, panels=panels), target)
     elif place.suffix == ".json":
-        with style.plt.rc_context(style.STYLE):
+        with _styled():
             figure_page.draw_to(os.fspath(place), os.fspath(target))
     elif (place / "sweep.h5").exists() or (place.is_dir() and not (place / "result.h5").exists()
                                            and (place / "summary.json").exists()):
-        save(sweep(place), target)
+        save(sweep(place, style=style, panels=panels), target)
     elif frames:
-        with style.plt.rc_context(style.STYLE):
+        with _styled():
             frame_pages.draw(os.fspath(_result(place)), os.fspath(target))
     else:
-        save(run(place), target)
+        save(run(place, style=style, panels=panels), target)
+
+
+def _styled() -> Any:
+    return styles.plt.rc_context(styles.STYLE)
+
+
+def _as(style: str, drawn: Figure, panels: str | None = None) -> Figure:
+    """A page, or what a journal prints of it."""
+    if style not in ("page", "paper"):
+        raise InputError(f"style = {style!r} (must be \"page\" or \"paper\")")
+    if style == "page" and panels:
+        raise InputError(f"panels = {panels!r} (are chosen with style = \"paper\")")
+    return paper.fit(drawn, panels) if style == "paper" else drawn
 
 
 def _result(source: Source) -> pathlib.Path:
@@ -130,7 +149,7 @@ def _result(source: Source) -> pathlib.Path:
 
 def _frame_page(source: Source, wanted: str, page: Any) -> Figure:
     path = _result(source)
-    with open_hdf5(path) as file, style.plt.rc_context(style.STYLE):
+    with open_hdf5(path) as file, _styled():
         if wanted not in file or not len(file[wanted]):
             key = {"profiles": "measure.profiles", "histograms": "measure.contacts"}.get(wanted, "measure.fields")
             raise InputError(f"{path} has no /{wanted}: set {key} = true in the scene and run it again")
