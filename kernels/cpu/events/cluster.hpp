@@ -47,8 +47,8 @@ struct Member : SpinSeries<Rotates> {
   }
 
   void bound(Real step) {
-    acceleration = second_rate_bound(x, step) + second_rate_bound(y, step);
-    deviation = bend_bound(x, step) + bend_bound(y, step);
+    acceleration = second_rate_bound(x, y, step);
+    deviation = acceleration * step * step / 2;
   }
 };
 

@@ -10,7 +10,7 @@ namespace bagnold::events {
 
 /// Of a step of a cluster, at most: the phase of a lone contact's oscillation, and the exponent by
 /// which its damping acts. Most steps are shorter, by their error.
-inline constexpr Real longest_phase = 1.2, longest_decay = 1.5;
+inline constexpr Real longest_phase = 1.5, longest_decay = 2;
 
 /// What acts between disks, and what they are.
 template <bool Rotates>

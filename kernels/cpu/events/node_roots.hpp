@@ -6,6 +6,11 @@
 
 namespace bagnold {
 
+#pragma GCC diagnostic push
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wuninitialized"  // of g++ 12, in its own header of AVX-512
+#endif
+
 /// 1/sqrt at each node: formulas of pairs find it by its name.
 inline AtNodes inverse_sqrt(AtNodes const& a) {
   static_assert(AtNodes::count % simd::width == 0);
@@ -17,5 +22,7 @@ inline AtNodes inverse_sqrt(AtNodes const& a) {
   __builtin_memcpy(&root.v, lanes, sizeof lanes);
   return root;
 }
+
+#pragma GCC diagnostic pop
 
 }  // namespace bagnold

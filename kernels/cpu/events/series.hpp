@@ -10,7 +10,7 @@
 namespace bagnold::events {
 
 /// Order of the Taylor series in time of positions in a cluster, K.
-inline constexpr int series_order = 8;
+inline constexpr int series_order = 7;
 
 /// Taylor coefficients in time of a number: c_0 + c_1 s + ... + c_K s^K.
 using Series = std::array<Real, series_order + 1>;
@@ -49,17 +49,17 @@ T rate(Series const& c, T const& s) {
   return sum;
 }
 
-/// Bounds on a step of a length h: of the second derivative, and of the distance from the tangent
-/// at its begin.
+/// Bound of the second derivative over a step of a length h, [c / tau_e^2].
 inline Real second_rate_bound(Series const& c, Real h) {
-  Real sum = series_order * (series_order - 1) * std::fabs(c[series_order]);
-  for (int k = series_order - 1; k > 1; --k) sum = sum * h + k * (k - 1) * std::fabs(c[k]);
+  Real sum = 0;
+  for (int k = series_order; k > 1; --k) sum = sum * h + k * (k - 1) * std::fabs(c[k]);
   return sum;
 }
-inline Real bend_bound(Series const& c, Real h) {
-  Real sum = std::fabs(c[series_order]);
-  for (int k = series_order - 1; k > 1; --k) sum = sum * h + std::fabs(c[k]);
-  return sum * h * h;
+inline Real second_rate_bound(Series const& x, Series const& y, Real h) {
+  Real sum = 0;
+  for (int k = series_order; k > 1; --k)
+    sum = sum * h + k * (k - 1) * (std::fabs(x[k]) + std::fabs(y[k]));
+  return sum;
 }
 
 }  // namespace bagnold::events

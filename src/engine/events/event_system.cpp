@@ -43,8 +43,8 @@ void EventSystem<Rotates>::build(std::vector<Vec2<Real>> position, ShearedBox co
 template <bool Rotates>
 void EventSystem<Rotates>::find_touches() {
   constexpr Real ever = -std::numeric_limits<Real>::infinity();
-  TouchingGroup<Rotates> group;
   auto const& disks = s_.disks;
+  TouchingGroup<Rotates> group(disks.count());
   std::vector<bool> taken(disks.count());
   for (std::uint32_t i = 0; i < disks.count(); ++i)
     for (auto k = s_.lists.begin(i); k < s_.lists.end(i); ++k) {

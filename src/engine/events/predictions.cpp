@@ -2,6 +2,7 @@
 #include "src/engine/events/predictions.hpp"
 
 #include <bit>
+#include <utility>
 
 #include "kernels/cpu/events/first_touch.hpp"
 #include "kernels/cpu/events/pack_touches.hpp"
@@ -14,6 +15,13 @@ PackTouches pack_of(Path const& p) {
   Real const small = class_distance(pair_class(p.species, 0)),
              big = class_distance(pair_class(p.species, 1));
   return {p, small * small, big * big};
+}
+
+/// Whether two disks do not touch within a time: f = r^2 - d^2, and f'' is above -2 r |r''|, where
+/// r is below 2 d. acceleration: bound of |r''|.
+bool far_apart(Vec2<Real> const& r, Vec2<Real> const& v, Real d, Real acceleration, Real time) {
+  Real const apart = dot(r, r) - d * d, closes = std::min<Real>(2 * dot(r, v), 0) * time;
+  return apart + closes - 2 * d * acceleration * time * time > 0;
 }
 
 }  // namespace
@@ -110,8 +118,7 @@ void Predictions<Rotates>::of_cluster(std::uint32_t k) {
   queue_->set(cluster.slot(), first, event);
 }
 
-/// Whether a disk of a cluster and a mate, or one that flies, cannot touch in its step: f = r^2 -
-/// d^2 with |f''| below 2 r |r''|, where r is below 2 d.
+/// Whether a disk of a cluster and a mate, or one that flies, cannot touch in its step.
 template <bool Rotates>
 bool Predictions<Rotates>::stays_apart(Cluster<Rotates> const& cluster, Member<Rotates> const& m,
                                        Neighbor n, bool mate) const {
@@ -130,9 +137,7 @@ bool Predictions<Rotates>::stays_apart(Cluster<Rotates> const& cluster, Member<R
   auto const& shift = disks_->shifts(n);
   auto const r = m.begin.position - place - shift.at(time);
   auto const v = m.begin.motion.velocity - velocity - Vec2<Real>{shift.velocity, 0};
-  Real const d = class_distance(pair_class(m.species, n.big() ? 1 : 0)), h = cluster.step;
-  Real const apart = dot(r, r) - d * d, closes = std::min<Real>(2 * dot(r, v), 0) * h;
-  return apart + closes - 2 * d * acceleration * h * h > 0;
+  return far_apart(r, v, disks_->distance(m.disk, n), acceleration, cluster.step);
 }
 
 /// Of two that may touch before both are on their lines. A disk of a cluster has a path to the end
@@ -170,14 +175,20 @@ Real Predictions<Rotates>::gap_closes(std::uint32_t i, Neighbor n, Real from, Re
   auto const j = n.index();
   Real const d = disks_->distance(i, n);
   auto const& shift = disks_->shifts(n);
-  auto const gap = [&](Real t) {  // to the last bit the same for j and i
+  auto const pair = [&](Real t) {  // to the last bit the same for j and i
     auto const a = disks_->at(i, t), b = disks_->at(j, t);
-    auto const r = (a.position - b.position) - shift.at(t);
-    auto const v = (a.motion.velocity - b.motion.velocity) - Vec2<Real>{shift.velocity, 0};
+    return std::pair((a.position - b.position) - shift.at(t),
+                     (a.motion.velocity - b.motion.velocity) - Vec2<Real>{shift.velocity, 0});
+  };
+  auto const gap = [&](Real t) {
+    auto const [r, v] = pair(t);
     Real const width = std::sqrt(dot(r, r));
     return Gap{width - d, dot(r, v) / width};
   };
-  return first_touch(gap, from, until, disks_->acceleration(i) + disks_->acceleration(j));
+  Real const acceleration = disks_->acceleration(i) + disks_->acceleration(j);
+  auto const [r, v] = pair(from);
+  if (far_apart(r, v, d, acceleration, until - from)) return never;
+  return first_touch(gap, from, until, acceleration);
 }
 
 template class Predictions<false>;

@@ -32,6 +32,12 @@ struct EventQueue {
     times.set(slot, time);
   }
 
+  /// Nothing happens to a disk alone: its cluster has an event.
+  void clear(std::uint32_t slot) {
+    event[slot] = {slot};
+    if (times.time(slot) < never) times.set(slot, never);
+  }
+
   Tournament times;
   std::vector<Event> event;
 };

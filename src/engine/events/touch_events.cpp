@@ -123,7 +123,7 @@ void TouchEvents<Rotates>::settle(Group& group, Real time) {
   auto cluster = clusters.begin();
   for (auto const& part : parts) {
     if (part.disks.size() > 2) {
-      for (auto const& d : part.disks) s_.queue.set(d.disk, never, {d.disk});
+      for (auto const& d : part.disks) s_.queue.clear(d.disk);
       s_.predictions.of_cluster(*cluster++);
     } else {
       for (auto const& d : part.disks) s_.predictions.of_disk(d.disk);

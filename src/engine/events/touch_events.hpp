@@ -14,7 +14,7 @@ class TouchEvents {
   using Touch = typename Group::Touch;
   using Moving = DiskMotion<Rotates>;
 
-  explicit TouchEvents(EventState<Rotates>& state) : s_(state) {}
+  explicit TouchEvents(EventState<Rotates>& state) : s_(state), group_(state.disks.count()) {}
 
   /// Disk i touches a neighbour.
   void touch(std::uint32_t i, Neighbor n, Real time);

@@ -15,6 +15,9 @@ namespace bagnold::events {
 template <bool Rotates>
 class TouchingGroup {
  public:
+  /// Of at most so many disks.
+  explicit TouchingGroup(std::size_t all) : place_(all) {}
+
   struct Disk {
     std::uint32_t disk;
     DiskMotion<Rotates> motion;
@@ -65,13 +68,11 @@ class TouchingGroup {
   }
 
  private:
-  std::size_t place(std::uint32_t disk) const {
-    return static_cast<std::size_t>(std::ranges::lower_bound(disks, disk, {}, &Disk::disk) -
-                                    disks.begin());
-  }
+  std::size_t place(std::uint32_t disk) const { return place_[disk]; }
 
   /// root_[a]: the first disk that a hangs together with.
   void join() {
+    for (std::uint32_t a = 0; a < disks.size(); ++a) place_[disks[a].disk] = a;
     root_.resize(disks.size());
     std::iota(root_.begin(), root_.end(), std::size_t{0});
     auto const root_of = [&](std::size_t a) {
@@ -94,6 +95,7 @@ class TouchingGroup {
     return {std::span(ordered_disks_).subspan(from), std::span(ordered_touches_).subspan(first)};
   }
 
+  std::vector<std::uint32_t> place_;  ///< [N], of a disk in `disks`
   std::vector<std::size_t> root_;
   std::vector<Disk> ordered_disks_;
   std::vector<Touch> ordered_touches_;
