@@ -77,12 +77,14 @@ class FigureTest(CliTest):
             self.assertGreater(len(figure["claims"]), 10, name)
 
     def test_the_documentation_shows_them(self):
-        """docs/figures.md how they are made, docs/reproduction.md each with its picture and what agrees."""
+        """docs/figures.md how they are made, docs/reproduction.md what agrees, its appendix each with its picture."""
         how = (SOURCE / "docs/figures.md").read_text()
-        page = (SOURCE / "docs/reproduction.md").read_text()
+        results = (SOURCE / "docs/reproduction.md").read_text()
+        page = (SOURCE / "docs/reproduction_details.md").read_text()
         for name in WANTED:
             with self.subTest(figure=name):
                 self.assertIn(f"\n| {name} | ", how)
+                self.assertRegex(results, rf"\n\| \[{name}\]\(reproduction_details\.md#[^)]+\) \| ")
                 self.assertRegex(page, rf"\n### {name}: .*\n!\[{name}\]\(figures/{name}\.png\)\n\nThe paper: ")
                 picture = SOURCE / f"docs/figures/{name}.png"
                 size_of(picture)
