@@ -10,6 +10,7 @@ COLUMN, PAGE = 3.375, 7.0  # inches: widths of Phys. Rev.
 MOST_IN_A_COLUMN = 3
 HEIGHT, GAP_ABOVE, GAP_BELOW = 2.0, 0.2, 0.45  # of a panel, inches
 LEFT, RIGHT = 0.82, 0.1
+MOST_NAMES, LINE = 6, 0.13  # in a panel; height of a line of names below all, inches
 SIZES = {"label": 8, "tick": 7, "legend": 6.5}
 
 
@@ -54,13 +55,13 @@ def smaller(axes):
         line.set_linewidth(min(line.get_linewidth(), 1.0))
 
 
-def with_legend(axes, handles, labels, columns):
+def with_legend(axes, handles, labels):
     """In place of one above the panel, where there is room for it."""
     legend = axes.get_legend()
     if legend:
         legend.remove()
     if labels:
-        axes.legend(handles, labels, loc="best", fontsize=SIZES["legend"], ncol=columns, handlelength=1.2,
+        axes.legend(handles, labels, loc="best", fontsize=SIZES["legend"], handlelength=1.2,
                     labelspacing=0.25, columnspacing=0.8, borderaxespad=0.2, frameon=True, framealpha=0.8,
                     edgecolor="none")
 
@@ -99,7 +100,9 @@ def fit(figure, panels=None):
         axes.remove()
     if hasattr(figure, "set_layout_engine"):
         figure.set_layout_engine("none")
-    height = rows * high
+    many = next((axes for axes in shown if len(named[axes][1]) > MOST_NAMES), None)
+    names = 3 * columns  # beside each other, below all panels
+    height = rows * high + (LINE * (-(-len(named[many][1]) // names) + 1) if many else 0)
     figure.set_size_inches(width, height)
     wide = width / columns - LEFT - RIGHT
     for k, axes in enumerate(shown):
@@ -113,5 +116,8 @@ def fit(figure, panels=None):
         if len(shown) > 1:
             axes.annotate(f"({string.ascii_lowercase[k]})", (0, 1), (-0.92 * LEFT * 72, 3), xycoords="axes fraction",
                           textcoords="offset points", fontsize=SIZES["label"], va="bottom")
-        with_legend(axes, *named[axes], 1 if len(named[axes][1]) < 7 else 2)
+        with_legend(axes, *(([], []) if axes is many else named[axes]))
+    if many:
+        figure.legend(*named[many], loc="lower center", ncol=names, bbox_to_anchor=(0.5, 0.0), fontsize=SIZES["legend"],
+                      handlelength=1.2, labelspacing=0.25, columnspacing=0.8, borderaxespad=0.2)
     return figure
