@@ -53,6 +53,15 @@ void use_all_cores() {
     ::syscall(SYS_sched_setaffinity, 0, static_cast<std::size_t>(start_mask_bytes), start_mask);
 }
 
+void use_all_cores_in_new_thread() {
+#ifdef _OPENMP
+  [[maybe_unused]] int volatile region = 0;
+#pragma omp parallel num_threads(1)
+  region = 1;  // an empty region might be left out by the compiler
+#endif
+  use_all_cores();
+}
+
 void unbind_new_program() {
   use_all_cores();
   for (auto const* name : {"OMP_PROC_BIND", "OMP_PLACES", "GOMP_CPU_AFFINITY", "KMP_AFFINITY"})

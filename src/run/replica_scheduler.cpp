@@ -104,7 +104,7 @@ class ThreadPool {
   }
 
   void take_turns() {
-    use_all_cores();
+    use_all_cores_in_new_thread();
     std::unique_lock lock(mutex_);
     for (;;) {
       changed_.wait(lock, [&] { return over() || (!held_ && !waiting_.empty()); });
