@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes the tables of docs/reproduction.md and docs/reproduction_details.md, and the pictures in docs/figures.
+"""Writes the tables of docs/reproduction.md and docs/data/reproduction/details.md, and the pictures in docs/figures.
 
 Draws every figure from the tables in docs/data/figures (nothing is run) and puts the tables between their marks in the
 two pages; the text around them stays. docs/data/reproduction.toml holds the verdict on each figure and the size, strain
@@ -24,7 +24,7 @@ import sys
 import tomllib
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-PAGES = [ROOT / "docs/reproduction.md", ROOT / "docs/reproduction_details.md"]
+PAGES = [ROOT / "docs/reproduction.md", ROOT / "docs/data/reproduction/details.md"]
 DATA = ROOT / "docs/data/figures"
 SWEEPS = ROOT / "inputs/figures"
 PICTURES = ROOT / "docs/figures"
@@ -259,8 +259,8 @@ def figures_table(figures, verdicts):
         ours = verdict.get("ours") or reach(figure)
         both = [paper if paper == one else f"{paper} / {one}" for paper, one in zip(verdict["paper"], ours)]
         anchor = re.sub(r"[^\w -]", "", f"{name}: {figure['title']}".lower()).replace(" ", "-")
-        lines.append([f"[{name}](reproduction_details.md#{anchor})", verdict["result"].replace("not", "**not**"), *both,
-                      verdict["why"]])
+        lines.append([f"[{name}](data/reproduction/details.md#{anchor})",
+                      verdict["result"].replace("not", "**not**"), *both, verdict["why"]])
     counts = collections.Counter(verdicts[name]["result"] for name in figures)
     return (grid(["figure", "result", "N", "strain", "lowest rate", "reason"], lines) + "\n" +
             f"Of {len(figures)} figures {counts['reproduced']} are reproduced, {counts['in part']} in part, "

@@ -80,12 +80,13 @@ class FigureTest(CliTest):
         """docs/figures.md how they are made, docs/reproduction.md what agrees, its appendix each with its picture."""
         how = (SOURCE / "docs/figures.md").read_text()
         results = (SOURCE / "docs/reproduction.md").read_text()
-        page = (SOURCE / "docs/reproduction_details.md").read_text()
+        page = (SOURCE / "docs/data/reproduction/details.md").read_text()
         for name in WANTED:
             with self.subTest(figure=name):
                 self.assertIn(f"\n| {name} | ", how)
-                self.assertRegex(results, rf"\n\| \[{name}\]\(reproduction_details\.md#[^)]+\) \| ")
-                self.assertRegex(page, rf"\n### {name}: .*\n!\[{name}\]\(figures/{name}\.png\)\n\nThe paper: ")
+                self.assertRegex(results, rf"\n\| \[{name}\]\(data/reproduction/details\.md#[^)]+\) \| ")
+                self.assertRegex(page, rf"\n### {name}: .*\n!\[{name}\]\(\.\./\.\./figures/{name}\.png\)\n\n"
+                                       r"The paper: .*\n\nOurs: .*\n")
                 picture = SOURCE / f"docs/figures/{name}.png"
                 size_of(picture)
                 self.assertLess(picture.stat().st_size, 300e3)  # at twice the size
