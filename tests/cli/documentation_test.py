@@ -44,6 +44,9 @@ PLACEHOLDER = re.compile(r"\b[A-Z]{3,}\b")
 PAGES = ["README.md", *sorted(f"docs/{path.name}" for path in (SOURCE / "docs").glob("*.md")), "packaging/README.md"]
 TEXTS = PAGES + ["docs/data/reproduction/details.md", "CONTRIBUTING.md", "CHANGELOG.md", "bench/README.md",
                  "bench/peers/README.md", "examples/own_law/README.md", "examples/workflows/README.md"]
+COUNTED = [name for name in PAGES if name != "packaging/README.md"] + ["CONTRIBUTING.md"]
+MOST_WORDS, LONGEST_MEAN = 40000, 20  # of all these pages; of the sentences of each
+NO_END = "".join(rf"(?<!\b{word}\.)" for word in ("App", "Eq", "Eqs", "Fig", "Figs", "Phys", "Rev", "Sec"))
 FOLDERS = "bench|cmake|docs|examples|inputs|kernels|packaging|python|scripts|src|tests"
 
 
@@ -72,6 +75,24 @@ def shown_file(page, name):
 def prose(text):
     """The text without its code blocks."""
     return re.sub(r"^```.*?^```$|(?:^    [^\n]*\n)+", "", text, flags=re.M | re.S)
+
+
+def shown_text(text):
+    """What a reader reads: no code blocks, targets of links, tags or comments."""
+    return re.sub(r"\]\([^)]*\)", "]", re.sub(r"<!--.*?-->|</?(?:details|summary)>", "", prose(text), flags=re.S))
+
+
+def words_of(text):
+    """Each has a letter or a digit."""
+    return [word for word in text.replace("|", " ").split() if re.search(r"[^\W_]", word)]
+
+
+def sentences(text):
+    """Sentences outside tables and headings, as lists of words; items of lists begin one."""
+    lines = [line for line in shown_text(text).splitlines() if not re.match(r"\s*\||#", line)]
+    blocks = re.split(r"\n\s*\n|\n(?=\s*(?:[-*]|\d+\.)\s)", "\n".join(lines))
+    found = sum((re.split(rf"(?<=[.!?]){NO_END}\s+|(?<=[.!?][)\]\"*`])\s+", block) for block in blocks), [])
+    return list(filter(None, map(words_of, found)))
 
 
 def anchors(text):
@@ -304,6 +325,20 @@ class Pages(CliTest):
 
     def test_the_readme_is_a_page(self):
         self.assertLessEqual(len(text_of("README.md").splitlines()), 80)
+
+    def test_all_pages_are_read_in_a_day(self):
+        self.assertLess(sum(len(words_of(shown_text(text_of(name)))) for name in COUNTED), MOST_WORDS)
+
+    def test_sentences_are_short(self):
+        """On average, on each page."""
+        long = {name: round(np.mean([len(one) for one in sentences(text_of(name))]), 1) for name in COUNTED}
+        self.assertEqual({name: mean for name, mean in long.items() if mean >= LONGEST_MEAN}, {})
+
+    def test_words_and_sentences_are_counted(self):
+        page = ("# A heading\n\nSee [this page](docs/no-word.md) and Fig. 3. Two (2) words! γ̇ = 0.2 τ_e.\n\n"
+                "- one item\n- another item, of\n  two lines\n\n| a | b |\n| --- | --- |\n| 1.5 | - |\n\n    code\n")
+        self.assertEqual(list(map(len, sentences(page))), [6, 3, 3, 2, 5])
+        self.assertEqual(len(words_of(shown_text(page))), 2 + 6 + 3 + 3 + 2 + 5 + 3)
 
     def test_what_the_readme_claims_stands_in_docs(self):
         """Every number of a reason is in a page that it links to."""
