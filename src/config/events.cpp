@@ -45,6 +45,7 @@ std::vector<Refusal> of_another_engine(Scene const& scene) {
 }  // namespace
 
 bool has_events(Scene const& scene) { return scene.integration.engine == event_engine; }
+bool is_adaptive(Scene const& scene) { return scene.integration.engine == adaptive_engine; }
 
 bool is_scheme_of_an_engine(std::string_view scheme) {
   return scheme == backward_euler || scheme == exact_contacts;
@@ -55,11 +56,18 @@ double least_underdamped_elasticity(Scene const& scene) {
 }
 
 std::vector<Refusal> not_events(Scene const& scene) {
-  if (!has_events(scene)) return of_another_engine(scene);
-  EngineRefusals refuse(event_engine);
+  bool const adaptive = is_adaptive(scene);
+  if (!has_events(scene) && !adaptive) return of_another_engine(scene);
+  EngineRefusals refuse(scene.integration.engine);
   std::string const other = "set integration.engine = \"auto\"";
   auto const& scheme = scene.integration.scheme;
-  if (scheme != automatic && scheme != exact_contacts)
+  if (adaptive && scheme != automatic && scheme != default_scheme)
+    refuse({"integration.scheme"},
+           fmt::format("steps by \"{}\" where it does not go from event to event, not by "
+                       "integration.scheme = \"{}\"",
+                       default_scheme, scheme),
+           "set integration.scheme = \"auto\", or another engine");
+  if (!adaptive && scheme != automatic && scheme != exact_contacts)
     refuse({"integration.scheme"},
            fmt::format("solves contacts by \"{}\", not by integration.scheme = \"{}\"",
                        exact_contacts, scheme),
@@ -93,6 +101,9 @@ std::vector<Refusal> not_events(Scene const& scene) {
   if (scene.measure.correlations)
     refuse({"measure.correlations"}, "does not sample contacts in single configurations",
            "set measure.correlations = false, or integration.engine = \"auto\"");
+  if (adaptive && scene.measure.contacts)
+    refuse({"measure.contacts"}, "does not follow contacts from one engine to the other",
+           "set measure.contacts = false, or another engine");
   return refuse.take();
 }
 

@@ -176,14 +176,14 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
       Key{"integration.engine",
           "",
           "how the scheme is computed, none changes the physics; \"quasi-static\": by long steps, "
-          "for "
-          "flows that creep; \"events\": contacts in closed form, for dilute flows",
+          "for flows that creep; \"events\": contacts in closed form, for dilute flows; "
+          "\"adaptive\": these or steps of all disks, by turns",
           optional,
           0,
           0,
           false,
           {"auto", "reference", "few-contacts", "many-contacts", "lookahead", quasi_static_engine,
-           event_engine}},
+           event_engine, adaptive_engine}},
       integration.engine);
   visit(Key{"integration.time_step",
             "tau_e",

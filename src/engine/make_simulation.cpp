@@ -14,6 +14,7 @@
 #include "src/engine/auto_scheme/auto_scheme.hpp"
 #include "src/engine/backends.hpp"
 #include "src/engine/ensemble/ensemble.hpp"
+#include "src/engine/events/adaptive_engine.hpp"
 #include "src/engine/events/make_events.hpp"
 #include "src/engine/law_engines.hpp"
 #include "src/engine/levels/levels.hpp"
@@ -57,13 +58,27 @@ std::unique_ptr<Simulation> make_choosing(Scene const& scene, std::int64_t lengt
                                       });
 }
 
+/// Likewise where events and steps of all disks take turns.
+std::unique_ptr<Simulation> make_adaptive(Scene const& scene, Snapshot&& snapshot,
+                                          std::string const& backend) {
+  for (auto const& refusal : not_events(scene)) throw InputError(refusal.message);
+  if (is_device_backend(backend))
+    throw InputError(
+        fmt::format("--backend {} (integration.engine = \"{}\" needs the host); use "
+                    "--backend serial",
+                    backend, adaptive_engine));
+  return std::make_unique<AdaptiveEngine>(
+      scene, std::move(snapshot),
+      [backend](Scene const& of, Snapshot&& from) { return make_engine(of, from, backend); });
+}
+
 /// Disks up to which a team, so one multiprocessor, should be as quick as launches for each step.
 constexpr std::int64_t most_disks_of_a_team = 1024;
 
 /// Whether nothing is asked for that members of an ensemble do not do.
 bool suits_ensembles(Scene const& scene) {
   return scene.integration.engine != "reference" && !is_quasi_static(scene) && !has_events(scene) &&
-         !scene.measure.contacts && !scene.driven();
+         !is_adaptive(scene) && !scene.measure.contacts && !scene.driven();
 }
 
 }  // namespace
@@ -97,6 +112,8 @@ std::unique_ptr<Simulation> make_simulation(Scene const& scene, Snapshot&& snaps
   auto const length = implicit_step_length(scene);
   if (length > 1 && is_one_of(backend_names(), chosen))
     return make_choosing(scene, length, std::move(snapshot), chosen);
+  if (is_adaptive(scene) && is_one_of(backend_names(), chosen))
+    return make_adaptive(scene, std::move(snapshot), chosen);
   auto made = make_engine(scene, snapshot, chosen);
   if (!made)
     throw InputError(fmt::format("--backend {}: not in this build (has: {})", backend,

@@ -7,94 +7,11 @@
 
 #include "src/config/errors.hpp"
 #include "src/config/laws.hpp"
-#include "src/engine/events/event_engine.hpp"
 #include "tests/support/contacts.hpp"
-#include "tests/support/simulations.hpp"
+#include "tests/support/events.hpp"
 
 namespace bagnold::test {
 namespace {
-
-constexpr double slow = 1e-4;  ///< [1/tau_e]
-
-Scene dilute_scene(std::string const& model, double packing_fraction = 0.70,
-                   std::int64_t count = 64, double elasticity = 20) {
-  Scene scene = small_scene(model, packing_fraction, count);
-  scene.disks.elasticity = elasticity;
-  scene.shear.strain_rate = slow;
-  scene.integration.scheme = automatic;
-  scene.integration.engine = event_engine;
-  scene.integration.time_step = automatic;
-  scene.integration.skin = 0.35;
-  return scene;
-}
-
-/// Disks that fly past each other at a few times the rate, some of which overlap a little.
-State flying_start(Scene const& scene) {
-  State state = shaken_start(scene);
-  double const rate = scene.shear.strain_rate;
-  for (std::size_t i = 0; i < state.count(); ++i) {
-    double const k = static_cast<double>(i);
-    state.velocity[i] = {rate * (state.position[i][1] + 4 * std::sin(12.9898 * k)),
-                         4 * rate * std::cos(78.233 * k)};
-    if (!state.spin.empty()) state.spin[i] = rate * std::sin(4.1 * k);
-  }
-  return state;
-}
-
-/// The engine in steps of a plain one.
-Scene stepped(Scene scene, double time_step) {
-  scene.integration.engine = "many-contacts";
-  scene.integration.scheme = papers_scheme;
-  scene.integration.time_step = time_step;
-  return scene;
-}
-
-std::unique_ptr<Simulation> simulate(Scene const& scene, State const& state) {
-  return test::simulate(scene, state, "serial");
-}
-
-/// Distance of the disks of two states in the mean square, [d_s].
-double spread(State const& a, State const& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.count(); ++i) {
-    double dx = a.position[i][0] - b.position[i][0], dy = a.position[i][1] - b.position[i][1];
-    double const n = std::round(dy / a.box_height());
-    dy -= n * a.box_height();
-    dx -= n * a.offset;
-    dx -= std::round(dx / a.box_length) * a.box_length;
-    sum += dx * dx + dy * dy;
-  }
-  return std::sqrt(sum / static_cast<double>(a.count()));
-}
-
-/// All that overlap, all pairs, and by how much, [d_s].
-std::map<std::pair<std::uint32_t, std::uint32_t>, double> overlaps(Scene const& scene,
-                                                                   State const& state) {
-  reference::System const all(reference_parameters(scene), state);
-  std::map<std::pair<std::uint32_t, std::uint32_t>, double> found;
-  for (auto const& c : reference::contacts(all)) {
-    double const d = (state.diameter[c.i] + state.diameter[c.j]) / 2;
-    auto const i = static_cast<std::uint32_t>(std::min(c.i, c.j));
-    auto const j = static_cast<std::uint32_t>(std::max(c.i, c.j));
-    found[{i, j}] = d - std::hypot(c.x, c.y);
-  }
-  return found;
-}
-
-/// r_ij - d_ij of the nearest image, [d_s].
-double gap(State const& s, std::uint32_t i, std::uint32_t j) {
-  double dx = s.position[i][0] - s.position[j][0], dy = s.position[i][1] - s.position[j][1];
-  double const n = std::round(dy / s.box_height());
-  dx -= n * s.offset;
-  dx -= std::round(dx / s.box_length) * s.box_length;
-  return std::hypot(dx, dy - n * s.box_height()) - (s.diameter[i] + s.diameter[j]) / 2;
-}
-
-std::vector<std::pair<std::uint32_t, std::uint32_t>> touching(Simulation const& simulation,
-                                                              bool rotates) {
-  return rotates ? dynamic_cast<EventEngine<true> const&>(simulation).touching()
-                 : dynamic_cast<EventEngine<false> const&>(simulation).touching();
-}
 
 class Events : public testing::TestWithParam<std::string> {
  public:
@@ -108,13 +25,13 @@ class Events : public testing::TestWithParam<std::string> {
 TEST_P(Events, AreTheLimitOfStepsOfAllDisks) {
   Scene const scene = dilute_scene(law());
   State const start = flying_start(scene);
-  auto const events = simulate(scene, start);
+  auto const events = simulate_events(scene, start);
   double const time = 150;  // a strain of 0.015, before chaos
   advance(*events, std::llround(time / time_step(scene)));
   EXPECT_GT(events->snapshot().counters.at("collisions"), 30);
   std::vector<double> off;
   for (double const dt : {0.02, 0.01, 0.005}) {
-    auto const plain = simulate(stepped(scene, dt), start);
+    auto const plain = simulate_events(stepped(scene, dt), start);
     advance(*plain, std::llround(time / dt));
     off.push_back(spread(events->state(), plain->state()));
   }
@@ -125,7 +42,7 @@ TEST_P(Events, AreTheLimitOfStepsOfAllDisks) {
 TEST_P(Events, AreThoseOfTheAllPairsReference) {
   Scene const scene = dilute_scene(law(), 0.6, 16);
   State const start = flying_start(scene);
-  auto const events = simulate(scene, start);
+  auto const events = simulate_events(scene, start);
   reference::System oracle(reference_parameters(stepped(scene, 0.005)), start);
   double const time = 200;
   advance(*events, std::llround(time / time_step(scene)));
@@ -134,35 +51,10 @@ TEST_P(Events, AreThoseOfTheAllPairsReference) {
   EXPECT_LT(spread(events->state(), oracle.s), 2e-5);
 }
 
-/// Who overlaps is known to touch, and the other way round.
-TEST_P(Events, MissNoContact) {
-  for (double const packing_fraction : {0.6, 0.78, 0.83}) {
-    Scene const scene = dilute_scene(law(), packing_fraction, 100);
-    auto const events = simulate(scene, flying_start(scene));
-    std::size_t seen = 0;
-    for (int k = 0; k < 60; ++k) {
-      advance(*events, 37 + 11 * (k % 7));
-      auto const found = touching(*events, scene.rotates());
-      std::set<std::pair<std::uint32_t, std::uint32_t>> const known(found.begin(), found.end());
-      EXPECT_EQ(known.size(), found.size());
-      auto const there = overlaps(scene, events->state());
-      for (auto const& [pair, overlap] : there)
-        EXPECT_TRUE(overlap < 1e-9 || known.contains(pair))
-            << pair.first << " " << pair.second << " overlap " << overlap << " at " << k;
-      for (auto const& pair : known) {
-        EXPECT_LT(gap(events->state(), pair.first, pair.second), 1e-9)
-            << pair.first << " " << pair.second << " at " << k;
-      }
-      seen += there.size();
-    }
-    EXPECT_GT(seen, 20u) << packing_fraction;
-  }
-}
-
 TEST_P(Events, KeepMomentumAndTheEnergyBalance) {
   for (double const packing_fraction : {0.7, 0.82}) {
     Scene scene = dilute_scene(law(), packing_fraction, 144);
-    auto const events = simulate(scene, flying_start(scene));
+    auto const events = simulate_events(scene, flying_start(scene));
     auto const masses = [&] {
       std::vector<double> m;
       for (double const d : events->state().diameter) m.push_back(disk_mass(true, d));
@@ -210,7 +102,7 @@ TEST_P(Events, KeepMomentumAndTheEnergyBalance) {
 /// Over whole contacts the trace of the dissipative virial is 0.
 TEST_P(Events, HaveNoDissipativePressure) {
   Scene const scene = dilute_scene(law(), 0.7, 144);
-  auto const events = simulate(scene, flying_start(scene));
+  auto const events = simulate_events(scene, flying_start(scene));
   auto const sums = advance(*events, 5000).sums;
   using C = SumColumns;
   double const dissipative = sums[C::dissipative_xx] + sums[C::dissipative_yy];
@@ -222,8 +114,8 @@ TEST_P(Events, BitsDoNotDependOnCutsWindowsOrRestarts) {
   for (double const packing_fraction : {0.6, 0.82}) {
     Scene const scene = dilute_scene(law(), packing_fraction, 100, 3);
     State const start = flying_start(scene);
-    auto const straight = simulate(scene, start), silent = simulate(scene, start);
-    auto chained = simulate(scene, start);
+    auto const straight = simulate_events(scene, start), silent = simulate_events(scene, start);
+    auto chained = simulate_events(scene, start);
     Sampling const sampling{700, 1, 6000};
     OpenWindows a, b;
     straight->advance(6000, sampling, a);
@@ -257,7 +149,7 @@ TEST_P(Events, BitsDoNotDependOnCutsWindowsOrRestarts) {
 TEST_P(Events, SumsEndWithTheirWindows) {
   Scene const scene = dilute_scene(law(), 0.80, 100);
   State const start = flying_start(scene);
-  auto const one = simulate(scene, start), many = simulate(scene, start);
+  auto const one = simulate_events(scene, start), many = simulate_events(scene, start);
   auto const whole = advance(*one, 3000).sums;
   OpenWindows windows;
   many->advance(3000, {30, 1, 3000}, windows);
@@ -272,7 +164,7 @@ TEST_P(Events, SumsEndWithTheirWindows) {
   }
   // means of a configuration each, of the same trajectory, are where the integrals are
   double sampled = 0;
-  auto const probe = simulate(scene, start);
+  auto const probe = simulate_events(scene, start);
   for (int k = 0; k < 3000; ++k) {
     advance(*probe, 1);
     sampled += 2 * static_cast<double>(touching(*probe, scene.rotates()).size());
@@ -295,8 +187,8 @@ TEST_P(Events, OfEqualTimes) {
     start.velocity[i] = {3 * slow * towards, 3 * slow * up};
   }
   start.offset = 0;
-  auto const events = simulate(scene, start);
-  auto const plain = simulate(stepped(scene, 0.005), start);
+  auto const events = simulate_events(scene, start);
+  auto const plain = simulate_events(stepped(scene, 0.005), start);
   double const time = 1.2 * (spacing - 1) / (6 * slow);
   advance(*events, std::llround(time / time_step(scene)));
   advance(*plain, std::llround(std::llround(time / time_step(scene)) * time_step(scene) / 0.005));
@@ -318,7 +210,7 @@ TEST_P(Events, ReportTheirContacts) {
     int columns;
   };
   auto const measure = [&](Scene const& of) {
-    auto const simulation = simulate(of, start);
+    auto const simulation = simulate_events(of, start);
     auto const listener = std::make_shared<Listener>();
     double const dt = time_step(of);
     Sampling sampling;
@@ -369,8 +261,8 @@ TEST_P(Events, ContactsDoNotDependOnCutsOrRestarts) {
   auto const record = [&](int columns) {
     return std::make_shared<ContactRecord>(start.count(), columns, 0, nullptr);
   };
-  auto const straight = simulate(scene, start);
-  auto chained = simulate(scene, start);
+  auto const straight = simulate_events(scene, start);
+  auto chained = simulate_events(scene, start);
   OpenWindows a, b;
   a.contacts = record(straight->columns());
   b.contacts = record(straight->columns());
@@ -403,7 +295,7 @@ TEST(EventsSteadyState, IsThatOfTheDefaultEngine) {
     double mean, error;
   };
   auto const measure = [&](Scene const& of) {
-    auto const simulation = simulate(of, start);
+    auto const simulation = simulate_events(of, start);
     auto const block = std::llround(1.0 / (slow * time_step(of)));
     advance(*simulation, 2 * block);
     std::array<std::vector<double>, 4> blocks;

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+
+#include "kernels/physics/sums/sums.hpp"
+#include "src/config/errors.hpp"
+#include "src/config/events.hpp"
+#include "tests/support/simulations.hpp"
+
+namespace bagnold::test {
+namespace {
+
+Scene adaptive_scene(double packing_fraction, double rate, double elasticity) {
+  Scene scene = small_scene("CD_n", packing_fraction, 100);
+  scene.disks.elasticity = elasticity;
+  scene.shear.strain_rate = rate;
+  scene.integration.scheme = automatic;
+  scene.integration.engine = adaptive_engine;
+  scene.integration.time_step = automatic;
+  return scene;
+}
+
+/// Disks that move at a few times the rate.
+State moving_start(Scene const& scene) {
+  State state = shaken_start(scene);
+  double const rate = scene.shear.strain_rate;
+  for (std::size_t i = 0; i < state.count(); ++i) {
+    double const k = static_cast<double>(i);
+    state.velocity[i] = {rate * (state.position[i][1] + 4 * std::sin(12.9898 * k)),
+                         4 * rate * std::cos(78.233 * k)};
+  }
+  return state;
+}
+
+constexpr std::int64_t window = 500, end = 20000;
+
+double by_events(Simulation const& simulation) {
+  return simulation.snapshot().counters.at("steps_by_events");
+}
+
+}  // namespace
+
+TEST(AdaptiveEngine, TakesEventsWhereDisksFlyAndStepsWhereTheyTouch) {
+  Scene const dilute = adaptive_scene(0.6, 1e-4, 20), dense = adaptive_scene(0.84, 1e-3, 1);
+  auto const run = [](Scene const& scene) {
+    auto simulation = test::simulate(scene, moving_start(scene), "serial");
+    OpenWindows windows;
+    simulation->advance(end, {window, 10, end}, windows);
+    for (auto const& of : windows.sums) EXPECT_NEAR(of.weight, window / 10, 1e-9);
+    return simulation;
+  };
+  EXPECT_EQ(by_events(*run(dilute)), end - window);  // a window of steps tells how many touch
+  EXPECT_EQ(by_events(*run(dense)), 0);
+}
+
+/// Steps, events, steps and so on: contacts of Q = 1 gather in clusters.
+TEST(AdaptiveEngine, BitsDoNotDependOnCutsOrRestarts) {
+  Scene const scene = adaptive_scene(0.7, 1e-4, 1);
+  State const start = moving_start(scene);
+  auto const straight = test::simulate(scene, start, "serial");
+  auto chained = test::simulate(scene, start, "serial");
+  Sampling const sampling{window, 10, end};
+  OpenWindows a, b;
+  straight->advance(end, sampling, a);
+  for (int k = 0; chained->step() < end; ++k) {
+    chained->advance(1 + 97 * (k % 5), sampling, b);
+    chained = make_simulation(scene, chained->snapshot(), "serial");
+  }
+  EXPECT_GT(by_events(*straight), 0);
+  EXPECT_LT(by_events(*straight), end - window);
+  EXPECT_EQ(straight->state().position, chained->state().position);
+  EXPECT_EQ(straight->state().velocity, chained->state().velocity);
+  EXPECT_EQ(straight->snapshot().memory, chained->snapshot().memory);
+  EXPECT_EQ(straight->snapshot().counters, chained->snapshot().counters);
+  ASSERT_EQ(a.sums.size(), b.sums.size());
+  for (std::size_t w = 0; w < a.sums.size(); ++w) {
+    EXPECT_EQ(a.sums[w].sums, b.sums[w].sums) << w;
+    EXPECT_EQ(a.sums[w].weight, b.sums[w].weight) << w;
+  }
+}
+
+TEST(AdaptiveEngine, RefusesWhatEventsCannotDo) {
+  Scene scene = adaptive_scene(0.6, 1e-4, 20);
+  EXPECT_TRUE(not_events(scene).empty());
+  scene.measure.contacts = true;
+  scene.disks.force_exponent = 2.5;
+  auto const refused = not_events(scene);
+  ASSERT_EQ(refused.size(), 2u);
+  for (auto const& one : refused)
+    EXPECT_NE(one.message.find("engine = \"adaptive\""), std::string::npos) << one.message;
+  EXPECT_THROW(test::simulate(scene, moving_start(scene), "serial"), InputError);
+}
+
+}  // namespace bagnold::test

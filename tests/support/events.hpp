@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "src/config/events.hpp"
+#include "src/engine/events/event_engine.hpp"
+#include "tests/support/simulations.hpp"
+
+/// Dilute scenes, starts and comparisons that the tests of events share.
+namespace bagnold::test {
+
+inline constexpr double slow = 1e-4;  ///< [1/tau_e]
+
+inline Scene dilute_scene(std::string const& model, double packing_fraction = 0.70,
+                          std::int64_t count = 64, double elasticity = 20) {
+  Scene scene = small_scene(model, packing_fraction, count);
+  scene.disks.elasticity = elasticity;
+  scene.shear.strain_rate = slow;
+  scene.integration.scheme = automatic;
+  scene.integration.engine = event_engine;
+  scene.integration.time_step = automatic;
+  scene.integration.skin = 0.35;
+  return scene;
+}
+
+/// Disks that fly past each other at a few times the rate, some of which overlap a little.
+inline State flying_start(Scene const& scene) {
+  State state = shaken_start(scene);
+  double const rate = scene.shear.strain_rate;
+  for (std::size_t i = 0; i < state.count(); ++i) {
+    double const k = static_cast<double>(i);
+    state.velocity[i] = {rate * (state.position[i][1] + 4 * std::sin(12.9898 * k)),
+                         4 * rate * std::cos(78.233 * k)};
+    if (!state.spin.empty()) state.spin[i] = rate * std::sin(4.1 * k);
+  }
+  return state;
+}
+
+/// The engine in steps of a plain one.
+inline Scene stepped(Scene scene, double time_step) {
+  scene.integration.engine = "many-contacts";
+  scene.integration.scheme = papers_scheme;
+  scene.integration.time_step = time_step;
+  return scene;
+}
+
+/// On one thread.
+inline std::unique_ptr<Simulation> simulate_events(Scene const& scene, State const& state) {
+  return simulate(scene, state, "serial");
+}
+
+/// Distance of the disks of two states in the mean square, [d_s].
+inline double spread(State const& a, State const& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.count(); ++i) {
+    double dx = a.position[i][0] - b.position[i][0], dy = a.position[i][1] - b.position[i][1];
+    double const n = std::round(dy / a.box_height());
+    dy -= n * a.box_height();
+    dx -= n * a.offset;
+    dx -= std::round(dx / a.box_length) * a.box_length;
+    sum += dx * dx + dy * dy;
+  }
+  return std::sqrt(sum / static_cast<double>(a.count()));
+}
+
+/// All that overlap, all pairs, and by how much, [d_s].
+inline std::map<std::pair<std::uint32_t, std::uint32_t>, double> overlaps(Scene const& scene,
+                                                                          State const& state) {
+  reference::System const all(reference_parameters(scene), state);
+  std::map<std::pair<std::uint32_t, std::uint32_t>, double> found;
+  for (auto const& c : reference::contacts(all)) {
+    double const d = (state.diameter[c.i] + state.diameter[c.j]) / 2;
+    auto const i = static_cast<std::uint32_t>(std::min(c.i, c.j));
+    auto const j = static_cast<std::uint32_t>(std::max(c.i, c.j));
+    found[{i, j}] = d - std::hypot(c.x, c.y);
+  }
+  return found;
+}
+
+/// r_ij - d_ij of the nearest image, [d_s].
+inline double gap(State const& s, std::uint32_t i, std::uint32_t j) {
+  double dx = s.position[i][0] - s.position[j][0], dy = s.position[i][1] - s.position[j][1];
+  double const n = std::round(dy / s.box_height());
+  dx -= n * s.offset;
+  dx -= std::round(dx / s.box_length) * s.box_length;
+  return std::hypot(dx, dy - n * s.box_height()) - (s.diameter[i] + s.diameter[j]) / 2;
+}
+
+inline std::vector<std::pair<std::uint32_t, std::uint32_t>> touching(Simulation const& simulation,
+                                                                     bool rotates) {
+  return rotates ? dynamic_cast<EventEngine<true> const&>(simulation).touching()
+                 : dynamic_cast<EventEngine<false> const&>(simulation).touching();
+}
+
+}  // namespace bagnold::test
