@@ -83,7 +83,7 @@ void EventEngine<Rotates>::advance(std::int64_t steps, Sampling const& sampling,
     go_to(std::min(end, window_end));
     windows.of(window).weight += static_cast<double>(step_ - from);
     if (step_ == window_end) {
-      system_.end_window(now());
+      system_.windows().end(now());
       in_window_ = false;
     }
     if (windows.contacts) tell_contacts(from, sampling, windows);
@@ -103,8 +103,8 @@ void EventEngine<Rotates>::tell_contacts(std::int64_t from, Sampling const& samp
 
 template <bool Rotates>
 void EventEngine<Rotates>::open_window(double* columns) {
-  if (in_window_) return system_.resume_window(columns, system_.all().time(begun_ - list_step_));
-  system_.begin_window(columns, now());
+  if (in_window_) return system_.windows().resume(columns, system_.all().time(begun_ - list_step_));
+  system_.windows().begin(columns, now());
   begun_ = step_;
   in_window_ = true;
   if (!std::exchange(touches_known_, true)) system_.find_touches();

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "src/engine/events/event_windows.hpp"
 #include "src/engine/events/saved_events.hpp"
 #include "src/engine/events/touch_events.hpp"
 
@@ -24,7 +25,7 @@ class EventSystem {
 
   EventSystem(Material<Rotates> const& material, std::vector<Species> const& species, Real skin,
               Real time_step)
-      : s_(material, species, skin, time_step), touches_(s_) {}
+      : s_(material, species, skin, time_step), touches_(s_), windows_(s_) {}
 
   /// Disks that fly from time 0 on, in the box, whether they overlap or not.
   void place(std::vector<Moving> const& disks, ShearedBox const& box);
@@ -55,12 +56,8 @@ class EventSystem {
   /// Builds the lists at a time, which is 0 from then on. box: there, its offset in [0, L_x).
   void renew(Real time, ShearedBox const& box);
 
-  /// A window begins: all from then on is added to these columns.
-  void begin_window(Real* columns, Real time);
-  /// It goes on in these.
-  void resume_window(Real* columns, Real begin) { s_.sums.begin(columns, begin); }
-  /// It ends: all before that is in it, and nothing of what lies ahead.
-  void end_window(Real time);
+  /// Windows of measurement.
+  EventWindows<Rotates>& windows() { return windows_; }
 
   EventState<Rotates> const& all() const { return s_; }
   EventCounts& counts() { return s_.counts; }
@@ -82,7 +79,7 @@ class EventSystem {
   }
 
   /// All that touch at a time that has been reached, i < j.
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> touching(Real time) const;
+  TouchingPairs touching(Real time) const { return who_touches(s_.disks, time); }
 
  private:
   template <class All, class Visit>
@@ -93,10 +90,10 @@ class EventSystem {
 
   void predict(std::uint32_t slot);
   void build(std::vector<Vec2<Real>> position, ShearedBox const& box);
-  void add_ahead(Real time, Real sign);
 
   EventState<Rotates> s_;
   TouchEvents<Rotates> touches_;
+  EventWindows<Rotates> windows_;
 };
 
 extern template class EventSystem<false>;

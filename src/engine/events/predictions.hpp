@@ -6,6 +6,7 @@
 #include "src/engine/events/event_disks.hpp"
 #include "src/engine/events/event_lists.hpp"
 #include "src/engine/events/near_pairs.hpp"
+#include "src/engine/events/pair_touches.hpp"
 
 namespace bagnold::events {
 
@@ -51,7 +52,7 @@ template <bool Rotates>
 class Predictions {
  public:
   Predictions(EventDisks<Rotates> const& disks, EventLists const& lists, EventQueue& queue)
-      : disks_(&disks), lists_(&lists), queue_(&queue), near_(disks.count()) {}
+      : disks_(&disks), lists_(&lists), queue_(&queue), pairs_(disks), near_(disks.count()) {}
 
   void of_disk(std::uint32_t i);
   void of_cluster(std::uint32_t k);
@@ -63,15 +64,10 @@ class Predictions {
   bool watch_reach = true;
 
  private:
-  LinePair lines(std::uint32_t i, Neighbor n) const;
-  bool stays_apart(Cluster<Rotates> const& cluster, Member<Rotates> const& m, Neighbor n,
-                   bool mate) const;
-  Real touch(std::uint32_t i, Neighbor n) const;
-  Real gap_closes(std::uint32_t i, Neighbor n, Real from, Real until) const;
-
   EventDisks<Rotates> const* disks_;
   EventLists const* lists_;
   EventQueue* queue_;
+  PairTouches<Rotates> pairs_;
   NearPairs near_;
 };
 

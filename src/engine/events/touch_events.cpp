@@ -13,10 +13,10 @@ void TouchEvents<Rotates>::touch(std::uint32_t i, Neighbor n, Real time) {
   }
   if (s_.disks.flies(i, time) && s_.disks.flies(n.index(), time)) return begin_lone(i, n, time);
   ++s_.counts.busy_collisions;
-  Group& group = group_;
+  auto& group = gathering_.group;
   group.clear();
-  take_in(i, time, group);
-  take_in(n.index(), time, group);
+  gathering_.take_in(i, time);
+  gathering_.take_in(n.index(), time);
   group.touches.push_back({i, n, time});
   if (s_.log.on) {
     auto const pair = pair_motion(group.of(i), s_.disks.image(group.of(n.index()), n, time));
@@ -66,41 +66,6 @@ std::uint32_t TouchEvents<Rotates>::add_contact(Moving const& a, Moving const& b
   expect_end(contact);
   s_.check_overlap(touch.i, contact.closed.largest_overlap() * c.inverse_distance);
   return k;
-}
-
-/// A disk as it is at a time, with all that it touches.
-template <bool Rotates>
-void TouchEvents<Rotates>::take_in(std::uint32_t disk, Real time, Group& group) {
-  if (group.has(disk)) return;
-  Path const& p = s_.disks.path[disk];
-  if (p.manner == Manner::cluster) return take_cluster(s_.disks.touching[disk], time, group);
-  if (time < p.straight) return take_contact(s_.disks.touching[disk], time, group);
-  s_.sums.flight(disk, time);
-  group.disks.push_back({disk, s_.disks.on_line(disk, time)});
-}
-
-/// Both disks of a contact that is cut short.
-template <bool Rotates>
-void TouchEvents<Rotates>::take_contact(std::uint32_t k, Real time, Group& group) {
-  auto const& contact = s_.disks.contacts[k];
-  s_.sums.contact(contact, time, -1);
-  s_.log.cut(contact.number);
-  group.disks.push_back({contact.i, s_.disks.first_of(contact, time)});
-  group.disks.push_back({contact.j(), s_.disks.second_of(contact, time)});
-  group.touches.push_back({contact.i, contact.other, contact.touched});
-}
-
-/// All disks of a cluster, which is no more.
-template <bool Rotates>
-void TouchEvents<Rotates>::take_cluster(std::uint32_t k, Real time, Group& group) {
-  auto& cluster = s_.disks.clusters[k];
-  bool const at_begin = !(time > cluster.time);
-  if (!at_begin) s_.sums.step(cluster, time);
-  for (auto const& m : cluster.members)
-    group.disks.push_back({m.disk, at_begin ? m.begin : m.at(time - cluster.time)});
-  for (auto const& link : cluster.links)
-    group.touches.push_back({cluster.members[link.a].disk, link.other, link.touched});
-  s_.disks.clusters.remove(k);
 }
 
 /// New paths for all of a group, by what hangs together in it, and what happens to them next.
@@ -180,9 +145,9 @@ void TouchEvents<Rotates>::end_step(std::uint32_t k) {
   auto const i = cluster.members[parted.a].disk;
   s_.log.ends(i, parted.other.index(), time, s_.steps.separation(cluster, parted, cluster.step),
               s_.steps.velocity(cluster, parted, cluster.step));
-  Group& group = group_;
+  auto& group = gathering_.group;
   group.clear();
-  take_cluster(k, time, group);
+  gathering_.take_cluster(k, time);
   std::erase_if(group.touches,
                 [&](auto const& t) { return t.i == i && t.other.packed == parted.other.packed; });
   settle(group, time);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "src/engine/events/event_state.hpp"
-#include "src/engine/events/touching_group.hpp"
+#include "src/engine/events/gathering.hpp"
 
 namespace bagnold::events {
 
@@ -14,7 +13,7 @@ class TouchEvents {
   using Touch = typename Group::Touch;
   using Moving = DiskMotion<Rotates>;
 
-  explicit TouchEvents(EventState<Rotates>& state) : s_(state), group_(state.disks.count()) {}
+  explicit TouchEvents(EventState<Rotates>& state) : s_(state), gathering_(state) {}
 
   /// Disk i touches a neighbour.
   void touch(std::uint32_t i, Neighbor n, Real time);
@@ -35,13 +34,10 @@ class TouchEvents {
 
  private:
   void begin_lone(std::uint32_t i, Neighbor n, Real time);
-  void take_in(std::uint32_t disk, Real time, Group& group);
-  void take_contact(std::uint32_t k, Real time, Group& group);
-  void take_cluster(std::uint32_t k, Real time, Group& group);
   std::uint32_t add_cluster(typename Group::Part const& part, Real time);
 
   EventState<Rotates>& s_;
-  Group group_;  ///< room for one
+  Gathering<Rotates> gathering_;
   std::vector<std::uint32_t> clusters_;
 };
 
