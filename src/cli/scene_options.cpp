@@ -5,10 +5,7 @@
 namespace bagnold {
 
 Scene read_scene(SceneOptions const& options) {
-  std::vector<std::string> notes;
-  auto const scene = read_scene(options.scene_file, options.overrides, &notes);
-  for (auto const& note : notes) say("note: " + note);
-  return scene;
+  return read_scene(options.scene_file, options.overrides);
 }
 
 }  // namespace bagnold

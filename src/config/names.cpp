@@ -84,17 +84,6 @@ Names scheme_words() {
   return words;
 }
 
-std::string_view renamed(std::string_view word) {
-  constexpr std::pair<std::string_view, std::string_view> now[] = {
-      {"dense", "few-contacts"},
-      {"contact-rich", "many-contacts"},
-      {"windowed", "lookahead"},
-      {"general", CDnt::name}};
-  for (auto const& [before, after] : now)
-    if (word == before) return after;
-  return "";
-}
-
 std::vector<double> force_exponents() {
   std::vector<double> exponents;
   for_each_type<Repulsions>(

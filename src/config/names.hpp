@@ -22,9 +22,6 @@ Names scheme_words();     ///< "auto", the names of all schemes, and those of si
 /// Whether a scheme solves an equation for the motions of all disks together.
 bool is_implicit(std::string_view scheme);
 
-/// What a word of before is called now; "" of any other.
-std::string_view renamed(std::string_view word);
-
 std::vector<double> force_exponents();  ///< of all repulsions, rising
 
 /// Meanings of keys that name a choice.

@@ -30,13 +30,8 @@ class Reader {
  public:
   /// `overrides`: which keys were put over the text, and where they were given.
   Reader(toml::table const& table, std::string origin,
-         std::map<std::string, std::string> const& overrides, Mistakes& mistakes,
-         std::vector<std::string>* notes)
-      : table_(table),
-        origin_(std::move(origin)),
-        overrides_(overrides),
-        mistakes_(mistakes),
-        notes_(notes) {}
+         std::map<std::string, std::string> const& overrides, Mistakes& mistakes)
+      : table_(table), origin_(std::move(origin)), overrides_(overrides), mistakes_(mistakes) {}
 
   Scene read() {
     Scene scene;
@@ -170,14 +165,8 @@ class Reader {
     auto const known = [&](std::string_view word) {
       return std::ranges::count(key.words, word) > 0;
     };
-    if (key.words.empty() || known(member)) return;
-    auto const now = renamed(member);
-    if (!known(now))
+    if (!key.words.empty() && !known(member))
       refuse(key, node, fmt::format("must be one of \"{}\"", fmt::join(key.words, "\", \"")));
-    if (notes_ != nullptr)
-      notes_->push_back(fmt::format("{}{} = \"{}\" is called \"{}\" now", place(key.name, node),
-                                    key.name, member, now));
-    member = now;
   }
 
   void take(Key const& key, toml::node const& node, bool& member) const {
@@ -249,7 +238,6 @@ class Reader {
   std::string origin_;
   std::map<std::string, std::string> const& overrides_;
   Mistakes& mistakes_;
-  std::vector<std::string>* notes_;
   std::vector<std::string> known_;
 };
 
@@ -294,14 +282,14 @@ Override from_command_line(std::string const& text) {
 }
 
 Scene scene_of(toml::table table, std::string const& origin, std::filesystem::path const& folder,
-               std::vector<Override> const& overrides, std::vector<std::string>* notes = nullptr) {
+               std::vector<Override> const& overrides) {
   std::map<std::string, std::string> set;
   Mistakes mistakes;
   for (auto const& put : overrides) {
     mistakes.collect(put.key, [&] { put_override(table, put); });
     set[put.key] = put.origin;
   }
-  Scene scene = Reader(table, origin, set, mistakes, notes).read();
+  Scene scene = Reader(table, origin, set, mistakes).read();
   find_contradictions(scene, origin, mistakes);
   mistakes.throw_any();
   if (!scene.start.file.empty())
@@ -313,8 +301,7 @@ Scene scene_of(toml::table table, std::string const& origin, std::filesystem::pa
 }  // namespace
 
 Scene parse_scene(std::string_view text, std::string const& origin,
-                  std::filesystem::path const& folder, std::vector<std::string> const& overrides,
-                  std::vector<std::string>* notes) {
+                  std::filesystem::path const& folder, std::vector<std::string> const& overrides) {
   toml::table table = parse_toml(text, origin);
   if (auto const* sweep = table.get("sweep"); sweep && sweep->is_table())
     throw InputError(
@@ -323,7 +310,7 @@ Scene parse_scene(std::string_view text, std::string const& origin,
                     origin, sweep->source().begin.line, sweep->source().begin.column, origin));
   std::vector<Override> put;
   for (auto const& one : overrides) put.push_back(from_command_line(one));
-  return scene_of(std::move(table), origin, folder, put, notes);
+  return scene_of(std::move(table), origin, folder, put);
 }
 
 Scene parse_point(std::string_view text, std::string const& origin,
@@ -333,10 +320,9 @@ Scene parse_point(std::string_view text, std::string const& origin,
   return scene_of(std::move(table), origin, folder, values);
 }
 
-Scene read_scene(std::filesystem::path const& file, std::vector<std::string> const& overrides,
-                 std::vector<std::string>* notes) {
+Scene read_scene(std::filesystem::path const& file, std::vector<std::string> const& overrides) {
   return parse_scene(read_text(file), file.string(), std::filesystem::absolute(file).parent_path(),
-                     overrides, notes);
+                     overrides);
 }
 
 }  // namespace bagnold

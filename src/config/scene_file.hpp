@@ -11,9 +11,8 @@ namespace bagnold {
 
 /// Read a scene file, put `overrides` ("table.key=value", the value in TOML, a bare word a string)
 /// over it and check it. Throws InputError with file, line and column; FileError never: a scene
-/// that cannot be read is bad input. notes: gets a line for each word that is called otherwise now.
-Scene read_scene(std::filesystem::path const& file, std::vector<std::string> const& overrides = {},
-                 std::vector<std::string>* notes = nullptr);
+/// that cannot be read is bad input.
+Scene read_scene(std::filesystem::path const& file, std::vector<std::string> const& overrides = {});
 
 /// A scene as TOML text that reads back to the same scene, bit for bit; with `derived` values of
 /// interest as comments.
@@ -22,8 +21,7 @@ std::string write_scene(Scene const& scene);
 /// The same read from text; `origin` names it in messages, `folder` is where start.file is sought.
 Scene parse_scene(std::string_view text, std::string const& origin,
                   std::filesystem::path const& folder,
-                  std::vector<std::string> const& overrides = {},
-                  std::vector<std::string>* notes = nullptr);
+                  std::vector<std::string> const& overrides = {});
 
 /// A value put over a scene.
 struct Override {

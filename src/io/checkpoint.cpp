@@ -10,7 +10,6 @@
 #include "src/config/errors.hpp"
 #include "src/io/atomic_file.hpp"
 #include "src/io/descriptor.hpp"
-#include "src/io/renamed_numbers.hpp"
 #include "src/io/seal.hpp"
 #include "src/io/state_file.hpp"
 
@@ -125,7 +124,7 @@ SystemCheckpoint get_system(Hdf5Reader const& file, std::string const& at) {
   system.open_weight = file.number(windows, "open_weight");
 
   for (auto const& name : file.attribute_names(at + "/engine"))
-    system.memory[name_now(name)] = file.number(at + "/engine", name);
+    system.memory[name] = file.number(at + "/engine", name);
 
   if (file.has(at + "/events"))
     for (auto const& name : file.attribute_names(at + "/events"))
@@ -133,13 +132,13 @@ SystemCheckpoint get_system(Hdf5Reader const& file, std::string const& at) {
           at + "/events/" + name, {static_cast<hsize_t>(file.integer(at + "/events", name))});
 
   for (auto const& name : file.attribute_names(at + "/counters"))
-    system.counters[name_now(name)] = file.number(at + "/counters", name);
+    system.counters[name] = file.number(at + "/counters", name);
 
   for (auto const& record : file.attribute_names(at + "/start_record"))
     system.start_record[record] = file.number(at + "/start_record", record);
 
   for (auto const& frames : file.attribute_names(at + "/frames"))
-    system.frames[name_now(frames)] = file.doubles(
+    system.frames[frames] = file.doubles(
         at + "/frames/" + frames, {static_cast<hsize_t>(file.integer(at + "/frames", frames))});
   return system;
 }

@@ -91,17 +91,6 @@ class BadValues(CliTest):
         self.refused(self.scene(start__kind="state", start__file="nowhere.h5"), "nowhere.h5")
 
 
-class RenamedWords(CliTest):
-    def test_an_old_name_is_taken_and_told(self):
-        path = self.scene(integration__engine="windowed", disks__model="general")
-        result = self.bagnold("validate", path)
-        self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertIn('engine = "lookahead"', result.stdout)
-        self.assertIn('model = "CD_nt"', result.stdout)
-        for old, new in (("windowed", "lookahead"), ("general", "CD_nt")):
-            self.assertIn(f'"{old}" is called "{new}" now', result.stderr)
-
-
 class BadKeys(CliTest):
     def test_nearest_key_is_suggested(self):
         for table, wrong, right in (

@@ -4,9 +4,12 @@
 BAGNOLD_SOURCE is the root of the repository.
 """
 
+import json
 import os
 import pathlib
 import re
+import shutil
+import subprocess
 import unittest
 
 import yaml
@@ -29,6 +32,27 @@ class Metadata(unittest.TestCase):
         self.assertTrue(all("name" in author or "family-names" in author for author in citation["authors"]))
         self.assertEqual(citation["version"], VERSION)
         self.assertIn(citation["license"], (SOURCE / "LICENSE").read_text().replace(" ", "-"))
+
+    def test_what_archives_read_says_the_same(self):
+        """codemeta.json and .zenodo.json beside CITATION.cff."""
+        citation = read("CITATION.cff")
+        abstract = citation["abstract"].strip()
+        dois = {paper["doi"] for paper in citation["references"]}
+        meta, zenodo = (json.loads((SOURCE / name).read_text()) for name in ("codemeta.json", ".zenodo.json"))
+        for one, title in ((meta, "name"), (zenodo, "title")):
+            self.assertEqual((one[title], one["version"], one["description"], one["keywords"]),
+                             (citation["title"], VERSION, abstract, citation["keywords"]))
+        names = [author["name"] for author in citation["authors"]]
+        self.assertEqual([author["name"] for author in meta["author"]], names)
+        self.assertEqual([author["name"] for author in zenodo["creators"]], names)
+        self.assertTrue(meta["license"].endswith("/" + citation["license"]))
+        self.assertEqual(zenodo["license"]["id"], citation["license"])
+        self.assertEqual({paper["@id"].removeprefix("https://doi.org/") for paper in meta["referencePublication"]}, dois)
+        self.assertEqual({one["identifier"] for one in zenodo["related_identifiers"]}, dois)
+
+    @unittest.skipUnless(shutil.which("cffconvert"), "needs cffconvert (PyPI)")
+    def test_the_citation_is_valid(self):
+        subprocess.run(["cffconvert", "--validate", "-i", SOURCE / "CITATION.cff"], check=True, capture_output=True)
 
     def test_the_papers_of_the_citation_are_those_of_the_readme(self):
         papers = read("CITATION.cff")["references"]
