@@ -17,6 +17,7 @@ test_packages=(
   munge slurm-wlm # a cluster of our own
   make snakemake # workflows
   python3-nbclient python3-ipykernel # notebooks
+  chromium ffmpeg # reports in a browser, films: half a minute of a processor
   python3-venv # the site, with Sphinx of PyPI
 )
 fuzz_packages=(clang libclang-rt-14-dev python3-venv)
