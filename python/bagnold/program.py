@@ -172,7 +172,8 @@ def call(program: str, words: list[str], progress: Progress, name: str, nobodys:
     for thread in threads:
         thread.start()
     try:
-        child.wait()
+        with _passed_on(child):
+            child.wait()
     except KeyboardInterrupt:
         child.send_signal(signal.SIGINT)
         child.wait()
@@ -199,6 +200,28 @@ def call(program: str, words: list[str], progress: Progress, name: str, nobodys:
         if line.startswith("note: "):  # in the run's notes
             continue
         warnings.warn(line.removeprefix("warning: "), stacklevel=3)
+
+
+@contextmanager
+def _passed_on(child: subprocess.Popen[str]) -> Iterator[None]:
+    """SIGTERM, as of a batch system, goes to the program too, which writes its checkpoint; then Python exits with 143, unless
+    the caller has a handler of its own."""
+    if threading.current_thread() is not threading.main_thread() or signal.getsignal(signal.SIGTERM) is not signal.SIG_DFL:
+        yield
+        return
+    asked: list[int] = []
+
+    def pass_on(number: int, frame: object) -> None:
+        asked.append(number)
+        child.send_signal(number)
+
+    signal.signal(signal.SIGTERM, pass_on)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, signal.SIG_DFL)
+    if asked:
+        raise SystemExit(128 + signal.SIGTERM)
 
 
 def _bar(name: str) -> Any:

@@ -72,7 +72,12 @@ def _read(folder: pathlib.Path) -> Run | Sweep:
                          "of the points that are done")
     if (folder / "sweep.h5").exists():
         return sweep(folder)
+    from .commands import status
+
     run = load(folder)
+    if not run.complete and status(folder).state == "running":
+        raise InputError(f"{folder} holds a run that is at work; `bagnold plot {folder}` draws what there is, and a report can be made "
+                         "at its end")
     if not run.complete:
         raise InputError(f"{folder} holds a run that is not complete; `bagnold resume {folder}` goes on with it, `bagnold plot "
                          f"{folder}` draws what there is, and a report can be made at its end")

@@ -82,7 +82,9 @@ def late_means(folder: pathlib.Path) -> dict[str, float]:
         return {}
     try:
         series = load(folder).series
-        return {name: float(np.mean(series[name][..., -LATE:])) for name in NAMES if name in series and series[name].size}
+        found = {name: np.atleast_2d(series[name]) for name in NAMES if name in series}
+        late = {name: each[:, ~np.isnan(each).all(axis=0)][:, -LATE:] for name, each in found.items()}  # replicas may lag
+        return {name: float(np.nanmean(each)) for name, each in late.items() if each.size}
     except (Error, OSError, KeyError):  # it is just being written
         return {}
 

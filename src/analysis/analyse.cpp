@@ -1,11 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/analysis/analyse.hpp"
 
+#include <fmt/format.h>
+
+#include "src/config/errors.hpp"
 #include "src/io/atomic_file.hpp"
 
 namespace bagnold::analysis {
 
 namespace {
+
+/// A refusal for want of points says how many were left out.
+Report run_kind(Kind const& kind, SweepTable const& table, Request const& request) try {
+  return kind.run(table, request);
+} catch (InputError const& error) {
+  if (table.hardly_met == 0) throw;
+  throw InputError(
+      fmt::format("{}; {} of {} points are left out: disks hardly met in them "
+                  "(few_collisions), longer runs would tell",
+                  error.what(), table.hardly_met, table.points));
+}
 
 std::filesystem::path with_ending(std::filesystem::path path, char const* ending) {
   return path += ending;
@@ -18,7 +32,8 @@ Analysis analyse(std::vector<std::filesystem::path> const& sweeps, KindRequest c
   auto const& kind = kind_of(asked.kind);
   std::vector<SweepTable> tables;
   for (auto const& sweep : sweeps) tables.push_back(read_sweep_table(sweep));
-  auto report = kind.run(merge_tables(std::move(tables)), asked.request);
+  auto const table = merge_tables(std::move(tables));
+  auto report = run_kind(kind, table, asked.request);
   auto const& sweep = sweeps.front();
   if (prefix.empty())
     prefix = (std::filesystem::is_directory(sweep) ? sweep : sweep.parent_path()) / asked.kind;

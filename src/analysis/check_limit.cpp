@@ -30,9 +30,11 @@ sweep::Sweep both_rates(Scene const& scene, LimitRequest const& request) {
   double const rate = scene.shear.strain_rate;
   auto const text = fmt::format("{}\n[sweep]\ngrid = {{ \"shear.strain_rate\" = [{}, {}] }}\n",
                                 write_scene(scene), rate, rate / 2);
-  return sweep::parse_sweep(text, origin,
-                            std::filesystem::absolute(request.scene_file).parent_path(),
-                            sweep::point_check(request.allow_unstable));
+  auto both =
+      sweep::parse_sweep(text, origin, std::filesystem::absolute(request.scene_file).parent_path(),
+                         sweep::point_check(request.allow_unstable));
+  both.command = "check-limit";
+  return both;
 }
 
 /// What a run found, by name. An error of 0 is one that is not known: nothing happened in the run.

@@ -73,7 +73,7 @@ void print_ends(Run const& run, std::string const& folder) {
   for (auto const& [name, error] : run.reached)
     fmt::print("relative error of {}: {} wanted, {} reached at strain {:.4g}\n", name,
                run.scene.shear.target_error.at(name),
-               error ? fmt::format("{:.2g}", *error) : "none", run.plan.strain(run.plan.steps));
+               error ? fmt::format("{:.3g}", *error) : "none", run.plan.strain(run.plan.steps));
   if (!run.reached.empty() && !run.target_met)
     fmt::print("not reached at two looks in a row{}\n", typed(until_target(run), folder));
 }

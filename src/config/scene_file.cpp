@@ -128,6 +128,8 @@ class Reader {
           "; a run for each of several is a sweep: [sweep] grid = {{ \"{}\" = [...] }}", key.name);
     if (auto const* text = node.as_string()) {
       auto advice = value_advice(text->get());
+      bool const is_choice = advice.starts_with("a choice is"), of_choice = why.ends_with("false");
+      if (is_choice != of_choice) advice.clear();
       if (whole && advice.ends_with(".0")) advice.resize(advice.size() - 2);
       why += advice.empty() ? ", without quotes" : "; " + advice;
     }

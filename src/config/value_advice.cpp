@@ -55,7 +55,9 @@ std::string value_advice(std::string_view given) {
     return fmt::format("a number has no blanks; write {}", without(value, ' '));
   if (is("[+-]?[0-9.]+(e[+-]?[0-9]+)? *[*/^].*"))
     return "a value is a number, not a formula; write what it comes to";
-  if (is("[+-]?[0-9.]+(e[+-]?[0-9]+)? *%")) return "a share is a number from 0 to 1; write it so";
+  if (is("([+-]?[0-9.]+(e[+-]?[0-9]+)?) *%"))
+    return fmt::format("a number has no per cent; write {:g}",
+                       std::strtod(found[1].str().c_str(), nullptr) / 100);
   if (is("([+-]?[0-9.]+)d([+-]?[0-9]+)"))
     return fmt::format("an exponent is written with e; write {}e{}", found[1].str(),
                        found[2].str());

@@ -63,9 +63,9 @@ std::string suspect_points(Sweep const& sweep, Results const& results,
   for (auto const* short_run : {"steady_state", "error_bar", "few_collisions", "contact_durations"})
     if (names.contains(short_run))
       return text + fmt::format(
-                        "; raise shear.strain in {}, and `bagnold sweep {} --out {}` goes on "
+                        "; raise shear.strain in {}, and `bagnold {} {} --out {}` goes on "
                         "with points from which no other starts",
-                        sweep.origin, sweep.origin, folder.string());
+                        sweep.origin, sweep.command, sweep.origin, folder.string());
   return text;
 }
 

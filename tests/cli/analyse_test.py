@@ -416,6 +416,14 @@ grid = { "disks.elasticity" = [1, 2] }
             self.assertLess(abs(float(one["Q_star"]) - float(two["Q_star"])),
                             0.1 * float(one["Q_star_error"]) + 1e-12)
 
+    def test_disks_that_met_nowhere(self):
+        self.bagnold_states()
+        with h5py.File(self.sweep_folder / "sweep.h5", "r+") as file:
+            if "warnings" in file:
+                del file["warnings"]
+            file["warnings"] = np.array([b"few_collisions"] * 288)
+        self.refused("crossover", words=["288 of 288 points are left out", "few_collisions"])
+
     def test_a_curve_that_fails_leaves_the_others(self):
         self.bagnold_states()
         with h5py.File(self.sweep_folder / "sweep.h5", "r+") as file:

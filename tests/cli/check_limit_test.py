@@ -57,13 +57,16 @@ class CheckLimit(CliTest):
 
     def test_disks_that_never_met_tell_nothing(self):
         """Their B_p is rounding, 1e-33, with an error of 0."""
-        found, said, _ = self.check(
+        found, said, out = self.check(
             "alone", disks__model="CD_n", disks__count=16, disks__packing_fraction=0.05, disks__seed=1,
             shear__strain_rate=1e-3, shear__strain=0.5, integration__time_step=None, measure__every=None,
             output__sample_strain=None)
         self.assertEqual(found["verdict"], "undecided", json.dumps(found))
         for limit in found["limits"].values():
             self.assertEqual(limit["verdict"], "undecided", json.dumps(found))
+        again = self.bagnold("check-limit", out.parent / "scene1.toml", "--out", out)
+        self.assertIn("few_collisions", again.stderr)
+        self.assertRegex(again.stderr, r"`bagnold check-limit \S+scene1.toml --out")
 
     def test_goes_on_where_it_was_stopped(self):
         changes = dict(shear__strain=96.0, output__sample_strain=2.0**-2, output__checkpoint_minutes=0.001)

@@ -157,6 +157,17 @@ class SweepOfCascades(SweepTest):
 
 
 class Ramp(ProtocolTest):
+    def test_disks_that_hardly_meet_are_warned_of(self):
+        """A ramp has no average Z: its windows tell."""
+        ramp = {"disks__count": 16, "disks__elasticity": 0.5, "disks__model": "CD_n", "disks__seed": 1, "shear__protocol": "ramp",
+                "shear__strain_rate": 1e-4, "shear__strain_rate_high": 1e-3, "shear__ramp_rate": 1e-4,
+                "shear__ramp_window": 1000, "shear__strain": 0.2, "shear__discard": None, "integration__time_step": None, "measure__every": None,
+                "output__sample_strain": None}
+        for packing_fraction, few in ((0.05, True), (0.8, False)):
+            out = self.run_new(f"out{packing_fraction}", disks__packing_fraction=packing_fraction, **ramp)
+            names = [one["name"] for one in read_summary(out)["warnings"]]
+            self.assertEqual("few_collisions" in names, few, names)
+
     def expected_rates(self):
         """Mean rates of the windows: P2 Eq. 38 in pieces of tau_e, from the scene alone."""
         leg = int(np.ceil(4 * np.log10(2) / 0.01 / 8)) * 8  # pieces, whole windows

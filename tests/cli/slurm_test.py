@@ -58,6 +58,8 @@ LONG = {"shear__strain": 2.0**20, "output__sample_strain": 2.0**10}
 
 def skip(why):
     print(f"skipped: {why}")
+    if os.environ.get("BAGNOLD_TESTS_SKIP") == "never":  # scripts/check has installed what it needs
+        sys.exit(1)
     sys.exit(77)
 
 

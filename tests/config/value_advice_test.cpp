@@ -32,7 +32,7 @@ TEST(ValueAdvice, SaysHowItIsWritten) {
                                                        {"1 000", "write 1000"},
                                                        {"1/2", "not a formula"},
                                                        {"2^10", "not a formula"},
-                                                       {"50 %", "from 0 to 1"},
+                                                       {"50 %", "write 0.5"},
                                                        {"True", "write true"},
                                                        {"no", "write false"}})
     EXPECT_TRUE(has(value_advice(value), advice)) << value << ": " << value_advice(value);
@@ -74,6 +74,7 @@ TEST(ValueAdvice, StandsInTheMessagesOfScenes) {
   EXPECT_TRUE(has(refusal(minimal_text, {"integration.time_step=0,1"}), "write 0.1"));
   EXPECT_TRUE(has(refusal(minimal_text, {"shear.discard=0,5"}), "write 0.5"));
   EXPECT_TRUE(has(refusal(minimal_text, {"output.plot=False"}), "write false"));
+  EXPECT_FALSE(has(refusal(minimal_text, {"disks.count=True"}), "write true"));
 }
 
 }  // namespace

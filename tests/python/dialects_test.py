@@ -126,12 +126,24 @@ class Cells(Import):
         self.is_box(state, 4, 6, -2)
         self.assertIn("L_x = 4.0; --bounds edges reads them as xlo and xhi, L_x = 6.0: positions of this kind do not tell", str(made))
         near = self.file(text.replace(" 0.6 0.1", " 0.9 0.1"), "x.dump")
-        self.refused("relative overlap 0.4 with L_x = 4, 0 with L_x = 6 .*--bounds edges", near)
+        self.refused("relative overlap 0.4 with L_x = 4, 0.1 with L_x = 6 .*--bounds edges", near)
+        rows = disks([[0.05, 0.1], [0.5, 0.1], [0.05, 0.6], [0.25, 0.6]], RADII)  # beside each other within the box
+        near = self.file(dump(rows, "id type xs ys radius", "0 6 2\n0 6 0\n-0.5 0.5 0", "xy xz yz pp pp pp"), "x.dump")
+        self.refused("relative overlap 0.42.* with L_x = 4, 0.14.* with L_x = 6 .*--bounds edges", near)
         rows = disks([[1, 1], [5.3, 1], [2, 4], [6.2, 4]], RADII)
         text = dump(rows, "id type xu yu radius", "0 6 2\n0 6 0\n-0.5 0.5 0", "xy xz yz pp pp pp")
         self.refused("relative overlap 0.8.* with L_x = 4, 0 with L_x = 6 .*--bounds edges", self.file(text, "x.dump"))
         _, state = self.imported(self.file(text, "x.dump"), bounds="edges")
         self.is_box(state, 6, 6, 2)
+
+    def test_masses_that_differ_within_a_size(self):
+        text = dump([f"{row} {mass}" for row, mass in zip(disks(PLACES, RADII), (0.1, 1.9, 1, 1))], "id type x y radius mass")
+        made, _ = self.imported(self.file(text, "x.dump"))
+        self.assertIn("masses of disks of one size differ by up to 1.8", str(made))
+        self.assertNotIn("mass", made.scene["disks"])
+
+    def test_more_rows_than_atoms(self):
+        self.refused("has 4 of 3 atoms; mend ITEM: NUMBER OF ATOMS", self.file(dump(disks(PLACES, RADII), "id type x y radius", count=3), "x.dump"))
 
     def test_words_behind_the_numbers(self):
         for bounds in ("0 6 xlo xhi\n0 6 ylo yhi\n-0.5 0.5 zlo zhi", "0 6 XLO XHI\n0 6\n-0.5 0.5"):

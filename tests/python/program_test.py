@@ -140,6 +140,21 @@ class Runs(Folder):
         self.assertTrue((out / "checkpoint.h5").exists())
         self.assertFalse(bagnold.load(out).complete)
 
+    def test_sigterm_leaves_a_checkpoint_and_no_program_behind(self):
+        out = self.folder / "long"
+        long = {**SCENE, "shear": {**SCENE["shear"], "strain": 8192.0}}
+        program = f"import sys; sys.path.insert(0, {str(SOURCE / 'python')!r}); import bagnold; bagnold.run({long!r}, {str(out)!r}, progress=False)"
+        with subprocess.Popen([sys.executable, "-c", program], stderr=subprocess.PIPE, text=True) as python:
+            while not (out / "scene.toml").exists() and python.poll() is None:
+                time.sleep(0.01)
+            time.sleep(0.3)
+            python.terminate()
+            _, said = python.communicate(timeout=60)
+        self.assertEqual(python.returncode, 143, said)
+        self.assertNotIn("Traceback", said)
+        self.assertTrue((out / "checkpoint.h5").exists())
+        self.assertEqual(bagnold.status(out).state, "stopped")
+
     def test_warnings_name_no_file_that_is_gone(self):
         """Those of a dictionary speak of the copy in the folder, those of a file of the file; what they tell to type works."""
         short = {**SCENE, "shear": {**SCENE["shear"], "strain": 0.5}}

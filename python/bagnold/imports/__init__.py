@@ -91,6 +91,8 @@ def parse_diameters(text: str) -> dict[str | int, float]:
         kind, equals, value = part.partition("=")
         if not (kind.strip() and equals):
             raise InputError(f"--diameters {text} (must be TYPE=D,TYPE=D, as 1=1.0,2=1.4)")
+        if kind.strip() in out:
+            raise InputError(f"--diameters {text} (has {kind.strip()} twice); leave one out")
         out[kind.strip()] = parse_number("--diameters", value)
         if not out[kind.strip()] > 0:
             raise InputError(f"--diameters {text} (must be above 0)")

@@ -45,6 +45,7 @@ class Configuration:
     mass: Array | None  #: [N]
     velocity: Array | None  #: [N, 2], in the laboratory
     spin: Array | None  #: [N], counter-clockwise
+    scaled: bool = False  #: the file has shares of the cell for positions
     velocity_in_box: bool = False  #: of the image in the box, wherever `position` is
     time: float = 0.0
     strain_rate: float | None = None

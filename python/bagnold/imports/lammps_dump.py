@@ -93,7 +93,8 @@ def _frame(path: pathlib.Path, wishes: Wishes, items: Mapping[str, Item]) -> Con
     count = whole_number(items["NUMBER OF ATOMS"].rows, f"{path}, line {first}, NUMBER OF ATOMS")
     atoms, bounds = items["ATOMS"], items["BOX BOUNDS"]
     if len(atoms.rows) != count or count < 1:
-        raise InputError(f"{path}, line {first}: the frame has {len(atoms.rows)} of {count} atoms; the file is cut short")
+        odd = "the file is cut short" if len(atoms.rows) < count else "mend ITEM: NUMBER OF ATOMS, or the rows"
+        raise InputError(f"{path}, line {first}: the frame has {len(atoms.rows)} of {count} atoms; {odd}")
     columns = _columns(path, atoms)
     ids = whole_ids(columns.words("id"), f"{path}, line {atoms.line}, id")
     where = f"{path}, line {bounds.line}"
@@ -111,7 +112,7 @@ def _frame(path: pathlib.Path, wishes: Wishes, items: Mapping[str, Item]) -> Con
     return Configuration(
         names=[f"atom {one:.0f}" for one in (np.arange(1, count + 1) if ids is None else ids)],
         kind=columns.words("type") or ["1"] * count, position=position, cell=cell, diameter=diameter, mass=mass,
-        velocity=columns.velocity(mass), spin=columns.spin(), velocity_in_box=unwrapped, time=time, strain_rate=rate,
+        scaled=scaled, velocity=columns.velocity(mass), spin=columns.spin(), velocity_in_box=unwrapped, time=time, strain_rate=rate,
         notes=(*cell.notes, *told, *columns.notes())).in_order_of(ids, path)
 
 

@@ -209,7 +209,10 @@ def _refuse_other_box(read: Configuration, unit: float, diameter: Array, deepest
     if other is None or deepest <= LARGEST_OVERLAP:
         return
     box = Box(other.length / unit, other.height / unit, other.tilt / unit)
-    found = _deepest(box, box.wrapped(read.position[:, :2] / unit), diameter)
+    position = read.position[:, :2]
+    if read.scaled:  # shares of the cell are the same in the other one
+        position = position @ np.linalg.inv(read.box.matrix[:2, :2]) @ other.matrix[:2, :2]
+    found = _deepest(box, box.wrapped(position / unit), diameter)
     if found <= LARGEST_OVERLAP:
         raise InputError(f"largest relative overlap {deepest:.3g} with L_x = {read.box.length:g}, {found:.3g} with L_x = {other.length:g} "
                          f"(the bounds of the file may mean both); say {read.cell.remedy} for the second")
@@ -239,6 +242,11 @@ def _scene(out: pathlib.Path, box: Box, deepest: float, diameter: Array, mass: A
 def _masses(diameter: Array, mass: Array, notes: list[str]) -> str:
     """The value of disks.mass, "" where it has none."""
     means = [float(mass[diameter == one].mean()) for one in (SMALL, BIG)]
+    spread = max(float(np.ptp(mass[diameter == one])) / mean for one, mean in zip((SMALL, BIG), means))
+    if spread > 1e-3:
+        notes.append(f"masses of disks of one size differ by up to {spread:.3g} of their mean: here they are equal; disks.mass is "
+                     "\"equal\" or \"area\", choose one")
+        return ""
     ratio = means[1] / means[0] if means[0] > 0 else np.nan
     for name, expected in (("equal", 1.0), ("area", (BIG / SMALL)**2)):
         if abs(ratio / expected - 1) < 1e-3:

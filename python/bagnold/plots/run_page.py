@@ -13,6 +13,7 @@ import numpy as np
 from .labels import (add_heading, log_ticks, plain_ticks, power_of_ten, scale_of,
                      scene_line, short_power, with_unit)
 from .style import BLUE, COLOURS, DASHED, DOTTED, GREEN, GREY, ORANGE, SKY, VERMILION, plt
+from ..errors import InputError
 from ..hdf5 import open_hdf5
 
 from matplotlib.collections import EllipseCollection, LineCollection
@@ -39,7 +40,9 @@ class Run:
             self.discarded = int(group.attrs.get("discarded_windows", 0))
             self.about = {k: plain(v) for k, v in file.attrs.items()}
         shapes = {values.shape for values in self.each.values()}
-        if len(shapes) != 1 or any(values.size == 0 for values in self.each.values()):
+        if any(values.size == 0 for values in self.each.values()):
+            raise InputError(f"{path}: no measurement window is finished yet; draw it later")
+        if len(shapes) != 1:
             raise ValueError("/series is empty or its datasets differ in length")
         self.replicas, windows = shapes.pop()
         self.series = {k: mean_of_rows(values) for k, values in self.each.items()}
