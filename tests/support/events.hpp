@@ -91,6 +91,33 @@ inline double gap(State const& s, std::uint32_t i, std::uint32_t j) {
   return std::hypot(dx, dy - n * s.box_height()) - (s.diameter[i] + s.diameter[j]) / 2;
 }
 
+/// Kinetic energy of what leaves the mean flow, and elastic energy of contacts.
+inline double stored_energy(Scene const& scene, State const& state) {
+  double sum = 0;
+  for (std::size_t i = 0; i < state.count(); ++i) {
+    double const u = state.velocity[i][0] - slow * state.position[i][1], v = state.velocity[i][1];
+    sum += disk_mass(true, state.diameter[i]) * (u * u + v * v) / 2;
+    if (scene.rotates())
+      sum += disk_inertia(true, state.diameter[i]) * state.spin[i] * state.spin[i] / 2;
+  }
+  for (auto const& [pair, overlap] : overlaps(scene, state)) {
+    double const d = (state.diameter[pair.first] + state.diameter[pair.second]) / 2;
+    sum += overlap * overlap / (2 * d * d);
+  }
+  return sum;
+}
+
+/// Work less what is dissipated and stored, over what is dissipated. sums: between the two states.
+inline double energy_gap(Scene const& scene, State const& before, std::vector<double> const& sums,
+                         State const& after) {
+  using C = SumColumns;
+  double const dt = time_step(scene);
+  double const work =
+      -slow * (sums[C::elastic_xy] + sums[C::dissipative_xy] + sums[C::kinetic_xy]) * dt;
+  double const lost = sums[C::dissipation] * dt;
+  return (work - lost - (stored_energy(scene, after) - stored_energy(scene, before))) / lost;
+}
+
 inline std::vector<std::pair<std::uint32_t, std::uint32_t>> touching(Simulation const& simulation,
                                                                      bool rotates) {
   return rotates ? dynamic_cast<EventEngine<true> const&>(simulation).touching()
