@@ -10,13 +10,13 @@
 
 namespace bagnold {
 
-/// Lists taken from the outer one, each from the one before: pairs whose gap can close before the
-/// next pruning, and of those the ones that touch now.
+/// Near lists, each a part of the list before it, the first of the outer list: pairs whose gap can
+/// close before the next pruning, and pairs that touch now.
 enum NearList : int { inner_list, contact_list, near_lists };
 
 enum HalfOfStep : int { first_half_of_step, second_half_of_step, halves_of_step };
 
-/// Pairs that the lists of all blocks may hold: places in them are 32-bit numbers.
+/// Largest number of pairs in the lists of all blocks: places in lists are 32-bit numbers.
 inline constexpr std::uint64_t most_pairs = std::uint64_t{1} << 32;
 
 /// A compact patch of disks and all that they may touch, as a stretch of slots:
@@ -57,7 +57,7 @@ struct Blocks {
   Array<std::uint32_t>
       next[halves_of_step];  ///< [count] the block that goes through that half after each; or empty
 
-  /// Whether a step goes through more than stays in cache from one half to the next.
+  /// True if a step reads more than stays in cache from one half to the next.
   bool beyond_cache() const { return slots > 100'000; }
 
   /// The block that owns a slot.
@@ -70,7 +70,7 @@ struct Blocks {
     return low;
   }
 
-  /// Room that nothing has touched yet.
+  /// Allocates memory without touching it.
   template <class T>
   static Array<T> room(std::string const& label, std::size_t size) {
     Array<T> array(Kokkos::view_alloc(Kokkos::WithoutInitializing, label), size);
@@ -78,7 +78,7 @@ struct Blocks {
     return array;
   }
 
-  /// Room for a near list beside the outer one.
+  /// Allocates a near list of the size of the outer one.
   void make_room(NearList list, char const* label) {
     if (near[list].extent(0) >= outer.extent(0)) return;
     near[list] = {};

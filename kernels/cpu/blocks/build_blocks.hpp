@@ -12,7 +12,7 @@ namespace bagnold {
 
 namespace detail {
 
-/// Disk indices along the curve; disks of one cell in the order of their index.
+/// Disk indices in the order of the curve; disks of one cell in the order of their index.
 template <class Space>
 std::vector<std::uint32_t> disks_along_curve(CellGrid<Space> const& grid) {
   std::vector<std::uint32_t> order;
@@ -22,15 +22,15 @@ std::vector<std::uint32_t> disks_along_curve(CellGrid<Space> const& grid) {
   return order;
 }
 
-/// The pairs of a block as they are found.
+/// Pairs of a block in the order in which they are found.
 struct FoundPairs {
   std::vector<Neighbor> partner;
   std::vector<std::uint32_t> end;  ///< of each own disk's, in `partner`
 };
 
-/// Reorders pairs so that those of one disk lie a pack apart: each pack then adds to other disks
-/// than the one before, and need not wait for its stores. Within stretches that stay in the first
-/// cache.
+/// Reorders pairs so that pairs of one disk lie a pack apart. Consecutive packs then add forces to
+/// different disks and need not wait for each other's stores. Works within stretches that stay in
+/// the first-level cache.
 inline void interleave(simd::LocalPair* pairs, std::uint32_t count) {
   constexpr std::uint32_t width = simd::list_width, stretch = 8 * width;
   simd::LocalPair moved[stretch];
@@ -57,7 +57,7 @@ Blocks build_blocks(Space const& space, Kokkos::View<Vec2<Real>*, Space> const& 
   Real const reach = big_diameter + skin;
   auto const order = detail::disks_along_curve(make_cell_grid(space, position, box, reach));
 
-  // Everything below is by rank along the curve.
+  // All arrays below are ordered by rank along the curve.
   Kokkos::View<Vec2<Real>*, Space> place("blocks::place", count);
   Kokkos::View<Species*, Space> kind("blocks::kind", count);
   for (std::uint32_t rank = 0; rank < count; ++rank) {
@@ -75,7 +75,7 @@ Blocks build_blocks(Space const& space, Kokkos::View<Vec2<Real>*, Space> const& 
     return n.index() - b * size < size && n.image().m == 0 && n.image().n == 0;
   };
 
-  // Pairs, one disk's after another's, halos and pair counts of each block.
+  // Pairs ordered by disk; then halos and pair counts of each block.
   std::vector<detail::FoundPairs> found(blocks.count);
   std::vector<std::vector<std::uint32_t>> keys(blocks.count);
   side_by_side::parallel_for("blocks::count", Policy(space, 0, blocks.count), [&](std::int64_t b) {

@@ -9,8 +9,8 @@
 
 namespace bagnold {
 
-/// Asks for large pages where memory not touched yet holds some: a disk-step of 10^6 disks waits
-/// for page tables else. A wish; without it everything works the same.
+/// Asks the system for large pages for memory that is not touched yet. Without them a step of 10^6
+/// disks waits for page tables. The request may be refused: only speed depends on it.
 inline void ask_for_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
   constexpr std::uintptr_t page = std::uintptr_t{2} << 20;

@@ -5,11 +5,11 @@
 
 namespace bagnold {
 
-/// Fills a near list of a block with those pairs of the list before it that are closer than
-/// d_ij + margin, in their order: so forces are summed in the order of the outer list, whenever it
-/// was pruned.
+/// Fills a near list of a block with the pairs of the list before it that are closer than d_ij +
+/// margin. Their order is kept, so forces are summed in the order of the outer list whenever the
+/// list is pruned.
 ///
-/// records: the block's, halo included.
+/// records: of the block, halo included.
 inline void prune_block(Blocks const& blocks, Block& block, NearList list,
                         simd::Record const* records, Real margin) {
   bool const first = list == inner_list;

@@ -8,8 +8,8 @@
 
 namespace bagnold {
 
-/// Where on the Hilbert curve through a 2^level x 2^level grid the cell (x, y) lies, so that cells
-/// near on the curve are near in the plane.
+/// Index of the cell (x, y) on the Hilbert curve through a 2^level x 2^level grid. Cells with near
+/// indices are near in the plane.
 inline std::uint64_t hilbert_index(int level, std::uint32_t x, std::uint32_t y) {
   std::uint64_t index = 0;
   for (std::uint32_t half = level == 0 ? 0 : 1u << (level - 1); half > 0; half /= 2) {
@@ -27,7 +27,7 @@ inline std::uint64_t hilbert_index(int level, std::uint32_t x, std::uint32_t y) 
   return index;
 }
 
-/// The cells of a grid, row by row numbered, in the order of the Hilbert curve.
+/// Cells of a grid, numbered row by row, in the order of the Hilbert curve.
 inline std::vector<std::uint32_t> cells_along_curve(int columns, int rows) {
   int level = 0;
   while ((1 << level) < std::max(columns, rows)) ++level;

@@ -9,15 +9,15 @@
 
 namespace bagnold {
 
-/// An order in which blocks go through both halves of a step on one way through memory.
+/// Order in which blocks go through both halves of a step in one pass through memory.
 ///
 /// The second half of a block needs the first half of every block that its halo copies, and of no
-/// other. So blocks are taken across the box from one side to the other, some at a time: these
-/// through the first half, then through the second half those that wait for no one any more, about
-/// a row of blocks behind and still in cache.
+/// other. Blocks are therefore taken across the box from one side to the other, in groups. A group
+/// goes through the first half; then the blocks that no longer wait for others go through the
+/// second half. These are about a row of blocks behind and still in cache.
 class Wavefront {
  public:
-  /// Ends in the orders of the two halves.
+  /// Ends of a stage in the orders of the two halves.
   struct Stage {
     std::uint32_t first_half, second_half;
   };
@@ -28,7 +28,7 @@ class Wavefront {
 
   Wavefront() = default;
 
-  /// place: [slots], where disks are; `at_once`: blocks in a stage.
+  /// place: [slots], positions of disks; `at_once`: blocks in a stage.
   Wavefront(Blocks const& blocks, Blocks::Array<Vec2<Real>> const& place, std::uint32_t at_once)
       : first_half(across(blocks, place)) {
     auto const last = awaited(blocks);
@@ -46,7 +46,7 @@ class Wavefront {
   }
 
  private:
-  /// The blocks by the mean height of their disks.
+  /// Blocks by the mean height of their disks.
   static std::vector<std::uint32_t> across(Blocks const& blocks,
                                            Blocks::Array<Vec2<Real>> const& place) {
     std::vector<Real> height(blocks.count);
@@ -62,7 +62,7 @@ class Wavefront {
     return order;
   }
 
-  /// The last in the order of the first half that a block waits for, by block.
+  /// Last block, in the order of the first half, that each block waits for.
   std::vector<std::uint32_t> awaited(Blocks const& blocks) const {
     std::vector<std::uint32_t> rank(blocks.count), first_slot(blocks.count);
     for (std::uint32_t k = 0; k < blocks.count; ++k) rank[first_half[k]] = k;

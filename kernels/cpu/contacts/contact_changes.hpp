@@ -7,11 +7,11 @@
 
 namespace bagnold {
 
-/// Calls pack(class, pairs, touched, touching, d) for each pack of pairs of a block's inner list:
-/// which were in contact by `touched`, and which are, by the comparison that forces make. d: r_ij
-/// and v_ij.
+/// Calls pack(class, pairs, touched, touching, d) for each pack of pairs of a block's inner list.
+/// touched: lanes in contact before, from `touched`; touching: lanes in contact now, by the
+/// comparison that the forces use; d: r_ij and v_ij.
 ///
-/// records: the block's, halo included; touched: a byte for each pack of the inner list.
+/// records: of the block, halo included; touched: a byte for each pack of the inner list.
 template <class OfPack>
 void for_contacts(Blocks const& blocks, Block const& block, simd::Record const* records,
                   std::uint8_t* touched, OfPack const& of_pack) {
@@ -27,8 +27,8 @@ void for_contacts(Blocks const& blocks, Block const& block, simd::Record const* 
   }
 }
 
-/// Calls changed(pair, begins, r_ij, v_ij) for pairs whose contact has begun or ended, and brings
-/// `touched` up to date.
+/// Calls changed(pair, begins, r_ij, v_ij) for pairs whose contact has begun or ended, and updates
+/// `touched`.
 template <class Changed>
 void contact_changes(Blocks const& blocks, Block const& block, simd::Record const* records,
                      std::uint8_t* touched, Changed const& changed) {
@@ -44,7 +44,7 @@ void contact_changes(Blocks const& blocks, Block const& block, simd::Record cons
                });
 }
 
-/// Sums over pairs in contact one after the other, in the order of the list, as PackSums has it: a
+/// Sums over pairs in contact, one after the other in the order of the list, as PackSums does: a
 /// pair across the edge of a block counts half. spin(class, pair): see contact_velocities();
 /// see(pair, r_ij, v_ij, spin) is called for each.
 template <class Spin, class See>
@@ -66,7 +66,7 @@ ContactMotion contact_motion(Blocks const& blocks, Block const& block, simd::Rec
   return sums;
 }
 
-/// Sets `touched` to what is_open(pair) says.
+/// Sets `touched` to is_open(pair).
 template <class IsOpen>
 void fill_touched(Blocks const& blocks, Block const& block, std::uint8_t* touched,
                   IsOpen const& is_open) {

@@ -10,8 +10,8 @@
 
 namespace bagnold {
 
-/// A contact begins or ends: r_ij < d_ij in one of two configurations a step apart and not in the
-/// other.
+/// Beginning or end of a contact: r_ij < d_ij in one of two configurations a step apart and not in
+/// the other.
 struct ContactEvent {
   std::int64_t step =
       0;  ///< of the later configuration: the first in contact, or the first out of it
@@ -19,7 +19,8 @@ struct ContactEvent {
   std::uint32_t a = 0, b = 0;  ///< disks by their index at the start, a < b
   Real theta = 0;              ///< from the relative velocity to the separation there, [degrees]
 
-  /// Of one configuration ends come first: what begins then is not in contact with them.
+  /// Order of events. In one configuration ends come before beginnings: a contact that begins there
+  /// does not overlap in time with one that ends there.
   friend bool operator<(ContactEvent const& l, ContactEvent const& r) {
     return std::tie(l.step, l.begins, l.a, l.b) < std::tie(r.step, r.begins, r.a, r.b);
   }

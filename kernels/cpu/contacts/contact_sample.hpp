@@ -9,22 +9,22 @@
 
 namespace bagnold {
 
-/// A contact is sampled in one configuration.
+/// Sample of a contact in one configuration.
 struct ContactSample {
   std::int64_t step = 0;
   std::uint32_t a = 0, b = 0;  ///< disks by their index at the start, a < b
   ContactVelocities velocities;
 };
 
-/// A contact in one evaluated configuration, and its rank among all of them.
+/// Contact in one evaluated configuration, with its rank among all of them.
 struct ContactPick {
   Real rank = 0;
   ContactVelocities velocities;
 };
 
-/// Picks contacts of evaluated configurations.
+/// Collects picked contacts of evaluated configurations.
 struct ContactPicker : PickChoice {
-  /// Adds the contact, whose velocities are asked for only then. Disks in any order.
+  /// Adds the contact if it is picked; `velocities` is called only then. Disks in any order.
   template <class Velocities>
   void operator()(std::vector<ContactPick>& picks_of, std::int64_t step, std::uint32_t a,
                   std::uint32_t b, Velocities const& velocities) const {

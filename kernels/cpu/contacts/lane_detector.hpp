@@ -9,7 +9,8 @@
 
 namespace bagnold {
 
-/// Sees the contacts of a pack of pairs begin and end, one pair a lane, each at its own time.
+/// Detects beginnings and ends of contacts in a pack of pairs, one pair a lane, each at its own
+/// time.
 struct LaneDetector {
   struct Lane {
     std::uint32_t a = 0, b = 0;  ///< disks by their index at the start
@@ -28,7 +29,7 @@ struct LaneDetector {
   unsigned touched = 0;    ///< lanes in contact
   Lane lane[simd::width];
 
-  /// Configurations of the active lanes; step: of each lane, from `begin`.
+  /// Evaluates the configurations of the active lanes. step: of each lane, counted from `begin`.
   /// spin: of disks a, and of disks b.
   void detect(simd::Mask active, simd::Mask touching, simd::Pack step,
               Vec2<simd::Pack> const& separation, Vec2<simd::Pack> const& velocity,
@@ -54,7 +55,7 @@ struct LaneDetector {
     }
   }
 
-  /// One lane's configuration is evaluated, `step` steps after `begin`. spin: as in detect().
+  /// Evaluates one lane's configuration, `step` steps after `begin`. spin: as in detect().
   void sample(int k, std::size_t bin, std::int64_t step, Vec2<simd::Pack> const& separation,
               Vec2<simd::Pack> const& velocity, Vec2<simd::Pack> const& spin) const {
     if ((touched >> k & 1) == 0) return;

@@ -6,18 +6,19 @@
 
 namespace bagnold {
 
-/// Islands put together to blocks without halo, on which the block step runs through a whole
-/// lookahead in cache. Which island is in which batch depends on the islands alone.
+/// Islands joined into blocks without halo, on which the block step runs through a whole lookahead
+/// in cache. The batch of an island depends on the islands alone.
 struct Batches {
   static constexpr std::uint32_t size = 128;  ///< disks from which on a batch is full
 
   BlockSystem system;
   Blocks::Array<simd::Record> origin;  ///< at the start of the lookahead
-  /// By slot, largest squared distance from the straight flight since, [d_s^2].
+  /// By slot, largest squared distance from the straight flight so far, [d_s^2].
   Blocks::Array<Real> flight_deviation2;
   std::vector<std::uint32_t> slot_of;  ///< by place in Islands::disks
 
-  /// Takes islands and their disks' motion from `all`; false if one is too large for a batch.
+  /// Takes islands and the motion of their disks from `all`. Returns false if an island is too
+  /// large for a batch.
   bool fill(Islands const& islands, BlockSystem const& all, bool lists_contacts,
             ShearedBox const& box) {
     system.table = all.table;
@@ -31,7 +32,7 @@ struct Batches {
   struct Stretch {
     std::uint32_t first_island, end_island;
   };
-  /// The islands of a batch.
+  /// Islands of a batch.
   Stretch stretch(std::uint32_t b) const { return stretches_[b]; }
 
  private:

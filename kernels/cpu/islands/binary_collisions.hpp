@@ -14,9 +14,9 @@
 
 namespace bagnold {
 
-/// Islands of two disks, a pack at a time, one a lane, each at its own time: a pair flies to just
-/// before its contact in one go, is stepped while it touches, and flies on. So a collision costs
-/// the same whatever the time between collisions.
+/// Steps islands of two disks, a pack at a time, one island a lane, each at its own time. A pair
+/// flies to just before its contact at once, is stepped while it touches, and flies on. The cost of
+/// a collision is therefore independent of the time between collisions.
 template <ContactLaw Law, class Repulsion, class Scheme>
 struct BinaryCollisions {
   static constexpr bool rotates = Law::rotates;
@@ -34,9 +34,9 @@ struct BinaryCollisions {
   Real strain_rate;                           ///< where the lookahead begins
   SecondStage const* second_stage = nullptr;  ///< of a scheme that has one
 
-  /// Brings pairs (a[k], b[k]), k < count <= width, through `steps` steps. What they add to the
-  /// sampled sums, beyond what their straight flights would, is added to sums[k * times.bins() +
-  /// bin]. detector sees every step near a contact.
+  /// Steps pairs (a[k], b[k]), k < count <= width, through `steps` steps. Adds to sums[k *
+  /// times.bins() + bin] the sampled sums of pair k less those of its straight flights. detector
+  /// sees every step near a contact.
   template <class Detector>
   BinaryOutcome run(Disk* a, Disk* b, int count, std::int64_t steps, FlightTimes const& flights,
                     SampleTimes const& times, BlockSums* sums, Detector&& detector) const {
@@ -139,7 +139,7 @@ struct BinaryCollisions {
     }
   };
 
-  /// What a pair exerts, zero where it does not touch.
+  /// Forces of a pair, zero where it does not touch.
   struct PairContact {
     simd::Mask touching;
     Vec2<Pack> total;          ///< elastic and dissipative, on a from b
@@ -147,18 +147,18 @@ struct BinaryCollisions {
     PairForce<Pack> force;
   };
 
-  /// The first disk of each pair against the second one.
+  /// Motion of the first disk of each pair relative to the second.
   struct Relative {
     Vec2<Pack> separation, velocity;
   };
 
-  /// How far the pairs get from where straight flights would have them. The centre of mass stays
-  /// on its own, so each disk deviates by its share.
+  /// Largest deviation of pairs from their straight flights. The centre of mass flies straight, so
+  /// the deviation of a disk is its share of that of the separation.
   class PairDeviation {
    public:
     explicit PairDeviation(Relative const& start) : start_(start) {}
 
-    /// scale: of velocities, over what they were at the start for the rate.
+    /// scale: growth of velocities since the start, with the strain rate.
     void keep(Relative const& now, Pack time, Pack scale, Real time_step) {
       auto const& [r, v] = now;
       auto const& [r0, v0] = start_;
@@ -168,7 +168,7 @@ struct BinaryCollisions {
       largest2_ = max(largest2_, max(fma(dx, dx, dy * dy), fma(ex, ex, ey * ey)));
     }
 
-    /// The largest of the disk that has this inverse mass, squared, [d_s^2].
+    /// Largest squared deviation of the disk with this inverse mass, [d_s^2].
     Pack of_disk(Pack inverse_mass, Pack of_other) const {
       Pack const share = inverse_mass / (inverse_mass + of_other);
       return share * share * largest2_;
@@ -179,7 +179,7 @@ struct BinaryCollisions {
     Pack largest2_ = 0.0;
   };
 
-  /// One disk of each pair: what a step changes.
+  /// Motion of one disk of each pair, which a step changes.
   struct Motion {
     Pack x, y, vx, vy, spin;
 
@@ -188,7 +188,8 @@ struct BinaryCollisions {
     void set(Vec2<Pack> const& r, Vec2<Pack> const& v) { x = r.x, y = r.y, vx = v.x, vy = v.y; }
   };
 
-  /// And what it needs to know besides.
+  /// Motion of one disk of each pair with its constants and its motion at the start of the
+  /// lookahead.
   struct Lanes : Motion {
     using Motion::position, Motion::velocity, Motion::set;
     using Motion::x, Motion::y, Motion::vx, Motion::vy, Motion::spin;
@@ -250,8 +251,8 @@ struct BinaryCollisions {
       }
     }
 
-    /// What lane k adds at the times of `powers` on a flight that is at (y, v) at `time`, v as at
-    /// the rate of the start, less what it would have on the straight flight from there.
+    /// Adds the sums of lane k at the times of `powers` on a flight that is at (y, v) at `time`,
+    /// less those of its straight flight from the start. v is scaled to the rate of the start.
     void add_flight(BlockSums& sums, int k, Real time, SampleTimes::Powers const& powers,
                     Real strain_rate) const {
       SumsAtTimes const ended{sums, powers, 1}, straight{sums, powers, -1};
@@ -260,8 +261,8 @@ struct BinaryCollisions {
       add(straight, k, flight_x(vx0.v[k], y0.v[k], vy0.v[k], strain_rate), vy0.v[k], spin0.v[k]);
     }
 
-    /// Likewise at `time` alone, where the disk is at (y, v), v and the rate having grown to
-    /// `scale`.
+    /// Adds the sums of lane k at `time` alone, less those of its straight flight. The disk is at
+    /// (y, v), where v and the rate have grown to `scale`.
     void add_now(BlockSums& sums, int k, Real time, Real scale, Real strain_rate) const {
       SampleTimes::Powers const once{1, 0, 0, 1, 1};
       SumsAtTimes const now{sums, once, 1}, straight{sums, once, -1};
@@ -271,7 +272,7 @@ struct BinaryCollisions {
           scale * spin0.v[k]);
     }
 
-    /// ux: v_x - gammadot y, a number or in time.
+    /// ux: v_x - gammadot y, as a number or as a polynomial in time.
     template <class X>
     BAGNOLD_INLINE void add(SumsAtTimes const& to, int k, X const& ux, Real v, Real turning) const {
       add_motion(to, 1 / inverse_mass.v[k], ux, v);
@@ -279,7 +280,7 @@ struct BinaryCollisions {
     }
   };
 
-  /// Half a step before a sample.
+  /// Step of a sample less a half, against rounding; 1e300 after the last sample. [steps]
   static Real due_after(SampleTimes const& times, std::size_t sample) {
     return sample < times.size() ? static_cast<Real>(times.step(sample)) - 0.5 : 1e300;
   }
@@ -296,7 +297,7 @@ struct BinaryCollisions {
     return scale;
   }
 
-  /// Velocities and spins to another strain rate.
+  /// Scales velocities and spins to another strain rate.
   static void grow(Lanes& p, Lanes& q, Pack& scale, Pack const& to) {
     Pack const factor = to / scale;
     p.grow(factor);
@@ -312,7 +313,7 @@ struct BinaryCollisions {
     return fma(pq.separation.x, pq.velocity.x, pq.separation.y * pq.velocity.y) < Pack(0.0);
   }
 
-  /// The step before the one in which straight flights first touch; the end if they do not.
+  /// Step before the one in which straight flights first touch; `end` if they do not.
   Pack first_step(Lanes const& p, Lanes const& q, PairConstants const& pair, Pack end,
                   FlightTimes const& flights) const {
     Pack const x = p.x - q.x, y = p.y - q.y, vx = p.vx - q.vx, vy = p.vy - q.vy;
@@ -354,7 +355,7 @@ struct BinaryCollisions {
     return f;
   }
 
-  /// A step of the active lanes. Returns what was evaluated last on the way.
+  /// Steps the active lanes. Returns the forces evaluated last.
   PairContact take_step(Lanes& p, Lanes& q, PairContact const& f, Pack dt,
                         PairConstants const& pair) const {
     if constexpr (two_stage) {
@@ -370,7 +371,7 @@ struct BinaryCollisions {
     }
   }
 
-  /// Adds the damping of what f changes in a step.
+  /// Adds the damping of the changes that f makes in a step.
   void add_second_stage(PairContact& f, Lanes const& p, Lanes const& q, Pack dt,
                         PairConstants const& pair) const {
     auto const& separation = f.force.separation;
@@ -399,7 +400,7 @@ struct BinaryCollisions {
           simd::zero_unless(f.touching, f.force.torque_per_diameter(pair.inverse_distance));
   }
 
-  /// One evaluated configuration of one pair, less that of its straight flights.
+  /// Adds one evaluated configuration of one pair, less that of its straight flights.
   void add_sample(BlockSums& sums, PairContact const& f, Lanes const& p, Lanes const& q,
                   PairConstants const& pair, int k, Real time, Real scale) const {
     if (f.touching.lanes() >> k & 1) {

@@ -8,7 +8,7 @@
 
 namespace bagnold {
 
-/// One of two disks that meet each other and no one else, before and after.
+/// A disk of a pair that meets no other disk, before and after.
 struct BinaryDisk {
   simd::Record record;
   Real spin;
@@ -16,7 +16,7 @@ struct BinaryDisk {
   Real flight_deviation2;  ///< out: largest squared distance from its straight flight, [d_s^2]
 };
 
-/// What became of pairs of them.
+/// Outcome for a pack of pairs.
 struct BinaryOutcome {
   std::int64_t touching = 0;  ///< pairs, summed over steps
   std::int64_t steps = 0;     ///< of a pair

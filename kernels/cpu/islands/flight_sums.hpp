@@ -8,7 +8,7 @@
 
 namespace bagnold {
 
-/// Sums of one configuration; those of spins zero without them.
+/// Sums of one configuration; sums of spins are zero for laws without them.
 using BlockSums = Sums<true>;
 
 /// u_x = v_x - gammadot y of a disk in free flight from y at t = 0.
@@ -18,13 +18,14 @@ BAGNOLD_INLINE Linear<T> flight_x(T const& velocity_x, T const& y, T const& velo
   return {{peculiar_x(velocity_x, y, strain_rate), T(-strain_rate) * velocity_y}};
 }
 
-/// What constants in time of a column are summed with.
+/// Sum over the sample times that multiplies a constant in a column: sum of q for the linear column
+/// `spin`, the number of samples otherwise.
 BAGNOLD_INLINE Real const& constant_power(SampleTimes::Powers const& powers, int column) {
   return column == SumColumns::spin ? powers.linear : powers.n;
 }
 
-/// Columns to which polynomials in time are added by their sums over the times of `powers`,
-/// `weight` times each.
+/// Adds polynomials in time to columns: each by its sum over the times of `powers`, multiplied by
+/// `weight`.
 struct SumsAtTimes {
   BlockSums& sums;
   SampleTimes::Powers const& powers;
@@ -57,7 +58,7 @@ struct FlightSums {
     return *this;
   }
 
-  /// Adds them at the times of `powers`, `weight` times.
+  /// Adds the sums over the times of `powers`, multiplied by `weight`.
   void add_to(BlockSums& sums, SampleTimes::Powers const& powers, Real weight = 1) const {
     for (int c = pair_columns; c < SumColumns::count_rotating; ++c)
       sums.value[c] += weight * column[c].over(constant_power(powers, c), powers.t1, powers.t2);

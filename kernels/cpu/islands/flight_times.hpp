@@ -10,15 +10,15 @@
 
 namespace bagnold {
 
-/// How far disks fly within a lookahead whose strain rate may change between steps.
+/// Flight of disks within a lookahead whose strain rate may change between steps.
 ///
-/// Velocities and spins scale with the rate (P2 Eqs. 40-41), and so does the flow: a disk that
-/// touches nothing stays on a straight line,
+/// Velocities and spins scale with the rate (P2 Eqs. 40-41), as does the flow. A disk that touches
+/// nothing stays on a straight line,
 ///
 ///     r(s) = r(0) + v(0) t(s),   v(s) = q(s) v(0),
 ///     t(s) = dt sum_(s' < s) q(s'),   q(s) = gammadot(s)/gammadot(0),
 ///
-/// s: steps from the start of the lookahead. At one rate q = 1 and t = s dt.
+/// s: steps from the start of the lookahead. At a constant rate q = 1 and t = s dt.
 class FlightTimes {
  public:
   void clear(Real time_step) {
@@ -27,7 +27,8 @@ class FlightTimes {
     time_.assign(1, 0);
   }
 
-  /// The rates of lookaheads that are not at one: of step 0, 1, .. and of that after the last one.
+  /// Adds the rate of the next step, for lookaheads with more than one rate: of step 0, 1, .. and
+  /// of the step after the last.
   void add(Real scale) {
     if (!scale_.empty()) time_.push_back(time_.back() + scale_.back() * time_step_);
     scale_.push_back(scale);
@@ -43,7 +44,7 @@ class FlightTimes {
     return at_one_rate() ? static_cast<Real>(step) * time_step_ : time_[index(step)];
   }
 
-  /// How q grows, and what t it takes at the rate of `from`, from a step to a later one.
+  /// Growth of q from a step to a later one; and the time t between them at the rate of `from`.
   Real scale(std::int64_t from, std::int64_t to) const {
     return at_one_rate() ? 1 : scale_[index(to)] / scale_[index(from)];
   }
@@ -52,14 +53,14 @@ class FlightTimes {
                          : (time_[index(to)] - time_[index(from)]) / scale_[index(from)];
   }
 
-  /// Longer than `steps` steps take from one on, at its rate.
+  /// Upper bound of the time of `steps` steps from a step on, at its rate.
   Real longer_than(std::int64_t from, std::int64_t steps) const {
     return at_one_rate() ? time_step_ * static_cast<Real>(steps + 1)
                          : time(from, from + steps) + time_step_;
   }
 
-  /// Steps that begin up to `time` after `from`, at its rate, not counting it; beyond the lookahead
-  /// one more than it has.
+  /// Number of steps that begin up to `time` after `from`, at its rate, without `from` itself.
+  /// Beyond the lookahead it is one more than the lookahead has.
   Real steps_until(std::int64_t from, Real time) const {
     if (at_one_rate()) return std::floor(time / time_step_);
     Real const until = time_[index(from)] + time * scale_[index(from)];

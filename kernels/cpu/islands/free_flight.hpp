@@ -6,8 +6,8 @@
 
 namespace bagnold {
 
-/// Largest |w|^2 that a block's disks reach if all fly straight for `duration`; w is linear in
-/// time, so it is largest at an end. strain: since the build, at the end of the flight.
+/// Largest |w|^2 of a block's disks after straight flight for `duration`. w is linear in time, so
+/// it is largest at one end of the flight. strain: since the build, at the end of the flight.
 inline Real farthest2_after(Block const& block, simd::Record const* records,
                             Vec2<Real> const* at_build, Real duration, Real strain) {
   using simd::Pack;
@@ -22,7 +22,7 @@ inline Real farthest2_after(Block const& block, simd::Record const* records,
   return simd::largest(largest);
 }
 
-/// All of a block's own disks fly straight.
+/// Moves all own disks of a block on straight lines.
 inline void fly(Block const& block, simd::Record* records, Real duration) {
   for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
     auto r = simd::load_records(records + i);
@@ -32,8 +32,8 @@ inline void fly(Block const& block, simd::Record* records, Real duration) {
   }
 }
 
-/// The time that a block's disks can fly straight before a pair of its inner list touches, [tau_e];
-/// at most `most`.
+/// Time for which a block's disks can fly straight before a pair of its inner list touches,
+/// [tau_e]; at most `most`.
 inline Real free_time(Blocks const& blocks, Block const& block, simd::Record const* records,
                       Real most) {
   using simd::Pack;
@@ -55,8 +55,8 @@ inline Real free_time(Blocks const& blocks, Block const& block, simd::Record con
   return -simd::largest(-first);
 }
 
-/// Sums of those of a block's own disks for which free(slot) holds, a pack at a time. Inert disks
-/// add zero.
+/// Sums of the own disks of a block for which free(slot) holds, a pack at a time. Inert disks add
+/// zero.
 template <class Free>
 FlightSums flight_sums(BlockSystem const& system, Block const& block, Real strain_rate,
                        Free const& free) {

@@ -5,8 +5,8 @@
 
 namespace bagnold {
 
-/// Disks that may meet each other for the length of a lookahead and no one else: what happens in
-/// one island does not concern another.
+/// Islands: sets of disks that may meet each other during a lookahead and no other disks. Islands
+/// are independent of each other.
 ///
 /// Each island is unfolded: its disks are taken at the images `image` at which they lie side by
 /// side, so that its pairs have no image.
@@ -28,12 +28,12 @@ struct Islands {
   std::size_t count() const { return first_disk.size() - 1; }
 };
 
-/// Finds islands by breadth-first search. Scratch is kept from call to call.
+/// Finds islands by breadth-first search. Scratch memory is kept from call to call.
 class IslandFinder {
  public:
   static constexpr std::uint32_t none = ~std::uint32_t{0};
 
-  /// slots: of all blocks.
+  /// slots: number in all blocks.
   void resize(std::uint32_t slots) {
     node_of_.assign(slots, none);
     slots_.clear();

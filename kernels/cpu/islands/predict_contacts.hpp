@@ -8,23 +8,23 @@
 
 namespace bagnold {
 
-/// A pair of disks by slot, and the image of the second one that the first may meet.
+/// A pair of disks by slot, with the image of the second one that the first may meet.
 struct SlotPair {
   std::uint32_t a;
   Neighbor b;
 };
 
-/// The pair that a local pair of a block stands for.
+/// Pair of slots of a local pair of a block.
 inline SlotPair slot_pair(Blocks const& blocks, Block const& block, simd::LocalPair const& pair) {
   auto const own = std::min(pair.a(), pair.b()), other = std::max(pair.a(), pair.b());
   if (other < block.padded) return {block.first + own, Neighbor::make(block.first + other, {})};
   return {block.first + own, blocks.halo(block.halo_first + other - block.padded)};
 }
 
-/// A pair across the edge of a block is listed by both of its disks; this picks one of the two.
+/// True for one of the two listings of a pair across the edge of a block, which both blocks list.
 inline bool is_first_listing(SlotPair const& pair) { return pair.a < pair.b.index(); }
 
-/// Which of a pack of pairs come closer than `reach` on straight flights of `duration`.
+/// Pairs of a pack that come closer than `reach` on straight flights of `duration`.
 ///
 /// With r the separation, v the relative velocity, b = r.v and c = r^2 - reach^2: close at the
 /// start if c < 0, at the end if c + 2 b T + v^2 T^2 < 0, in between if b < 0, -b < v^2 T and v^2 c
@@ -55,7 +55,7 @@ struct Forecast {
   }
 };
 
-/// Pairs of a block by class, each class filled up to a multiple of eight.
+/// Pairs of a block by class, each class padded to a multiple of eight.
 struct ListedPairs {
   simd::LocalPair const* first[pair_classes];
   std::uint32_t count[pair_classes];
@@ -80,8 +80,8 @@ inline ListedPairs near_pairs(Blocks const& blocks, Block const& block, NearList
 }
 
 /// Appends the pairs of a list of a block that touch on straight flights of `duration`, [tau_e], or
-/// would if each disk deviated by up to `allowance`, or by the `usual`, [d_s]. records: the
-/// block's, halo included.
+/// would if each disk deviated by up to `allowance`, or by the `usual`, [d_s]. records: of the
+/// block, halo included.
 inline void predict_contacts(Blocks const& blocks, Block const& block, ListedPairs const& list,
                              simd::Record const* records, Real duration, Real allowance, Real usual,
                              Forecast& forecast) {

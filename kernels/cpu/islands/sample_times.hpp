@@ -9,12 +9,12 @@
 
 namespace bagnold {
 
-/// When configurations are evaluated within a lookahead, and sums of powers of these
+/// Times at which configurations are evaluated within a lookahead, and sums of powers of these
 /// times.
 class SampleTimes {
  public:
-  /// Sums over samples, with t and q of FlightTimes: for what is quadratic in the motion sums of
-  /// q^2, q^2 t and q^2 t^2, for what is linear of q.
+  /// Sums over samples, with t and q of FlightTimes: of q^2, q^2 t and q^2 t^2 for columns
+  /// quadratic in the motion, of q for linear ones.
   struct Powers {
     Real n = 0, t1 = 0, t2 = 0;
     Real linear = 0;
@@ -53,7 +53,7 @@ class SampleTimes {
   std::size_t bin(std::size_t k) const { return bin_[k]; }
   Powers const& total(std::size_t bin) const { return total_[bin]; }
 
-  /// The first sample from `step` on; size() if there is none.
+  /// First sample from `step` on; size() if there is none.
   std::size_t from(std::int64_t step) const {
     return static_cast<std::size_t>(std::lower_bound(step_.begin(), step_.end(), step) -
                                     step_.begin());

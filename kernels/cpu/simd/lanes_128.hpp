@@ -3,13 +3,13 @@
 
 #include "kernels/cpu/simd/level.hpp"
 
-/// Two doubles in a register, as every processor of today has them (SSE2, NEON).
+/// Two doubles in a register (SSE2, NEON).
 #if BAGNOLD_128
 namespace bagnold::simd {
 
 using Lanes = double __attribute__((vector_size(16)));
 
-/// Which lanes: all bits of a lane, or none.
+/// Set of lanes: all bits of a lane, or none.
 struct Mask {
   using Bits = long long __attribute__((vector_size(16)));
   Bits bits;
@@ -72,7 +72,7 @@ struct EightByNumber {
   BAGNOLD_INLINE explicit EightByNumber(double const* p) : table(p) {}
 };
 
-/// The larger of two counts below 64 in a lane, a + 64 b.
+/// Larger of two counts below 64 in each lane, given as a + 64 b.
 struct LargerCounts {
   unsigned larger[width];
 

@@ -9,7 +9,7 @@ namespace bagnold::simd {
 
 using Lanes = double __attribute__((vector_size(32)));
 
-/// Which lanes: all bits of a lane, or none.
+/// Set of lanes: all bits of a lane, or none.
 struct Mask {
   __m256d bits;
 
@@ -49,8 +49,8 @@ BAGNOLD_INLINE Lanes larger(Lanes a, Lanes b) {
 BAGNOLD_INLINE Lanes root(Lanes a) { return (Lanes)_mm256_sqrt_pd((__m256d)a); }
 BAGNOLD_INLINE Lanes rounded_down(Lanes a) { return (Lanes)_mm256_floor_pd((__m256d)a); }
 
-/// The divider works beside the other units: a guess improved by multiplications took up to 20%
-/// longer.
+/// Division and root run beside the other units. An estimate refined by multiplications took up to
+/// 20% longer.
 BAGNOLD_INLINE Lanes inverse_root(Lanes a) { return Lanes{1, 1, 1, 1} / root(a); }
 
 /// Eight numbers by n mod 8.
@@ -60,20 +60,21 @@ struct EightByNumber {
       : low(_mm256_loadu_pd(p)), high(_mm256_loadu_pd(p + 4)) {}
 };
 
-/// The larger of two counts below 64 in a lane, a + 64 b.
+/// Larger of two counts below 64 in each lane, given as a + 64 b.
 struct LargerCounts {
   __m256i larger;
 
   BAGNOLD_INLINE explicit LargerCounts(Lanes both) {
     __m256i const counts = _mm256_set1_epi64x(63);
-    // whole numbers stand in the lowest bits of 2^52 + number
+    // an integer is in the lowest bits of 2^52 + integer
     __m256i const bits =
         _mm256_castpd_si256(_mm256_add_pd((__m256d)both, _mm256_set1_pd(4503599627370496.0)));
     larger = _mm256_max_epi32(_mm256_and_si256(bits, counts),
                               _mm256_and_si256(_mm256_srli_epi64(bits, 6), counts));
   }
 
-  /// Both halves of the table by n mod 4, and of these one by the third bit of n.
+  /// table[n mod 8]: an entry of each half of the table by n mod 4, then one of the two by the
+  /// third bit of n.
   BAGNOLD_INLINE Lanes look_up(EightByNumber const& table) const {
     __m256i const words = _mm256_or_si256(
         _mm256_slli_epi64(larger, 1),

@@ -9,7 +9,7 @@ namespace bagnold::simd {
 
 using Lanes = double __attribute__((vector_size(64)));
 
-/// Which lanes.
+/// Set of lanes.
 struct Mask {
   __mmask8 bits;
   friend Mask operator&(Mask a, Mask b) { return {static_cast<__mmask8>(a.bits & b.bits)}; }
@@ -60,7 +60,7 @@ struct EightByNumber {
   BAGNOLD_INLINE explicit EightByNumber(double const* p) : all(_mm512_loadu_pd(p)) {}
 };
 
-/// The larger of two counts below 64 in a lane, a + 64 b.
+/// Larger of two counts below 64 in each lane, given as a + 64 b.
 struct LargerCounts {
   __m512i larger;
 

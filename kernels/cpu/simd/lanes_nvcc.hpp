@@ -3,8 +3,8 @@
 
 #include "kernels/cpu/simd/level.hpp"
 
-/// nvcc reads host code once more for the device, which knows no vectors: this is there to be read,
-/// and never runs.
+/// Lanes for nvcc, which parses host code again for the device, where vector types do not exist.
+/// This code is parsed and never runs.
 #ifdef __CUDA_ARCH__
 namespace bagnold::simd {
 
@@ -34,7 +34,7 @@ using Lanes = Several<double>;
 using Bits = Several<long long>;
 Lanes blend(Bits bits, Lanes yes, Lanes no);
 
-/// Which lanes: all bits of a lane, or none.
+/// Set of lanes: all bits of a lane, or none.
 struct Mask {
   Bits bits;
   friend Mask operator&(Mask a, Mask b) { return {a.bits & b.bits}; }
@@ -79,7 +79,7 @@ struct EightByNumber {
   explicit EightByNumber(double const* p) : table(p) {}
 };
 
-/// The larger of two counts below 64 in a lane, a + 64 b.
+/// Larger of two counts below 64 in each lane, given as a + 64 b.
 struct LargerCounts {
   int larger[width];
 

@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <string_view>
 
-/// Which instructions packs are made of: those the compiler may use.
+/// Instruction set of packs: the one that the compiler may use.
 #define BAGNOLD_AVX512 0
 #define BAGNOLD_AVX2 0
 #define BAGNOLD_128 0
-#ifndef __CUDA_ARCH__  // nvcc reads host code once more for the device, which knows no vectors
+#ifndef __CUDA_ARCH__  // nvcc parses host code again for the device, without vector types
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
 #undef BAGNOLD_AVX512
 #define BAGNOLD_AVX512 1
@@ -27,12 +27,13 @@
 #endif
 #endif
 
-/// A call in a pack loop costs more than the pack: registers go to memory and back.
+/// Inlined always: a call in a pack loop costs more than the pack, as registers are saved and
+/// restored.
 #define BAGNOLD_INLINE [[gnu::always_inline]] inline
 
 namespace bagnold::simd {
 
-/// Doubles in a pack: those of a register.
+/// Doubles in a pack, as many as in a register.
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
 inline constexpr int width = 8;
 #elif defined(__AVX2__) && defined(__FMA__)
@@ -41,15 +42,15 @@ inline constexpr int width = 4;
 inline constexpr int width = 2;
 #endif
 
-/// Lists of pairs are laid out in eights on every processor: so forces are summed in one order.
+/// Width of lists of pairs, eight on every processor, so that forces are summed in one order.
 inline constexpr int list_width = 8;
 
-/// By which BAGNOLD_SIMD calls them.
+/// Name of the level in BAGNOLD_SIMD.
 inline constexpr std::string_view level_name = BAGNOLD_AVX512 ? "avx512"
                                                : BAGNOLD_AVX2 ? "avx2"
                                                               : "baseline";
 
-/// The next multiple of eight.
+/// Next multiple of eight.
 constexpr std::uint32_t round_up(std::uint32_t n) {
   return (n + list_width - 1) / list_width * list_width;
 }

@@ -8,8 +8,8 @@
 #include "kernels/cpu/simd/lanes_avx512.hpp"
 #include "kernels/cpu/simd/lanes_nvcc.hpp"
 
-/// As many doubles side by side as a register of the processor holds: what these do is in one of
-/// three headers.
+/// Packs: as many doubles as a register of the processor holds. Their operations are in one header
+/// for each instruction set.
 namespace bagnold::simd {
 
 namespace detail {
@@ -53,10 +53,10 @@ struct Pack {
   friend Mask operator<(Pack a, Pack b) { return detail::less(a.v, b.v); }
 };
 
-/// a b + c, rounded once where the machine can.
+/// a b + c, rounded once if the processor can.
 BAGNOLD_INLINE Pack fma(Pack a, Pack b, Pack c) { return detail::fused(a.v, b.v, c.v); }
 
-/// The same by the name that kernels/physics calls.
+/// fma() under the name that kernels/physics uses.
 BAGNOLD_INLINE Pack multiply_add(Pack a, Pack b, Pack c) { return fma(a, b, c); }
 
 /// c - a b
@@ -66,10 +66,10 @@ BAGNOLD_INLINE Pack select(Mask mask, Pack yes, Pack no) {
   return detail::chosen(mask, yes.v, no.v);
 }
 
-/// a where the mask is set, else 0, whatever a is there.
+/// a where the mask is set, else 0, even if a is NaN there.
 BAGNOLD_INLINE Pack zero_unless(Mask mask, Pack a) { return detail::kept(mask, a.v); }
 
-/// The first `count` lanes, all if there are no more.
+/// Mask of the first `count` lanes, at most all.
 BAGNOLD_INLINE Mask first_lanes(std::uint32_t count) {
   return Mask::of(count < width ? (1u << count) - 1 : (1u << width) - 1);
 }
@@ -84,7 +84,7 @@ BAGNOLD_INLINE double largest(Pack a) {
   return largest;
 }
 
-/// The sum of the lanes, first to last.
+/// Sum of the lanes, first to last.
 BAGNOLD_INLINE double sum(Pack a) {
   double sum = 0;
   for (int k = 0; k < width; ++k) sum += a.v[k];
@@ -100,7 +100,7 @@ BAGNOLD_INLINE Pack inverse_sqrt(Pack a) { return detail::inverse_root(a.v); }
 
 using detail::EightByNumber;
 
-/// Two counts a lane, as one number a + base b: 1 to 8 each.
+/// Two counts in each lane, 1 to 8 each, as one number a + base b.
 struct CountPairs {
   static constexpr int base = 64;
   detail::LargerCounts larger;

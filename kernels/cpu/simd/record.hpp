@@ -7,8 +7,8 @@
 #include "kernels/cpu/simd/pack.hpp"
 #include "kernels/physics/vec2.hpp"
 
-/// Moving disks in and out of packs: a record of four numbers a disk lies in half a cache line, so
-/// that a pair costs two loads.
+/// Transfer of disks to and from packs. A record of four numbers a disk fills half a cache line, so
+/// a pair costs two loads.
 namespace bagnold::simd {
 
 struct alignas(32) Record {
@@ -28,7 +28,7 @@ BAGNOLD_INLINE Records make_records(Vec2<Pack> const& position, Vec2<Pack> const
   return {position.x, position.y, velocity.x, velocity.y};
 }
 
-/// Two local indices in one word, times four: so they address a record without a shift.
+/// Two local indices in one word, multiplied by four so that they address a record without a shift.
 struct LocalPair {
   std::uint16_t a4, b4;
 
@@ -41,7 +41,7 @@ struct LocalPair {
   std::uint32_t b() const { return b4 / 4u; }
 };
 
-/// The array element of a quadrupled index.
+/// Array element of a quadrupled index.
 template <class T>
 T& at(T* array, std::uint16_t index4) {
   static_assert(sizeof(T) % 4 == 0);
@@ -50,18 +50,18 @@ T& at(T* array, std::uint16_t index4) {
                                sizeof(T) / 4 * std::size_t(index4));
 }
 
-/// The force on a disk whose law has no rotation.
+/// Force on a disk of a law without rotation.
 struct alignas(16) Force {
   double x, y;  ///< [m d_s / tau_e^2]
 };
 
-/// With rotation: `torque` is over the diameter. The order suits addsub: what is opposite
-/// on the partner sits in even places.
+/// Force on a disk of a law with rotation; `torque` is over the diameter. The order suits addsub:
+/// components that are opposite on the partner are in even places.
 struct alignas(32) TurningForce {
   double x, count, y, torque_per_diameter;  ///< count: of contacts, if asked for
 };
 
-/// The forces on a pack of disks, component by component.
+/// Forces on a pack of disks, component by component.
 struct ForceComponents {
   Pack x, y, torque_per_diameter, count;
 

@@ -6,7 +6,7 @@
 #include "kernels/cpu/simd/records_avx512.hpp"
 #include "kernels/cpu/simd/records_nvcc.hpp"
 
-/// Moving disks in and out of packs: what both forms share.
+/// Transfer of disks to and from packs: the part common to all instruction sets.
 namespace bagnold::simd {
 
 BAGNOLD_INLINE ForceComponents load_forces(Force const* f, std::uint16_t const* index4) {
@@ -19,7 +19,7 @@ BAGNOLD_INLINE ForceComponents load_forces(Force const* f, std::uint16_t const* 
   return s;
 }
 
-/// The numbers of a pack of quadrupled indices.
+/// Numbers at a pack of quadrupled indices.
 BAGNOLD_INLINE Pack load(double const* values, std::uint16_t const* index4) {
   Pack p;
   for (int k = 0; k < width; ++k) p.v[k] = at(values, index4[k]);
@@ -30,7 +30,7 @@ BAGNOLD_INLINE void store(double* values, std::uint16_t const* index4, Pack p) {
   for (int k = 0; k < width; ++k) at(values, index4[k]) = p.v[k];
 }
 
-/// Which of a pack of bytes are zero.
+/// Mask of the bytes of a pack that are zero.
 BAGNOLD_INLINE Mask zero(std::uint8_t const* bytes) {
   return Mask::of(~nonzero(bytes).lanes() & 0xffu);
 }
@@ -39,15 +39,15 @@ struct PackPair {
   Pack x, y;
 };
 
-/// A pack of vectors in a row.
+/// Loads a pack of contiguous vectors.
 BAGNOLD_INLINE PackPair load_pairs(double const* xy) {
   auto const f = load_forces(reinterpret_cast<Force const*>(xy));
   return {f.x, f.y};
 }
 
-/// value a plus `weight` times value b of a pack of pairs.
+/// Value a plus `weight` times value b for a pack of pairs.
 BAGNOLD_INLINE Pack load_sums(double const* values, LocalPair const* pairs, double weight) {
-  asm("" : "+r"(pairs));  // read the indices again: cheaper than to keep sixteen of them
+  asm("" : "+r"(pairs));  // reload the indices: cheaper than keeping sixteen
   auto const sum = [&](int k) {
     return at(values, pairs[k].a4) + weight * at(values, pairs[k].b4);
   };

@@ -3,7 +3,7 @@
 
 #include "kernels/cpu/simd/record.hpp"
 
-/// Two disks in and out of packs, two numbers at a time.
+/// Transfer of two disks to and from packs, two numbers at a time.
 #if BAGNOLD_128
 namespace bagnold::simd {
 
@@ -23,7 +23,7 @@ struct Row {
   BAGNOLD_INLINE void to(double* p) const { put(low, p), put(high, p + 2); }
 };
 
-/// Two rows, row(k) each, to their columns, in their order.
+/// Loads two rows, row(k) each, into columns, in their order.
 template <class RowOf>
 BAGNOLD_INLINE Records load_rows(RowOf const& row) {
   Row const p = row(0), q = row(1);
@@ -31,7 +31,7 @@ BAGNOLD_INLINE Records load_rows(RowOf const& row) {
           seconds(p.high, q.high)};
 }
 
-/// store(k, row k) of four columns.
+/// Calls store(k, row k) for four columns.
 template <class Store>
 BAGNOLD_INLINE void store_rows(Pack x, Pack y, Pack z, Pack w, Store const& store) {
   store(0, Row{firsts(x.v, y.v), firsts(z.v, w.v)});
@@ -81,7 +81,7 @@ BAGNOLD_INLINE ForceComponents load_forces(Force const* f) {
   return {detail::firsts(a, b), detail::seconds(a, b), 0.0, 0.0};
 }
 
-/// Moves `count` disks straight on: to = {x + v time, v}; `to` may be `from`.
+/// Moves `count` disks on straight lines: to = {x + v time, v}; `to` may be `from`.
 BAGNOLD_INLINE void fly(Record* to, Record const* from, std::uint32_t count, double time) {
   Lanes const t{time, time};
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -114,7 +114,8 @@ BAGNOLD_INLINE void scatter(Force* force, LocalPair const* pairs, Pack x, Pack y
   add(1, detail::seconds(x.v, y.v));
 }
 
-/// The torque and the count are the same for both.
+/// Adds forces to a and their opposites to b. The torque over the diameter and the count are equal
+/// for both.
 BAGNOLD_INLINE void scatter(TurningForce* force, LocalPair const* pairs, Pack x, Pack y,
                             Pack torque_per_diameter, Pack count = 0.0) {
   using detail::Row;
@@ -130,7 +131,7 @@ BAGNOLD_INLINE void scatter(TurningForce* force, LocalPair const* pairs, Pack x,
   });
 }
 
-/// Appends the pairs whose lane is set; writes a pack of words behind `to`.
+/// Appends the pairs whose lane is set; writes up to a pack of words beyond `to`.
 BAGNOLD_INLINE int append(LocalPair* to, Mask mask, LocalPair const* pairs) {
   unsigned const lanes = mask.lanes();
   LocalPair const first = pairs[0], second = pairs[1];

@@ -5,7 +5,7 @@
 
 #include "kernels/cpu/simd/record.hpp"
 
-/// Four disks in and out of packs, with AVX2.
+/// Transfer of four disks to and from packs, with AVX2.
 #if BAGNOLD_AVX2
 namespace bagnold::simd {
 
@@ -13,7 +13,7 @@ namespace detail {
 
 BAGNOLD_INLINE __m256d load(Record const& r) { return _mm256_load_pd(&r.x); }
 
-/// Four rows of four numbers, row(k) each, to their columns.
+/// Loads four rows of four numbers, row(k) each, into columns.
 template <class Row>
 BAGNOLD_INLINE Records load_rows(Row const& row) {
   __m256d a = row(0), b = row(1), c = row(2), d = row(3);
@@ -24,7 +24,7 @@ BAGNOLD_INLINE Records load_rows(double const* r) {
   return load_rows([&](int k) { return _mm256_load_pd(r + 4 * k); });
 }
 
-/// store(k, row k) of four columns.
+/// Calls store(k, row k) for four columns.
 template <class Store>
 BAGNOLD_INLINE void store_rows(Pack x, Pack y, Pack z, Pack w, Store const& store) {
   __m256d a = (__m256d)x.v, b = (__m256d)y.v, c = (__m256d)z.v, d = (__m256d)w.v;
@@ -32,7 +32,7 @@ BAGNOLD_INLINE void store_rows(Pack x, Pack y, Pack z, Pack w, Store const& stor
   store(0, a), store(1, b), store(2, c), store(3, d);
 }
 
-/// For each set of lanes where they go to stand side by side.
+/// Permutation, for each set of lanes, that moves these lanes to the front.
 inline constexpr auto packed_places = [] {
   struct Places {
     std::int32_t at[width];
@@ -86,7 +86,7 @@ BAGNOLD_INLINE ForceComponents load_forces(Force const* f) {
   return {in_order(_mm256_unpacklo_pd(a, b)), in_order(_mm256_unpackhi_pd(a, b)), 0.0, 0.0};
 }
 
-/// Moves `count` disks straight on: to = {x + v time, v}; `to` may be `from`.
+/// Moves `count` disks on straight lines: to = {x + v time, v}; `to` may be `from`.
 BAGNOLD_INLINE void fly(Record* to, Record const* from, std::uint32_t count, double time) {
   __m256d const t = _mm256_set1_pd(time);
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -127,7 +127,8 @@ BAGNOLD_INLINE void scatter(Force* force, LocalPair const* pairs, Pack x, Pack y
   add(3, _mm256_extractf128_pd(odd, 1));
 }
 
-/// The torque and the count are the same for both.
+/// Adds forces to a and their opposites to b. The torque over the diameter and the count are equal
+/// for both.
 BAGNOLD_INLINE void scatter(TurningForce* force, LocalPair const* pairs, Pack x, Pack y,
                             Pack torque_per_diameter, Pack count = 0.0) {
   detail::store_rows(x, count, y, torque_per_diameter, [&](int k, __m256d f) {
@@ -138,7 +139,7 @@ BAGNOLD_INLINE void scatter(TurningForce* force, LocalPair const* pairs, Pack x,
   });
 }
 
-/// Appends the pairs whose lane is set; writes a pack of words behind `to`.
+/// Appends the pairs whose lane is set; writes up to a pack of words beyond `to`.
 BAGNOLD_INLINE int append(LocalPair* to, Mask mask, LocalPair const* pairs) {
   unsigned const lanes = mask.lanes();
   auto const* const places = reinterpret_cast<__m128i const*>(detail::packed_places[lanes].at);

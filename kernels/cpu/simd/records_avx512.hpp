@@ -3,7 +3,7 @@
 
 #include "kernels/cpu/simd/record.hpp"
 
-/// Eight disks in and out of packs, with AVX-512.
+/// Transfer of eight disks to and from packs, with AVX-512.
 #if BAGNOLD_AVX512
 namespace bagnold::simd {
 
@@ -25,7 +25,7 @@ BAGNOLD_INLINE Records transpose(__m512d z02, __m512d z13, __m512d z46, __m512d 
 
 BAGNOLD_INLINE __m256d load(Record const& r) { return _mm256_load_pd(&r.x); }
 
-/// Eight rows of four numbers, row(k) each.
+/// Loads eight rows of four numbers, row(k) each.
 template <class Row>
 BAGNOLD_INLINE Records load_rows(Row const& row) {
   return transpose(join(row(0), row(2)), join(row(1), row(3)), join(row(4), row(6)),
@@ -37,7 +37,7 @@ BAGNOLD_INLINE Records load_rows(double const* r) {
 
 }  // namespace detail
 
-/// record a minus record b of eight pairs.
+/// Record a minus record b of eight pairs.
 BAGNOLD_INLINE Records load_differences(Record const* records, LocalPair const* pairs) {
   auto const difference = [&](int k) {
     return _mm256_sub_pd(detail::load(at(records, pairs[k].a4)),
@@ -49,7 +49,7 @@ BAGNOLD_INLINE Records load_differences(Record const* records, LocalPair const* 
                            detail::join(d5, d7));
 }
 
-/// record a plus `weight` times record b of eight pairs, component by component.
+/// Record a plus `weight` times record b of eight pairs, component by component.
 BAGNOLD_INLINE Records load_combined(Record const* records, LocalPair const* pairs,
                                      Record const& weight) {
   __m256d const w = detail::load(weight);
@@ -59,7 +59,7 @@ BAGNOLD_INLINE Records load_combined(Record const* records, LocalPair const* pai
   });
 }
 
-/// The records of eight quadrupled indices.
+/// Records at eight quadrupled indices.
 BAGNOLD_INLINE Records load_records(Record const* r, std::uint16_t const* index4) {
   return detail::load_rows([&](int k) { return detail::load(at(r, index4[k])); });
 }
@@ -69,7 +69,7 @@ BAGNOLD_INLINE ForceComponents load_forces(TurningForce const* f, std::uint16_t 
   return {rows.x, rows.vx, rows.vy, rows.y};
 }
 
-/// Moves `count` (even) disks straight on: to = {x + v time, v}; `to` may be `from`.
+/// Moves `count` (even) disks on straight lines: to = {x + v time, v}; `to` may be `from`.
 BAGNOLD_INLINE void fly(Record* to, Record const* from, std::uint32_t count, double time) {
   __m512d const t = _mm512_set1_pd(time);
   for (std::uint32_t i = 0; i < count; i += 2) {
@@ -94,7 +94,7 @@ BAGNOLD_INLINE ForceComponents load_forces(Force const* f) {
           (Lanes)_mm512_permutex2var_pd((__m512d)a.v, odd, (__m512d)b.v), 0.0, 0.0};
 }
 
-/// Which of eight bytes are not zero.
+/// Mask of the bytes, of eight, that are not zero.
 BAGNOLD_INLINE Mask nonzero(std::uint8_t const* bytes) {
   __m128i const b = _mm_loadl_epi64(reinterpret_cast<__m128i const*>(bytes));
   return {static_cast<__mmask8>(
@@ -103,7 +103,7 @@ BAGNOLD_INLINE Mask nonzero(std::uint8_t const* bytes) {
 
 namespace detail {
 
-/// store(k, row k) for eight records.
+/// Calls store(k, row k) for eight records.
 template <class Store>
 BAGNOLD_INLINE void store_rows(Records const& s, Store const& store) {
   __m512d const xy0 = _mm512_unpacklo_pd((__m512d)s.x.v, (__m512d)s.y.v);  // x0 y0 x2 y2 ..
@@ -136,7 +136,7 @@ BAGNOLD_INLINE void store_records(Record* r, std::uint16_t const* index4, Record
   detail::store_rows(s, [&](int k, __m256d v) { _mm256_store_pd(&at(r, index4[k]).x, v); });
 }
 
-/// The force on a of eight pairs, and its opposite on b; one pair after the other.
+/// Adds the force on a of eight pairs, and its opposite on b, one pair after the other.
 BAGNOLD_INLINE void scatter(Force* force, LocalPair const* pairs, Pack x, Pack y) {
   __m512d const even = _mm512_unpacklo_pd((__m512d)x.v, (__m512d)y.v);
   __m512d const odd = _mm512_unpackhi_pd((__m512d)x.v, (__m512d)y.v);
@@ -156,7 +156,8 @@ BAGNOLD_INLINE void scatter(Force* force, LocalPair const* pairs, Pack x, Pack y
   add(7, _mm512_extractf64x2_pd(odd, 3));
 }
 
-/// The torque and the count are the same for both.
+/// Adds forces to a and their opposites to b. The torque over the diameter and the count are equal
+/// for both.
 BAGNOLD_INLINE void scatter(TurningForce* force, LocalPair const* pairs, Pack x, Pack y,
                             Pack torque_per_diameter, Pack count = 0.0) {
   __m512d const x0 = _mm512_unpacklo_pd((__m512d)x.v, (__m512d)count.v);
@@ -185,7 +186,7 @@ BAGNOLD_INLINE void scatter(TurningForce* force, LocalPair const* pairs, Pack x,
   add(7, _mm512_extractf64x4_pd(f57, 1));
 }
 
-/// Appends the pairs whose lane is set; writes up to eight words behind `to`.
+/// Appends the pairs whose lane is set; writes up to eight words beyond `to`.
 BAGNOLD_INLINE int append(LocalPair* to, Mask mask, LocalPair const* pairs) {
   __m256i const words = _mm256_loadu_si256(reinterpret_cast<__m256i const*>(pairs));
   auto const packed = _mm512_maskz_compress_epi32(mask.bits, _mm512_castsi256_si512(words));

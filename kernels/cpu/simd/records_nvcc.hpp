@@ -3,7 +3,7 @@
 
 #include "kernels/cpu/simd/record.hpp"
 
-/// Disks in and out of packs, as nvcc reads it for the device: it never runs.
+/// Transfer of disks to and from packs, as nvcc parses it for the device. It never runs.
 #ifdef __CUDA_ARCH__
 namespace bagnold::simd {
 
@@ -36,7 +36,7 @@ BAGNOLD_INLINE Records load_differences(Record const* records, LocalPair const* 
 
 namespace detail {
 
-/// As many records as lanes, row(k) each.
+/// Loads a pack of records, row(k) each.
 template <class Row>
 BAGNOLD_INLINE Records load_rows(Row const& row) {
   Records s;
@@ -50,7 +50,7 @@ BAGNOLD_INLINE Records load_rows(Row const& row) {
   return s;
 }
 
-/// The forces on as many disks, row(k) each.
+/// Loads the forces on a pack of disks, row(k) each.
 template <class Row>
 BAGNOLD_INLINE ForceComponents load_turning(Row const& row) {
   ForceComponents s;

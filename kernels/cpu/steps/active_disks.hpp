@@ -8,13 +8,14 @@
 
 namespace bagnold {
 
-/// The disks that touch others, block by block, for steps that are worked out for them alone.
+/// Disks that touch others, block by block. Steps with few contacts evaluate forces for these
+/// alone.
 struct ActiveDisks {
   Blocks::Array<std::uint16_t> list;      ///< [slots], by block: four times the index of each
   Blocks::Array<std::uint8_t> is_active;  ///< [slots]
   Blocks::Array<std::uint32_t> count;     ///< [blocks], in `list`
 
-  /// Room for new blocks, of whose disks none touches. loop: makes cleared room.
+  /// Allocates arrays for new blocks in which no disk is active. loop: makes cleared memory.
   template <class Loop>
   void resize(Loop& loop, Blocks& blocks) {
     blocks.make_room(contact_list, "steps::contacts");
@@ -46,8 +47,8 @@ struct ActiveDisks {
       auto const i = at / 4u;
       force[i] = Force{};
       active[n] = at;
-      n += static_cast<std::uint32_t>(i < block.own) & (marked[i] ^ 1u);  // which branch is chance
-      marked[i] = 1;  // foreign ones too, which stay marked
+      n += static_cast<std::uint32_t>(i < block.own) & (marked[i] ^ 1u);  // branchless
+      marked[i] = 1;  // halo disks too, which stay marked
     };
     for (std::uint32_t k = 0; k < count(b); ++k) simd::at(force, active[k]) = Force{};
     for (int c = 0; c < pair_classes; ++c) {
@@ -63,7 +64,7 @@ struct ActiveDisks {
     for (auto k = n; k < simd::round_up(n); ++k) active[k] = inert;
   }
 
-  /// body(at, big) for a pack of active disks at a time, the last ones inert.
+  /// Calls body(at, big) for a pack of active disks at a time; the last ones are inert.
   template <class Body>
   void each_pack(Block const& block, std::uint32_t n, Species const* species,
                  Body const& body) const {

@@ -5,12 +5,12 @@
 
 namespace bagnold {
 
-/// Asks for what the next block goes through, some lines for each pack of pairs of the block at
-/// work, so that memory and processor work at once. lines: of cache, for a pack of eight pairs.
+/// Prefetches the data of the next block: some cache lines for each pack of pairs of the present
+/// block, so that memory and processor work at once. lines: cache lines for a pack of eight pairs.
 template <int lines>
 class AskAhead {
  public:
-  /// For its half of a step. near: the list of pairs that this half goes through.
+  /// Prefetches for a half of a step. near: list of pairs of this half.
   AskAhead(BlockSystem const& s, Block const& next, NearList near, BlockState const& halo)
       : AskAhead(s, next, halo.record, halo.spin) {
     add(s.now.record, next);
@@ -20,7 +20,7 @@ class AskAhead {
     add_pairs(s, next, near);
   }
 
-  /// For iteration k of the system's solve.
+  /// Prefetches for iteration k of the system's solve.
   AskAhead(BlockSystem const& s, Block const& next, int k)
       : AskAhead(s, next, s.implicit.now(k, s.trial.record), {}) {
     add(s.trial.record, next);
@@ -80,8 +80,8 @@ class AskAhead {
   }
 };
 
-/// body(ask), ask() to be called for each pack of pairs of block b; where all is in cache it does
-/// nothing.
+/// Calls body(ask) for block b, which calls ask() for each pack of pairs. ask() does nothing if all
+/// data are in cache.
 template <class Body>
 BAGNOLD_INLINE void asking_ahead(BlockSystem const& s, std::uint32_t b, HalfOfStep half,
                                  NearList near, Body const& body) {
@@ -92,7 +92,7 @@ BAGNOLD_INLINE void asking_ahead(BlockSystem const& s, std::uint32_t b, HalfOfSt
     body([] {});
 }
 
-/// The same in iteration k of a solve, which goes through blocks as they are numbered.
+/// Calls body(ask) in iteration k of a solve, which takes blocks in the order of their numbers.
 template <class Body>
 BAGNOLD_INLINE void asking_ahead(BlockSystem const& s, std::uint32_t b, int k, Body const& body) {
   if (s.blocks.beyond_cache())

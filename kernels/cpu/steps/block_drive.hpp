@@ -10,31 +10,31 @@
 
 namespace bagnold {
 
-/// A one-body force on the disks of a block, behind one call a block: what steps of all laws share
-/// and a scene without a drive does not have. Force: simd::Force or simd::TurningForce.
+/// A one-body force on the disks of a block, behind one virtual call a block. Steps of all laws
+/// share it; a scene without a drive has none. Force: simd::Force or simd::TurningForce.
 template <class Force, bool Rotates>
 class BlockDrive {
  public:
   virtual ~BlockDrive() = default;
 
-  /// Adds to force [padded] what acts at a state: `now`, or the trial state.
+  /// Adds the one-body force at a state, `now` or the trial state, to force [padded].
   virtual void add(BlockSystem const& system, Block const& block, BlockState const& state,
                    Real strain_rate, Force* force) const = 0;
 
-  /// Adds the drag of the changes that `trial` holds: the second stage.
+  /// Adds the second stage: the drag of the changes that `trial` holds.
   virtual void add_second(BlockSystem const& system, Block const& block, Force* force) const = 0;
 
-  /// Of the force at `now`, at the velocities halfway to those of the trial state.
+  /// Powers of the force at `now`, with the mean of the velocities of `now` and of the trial state.
   virtual DrivePower power(BlockSystem const& system, Block const& block,
                            Real strain_rate) const = 0;
 
-  /// Of both stages, at the velocities halfway through the step. second: all forces of the second
-  /// stage.
+  /// Powers of both stages, with the velocities halfway through the step. second: all forces of the
+  /// second stage.
   virtual DrivePower power(BlockSystem const& system, Block const& block, Real strain_rate,
                            Force const* second) const = 0;
 };
 
-/// Of one drive.
+/// BlockDrive of one drive.
 template <OneBodyDrive Drive, class Force, bool Rotates>
 class DriveOnBlocks final : public BlockDrive<Force, Rotates> {
  public:
@@ -97,7 +97,8 @@ class DriveOnBlocks final : public BlockDrive<Force, Rotates> {
     DrivenDisk<Pack> halfway;  ///< where velocities are those halfway through the step
   };
 
-  /// Of the own disks: inert ones stay at rest. acting: of the pack.
+  /// Powers of the own disks of a block; inert disks stay at rest. acting: drag, push and motion of
+  /// a pack.
   template <class Of>
   static DrivePower sum(Block const& block, Real strain_rate, Of const& acting) {
     Pack drag = 0.0, push = 0.0;
@@ -127,7 +128,7 @@ class DriveOnBlocks final : public BlockDrive<Force, Rotates> {
     return disk;
   }
 
-  /// In the flow at y.
+  /// Motion of disks relative to the mean flow at their y.
   static DrivenDisk<Pack> moving(BlockSystem const& s, BlockState const& state, std::uint32_t slot,
                                  simd::Records const& r, Pack const& y, Real strain_rate) {
     DrivenDisk<Pack> disk = sized(s, slot);
@@ -146,7 +147,7 @@ class DriveOnBlocks final : public BlockDrive<Force, Rotates> {
     return disk;
   }
 
-  /// At rest in the flow.
+  /// Disks at rest in the flow, with their sizes.
   static DrivenDisk<Pack> sized(BlockSystem const& s, std::uint32_t slot) {
     auto const big = simd::nonzero(s.species.data() + slot);
     return {{0.0, 0.0}, {0.0, 0.0}, 0.0, select(big, Pack(1.0), Pack(0.0)), {0.0, 0.0}, 0.0};

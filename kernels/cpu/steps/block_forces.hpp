@@ -8,7 +8,7 @@
 
 namespace bagnold {
 
-/// Pairs of one pack that touch, as observers of the block's pair loop are given them.
+/// Pairs of one pack that touch, for observers of the block's pair loop.
 struct PackOfPairs {
   simd::LocalPair const* pairs;  ///< [width]
   simd::Mask touching;
@@ -24,7 +24,7 @@ struct PackPower {
   simd::Pack dissipation = 0.0, torque = 0.0;
 };
 
-/// Keeps the largest overlap and counts contacts.
+/// Observer that keeps the largest overlap and counts contacts.
 struct OverlapBound {
   simd::Pack largest = 0.0;
   std::uint32_t touching = 0;
@@ -34,10 +34,11 @@ struct OverlapBound {
   }
 };
 
-/// The forces on the disks of one block from one of its near lists, a pack of pairs at once.
+/// Forces on the disks of one block from one of its near lists, a pack of pairs at once.
 ///
-/// The pairs are added in the order of the list, so the bits depend neither on threads nor on when
-/// the list was pruned: a pair that does not touch adds zero. Counting: each disk's contacts too.
+/// Pairs are added in the order of the list, so the bits depend neither on threads nor on when the
+/// list was pruned: a pair that does not touch adds zero. Counting: also counts each disk's
+/// contacts.
 template <ContactLaw Law, class Repulsion, bool Counting = false>
 struct BlockForces {
   static constexpr bool rotates = Law::rotates;
@@ -46,7 +47,7 @@ struct BlockForces {
   Law law;
   Repulsion repulsion;
 
-  /// force: [block.local()], zeroed here; pairs of the inner list.
+  /// force: [block.local()], zeroed here; uses the pairs of the inner list.
   template <class Observer>
   void evaluate(BlockSystem const& system, Block const& block, BlockState const& state,
                 Force* force, Observer&& observe) const {
@@ -58,14 +59,14 @@ struct BlockForces {
     std::fill_n(force, block.local(), Force{});
   }
 
-  /// Adds to force what the pairs of a near list exert.
+  /// Adds the forces of the pairs of a near list to force.
   template <class Observer>
   void add(BlockSystem const& system, Block const& block, NearList list, BlockState const& state,
            Force* force, Observer&& observe) const {
     for (int c = 0; c < pair_classes; ++c) add(c, system, block, list, state, force, observe);
   }
 
-  /// Those of one class.
+  /// Adds the forces of the pairs of one class.
   template <class Observer>
   void add(int pair_class, BlockSystem const& system, Block const& block, NearList list,
            BlockState const& state, Force* force, Observer&& observe) const {
@@ -77,7 +78,7 @@ struct BlockForces {
   }
 
  private:
-  /// What a pack of pairs needs of memory.
+  /// Data of a pack of pairs, loaded from memory.
   struct Loaded {
     simd::Records difference;
     simd::Pack distance2, spins;
@@ -92,7 +93,8 @@ struct BlockForces {
     return l;
   }
 
-  /// The next pack is loaded before this one is worked on, so that neither waits for the other.
+  /// Each pack is loaded before the forces of the previous one are evaluated, so that loads and
+  /// arithmetic overlap.
   template <class Observer>
   void add_class(int pair_class, simd::LocalPair const* pairs, std::uint32_t count,
                  simd::Record const* records, double const* spins, Force* force,
@@ -101,7 +103,7 @@ struct BlockForces {
     if (count == 0) return;
     Real const distance = class_distance(pair_class);
     Pack const reach2 = distance * distance, inverse_distance = 1 / distance;
-    Law const law = this->law;  // on the stack, where stores of forces cannot reach
+    Law const law = this->law;  // local: stores of forces cannot alias it
     Repulsion const repulsion = this->repulsion;
     // thetadot_a d_a + thetadot_b d_b as d_a (thetadot_a + d_b/d_a thetadot_b); a is the smaller
     // one.

@@ -10,7 +10,7 @@
 namespace bagnold {
 
 /// Adds up pairs one after the other, in the order of the list, so that the sums do not depend on
-/// when it was pruned. A pair across the edge of a block is seen by both of its blocks and counts
+/// when it was pruned. A pair across the edge of a block is in the lists of both blocks and counts
 /// half in each.
 struct PackSums {
   static constexpr int whole = pair_columns / simd::width;  ///< packs of columns
@@ -39,9 +39,9 @@ struct PackSums {
   }
 };
 
-/// The sums of one block: its pairs, and its own disks (inert ones add zero). When the block and
-/// its neighbours have been through the first half of a step, and it has not been through the
-/// second. force: scratch, [Step::observed_forces][most_local].
+/// Sums of one block over its pairs and its own disks (inert ones add zero), after it and its
+/// neighbours have been through the first half of a step, and before its second half. force:
+/// scratch, [Step::observed_forces][most_local].
 template <class Step>
 BlockSums measure_block(Step const& step, BlockSystem const& s, std::uint32_t b, Real strain_rate,
                         typename Step::Force* force) {

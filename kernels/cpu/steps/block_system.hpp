@@ -8,13 +8,13 @@
 
 namespace bagnold {
 
-/// Positions and velocities of all blocks, slot by slot.
+/// Positions and velocities of all blocks, by slot.
 struct BlockState {
   Blocks::Array<simd::Record> record;
   Blocks::Array<double> spin;  ///< thetadot, [1 / tau_e]; empty if the law does not rotate
 };
 
-/// A disk where its image is.
+/// Record of the image of a disk.
 inline simd::Record at_image(simd::Record record, Image const& image, ShearedBox const& box) {
   Vec2<Real> const shift = box.shift(image);
   record.x += shift.x;
@@ -23,8 +23,8 @@ inline simd::Record at_image(simd::Record record, Image const& image, ShearedBox
   return record;
 }
 
-/// Reads numbers in the order of memory, which the processor foresees and fetches ahead: the order
-/// of pairs, in which they are visited next, it does not.
+/// Reads numbers sequentially, so that the processor's prefetcher loads them. The order of pairs,
+/// in which they are used next, is one that the prefetcher cannot follow.
 template <class T>
 void bring_near(T const* first, std::uint32_t count) {
   constexpr std::uint32_t line = 64 / sizeof(T);
@@ -32,14 +32,14 @@ void bring_near(T const* first, std::uint32_t count) {
     static_cast<void>(*reinterpret_cast<char const volatile*>(first + i));
 }
 
-/// The same for what a block's disks are or become, where that is not in cache.
+/// Reads a state of a block's disks sequentially if it is not in cache.
 inline void bring_near(Blocks const& blocks, Block const& block, BlockState const& state) {
   if (!blocks.beyond_cache()) return;
   bring_near(state.record.data() + block.first, block.padded);
   if (state.spin.extent(0) != 0) bring_near(state.spin.data() + block.first, block.padded);
 }
 
-/// Asks for the disks that a halo copies, so that none is waited for alone.
+/// Prefetches the disks that a halo copies, so that their loads overlap.
 inline void bring_halo_near(Blocks const& blocks, Block const& block, BlockState const& state) {
   if (!blocks.beyond_cache()) return;
   auto const* const halo = blocks.halo.data() + block.halo_first;
@@ -89,7 +89,7 @@ inline void scale_motion(Block const& block, BlockState const& state, Real facto
     (simd::Pack(factor) * simd::Pack::load(spin + i)).store(spin + i);
 }
 
-/// What a step tells of a block; each half of the step adds its part.
+/// Report of a step on a block; each half of the step adds its part.
 struct BlockReport {
   Real fastest2 = 0;           ///< largest (v - gammadot y x^)^2, [d_s^2 / tau_e^2]
   Real largest_overlap = 0;    ///< relative
@@ -113,13 +113,13 @@ struct BlockSystem {
   Blocks::Array<Species> species;  ///< by slot
   SpeciesTable table;
   BlockState now;
-  BlockState trial;                      ///< what the first half of a step leaves for the second
+  BlockState trial;                      ///< result of the first half of a step for the second
   ImplicitSolve implicit;                ///< between the halves, if the scheme solves for anything
   bool rotates = false;                  ///< spins are there
-  std::int64_t arrangement = 0;          ///< counts how often disks got other slots
-  std::int64_t listing = 0;              ///< counts how often the inner lists were taken anew
+  std::int64_t arrangement = 0;          ///< counts rearrangements of disks in slots
+  std::int64_t listing = 0;              ///< counts prunings of the inner lists
   std::int64_t step = 0;                 ///< steps done
-  Blocks::Array<std::uint32_t> disk_of;  ///< by slot, the index at the start; if a drive asks
+  Blocks::Array<std::uint32_t> disk_of;  ///< by slot, the index at the start; if a drive needs it
 
   /// (d_i thetadot_i + d_j thetadot_j) / (d_i + d_j) of two slots, [1/tau_e]; 0 without spins.
   Real common_spin(std::uint32_t i, std::uint32_t j) const {
@@ -128,7 +128,8 @@ struct BlockSystem {
     return (a * now.spin(i) + b * now.spin(j)) / (a + b);
   }
 
-  /// Likewise of a pair of a class, halo included.
+  /// (d_i thetadot_i + d_j thetadot_j) / (d_i + d_j) of a pair of a class, halo included,
+  /// [1/tau_e].
   Real common_spin(Block const& block, int pair_class, simd::LocalPair const& pair) const {
     if (!rotates) return 0;
     Real const a = pair_class == 2 ? big_diameter : small_diameter;

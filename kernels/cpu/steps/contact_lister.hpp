@@ -8,7 +8,7 @@
 
 namespace bagnold {
 
-/// Lists the pairs of one class that touch, as an observer of the block's pair loop.
+/// Observer of the block's pair loop that lists the pairs of one class that touch.
 struct ContactLister {
   simd::LocalPair* to;
   std::uint32_t count = 0;
@@ -19,7 +19,7 @@ struct ContactLister {
     largest_overlap = max(largest_overlap, zero_unless(p.touching, p.force.relative_overlap));
   }
 
-  /// The number of pairs, filled up to packs with inert ones.
+  /// Number of pairs, after padding to whole packs with inert ones.
   std::uint32_t finish(Block const& block) const {
     for (auto k = count; k % simd::list_width != 0; ++k)
       to[k] = simd::LocalPair::make(block.own, block.own + 1);
@@ -27,8 +27,8 @@ struct ContactLister {
   }
 };
 
-/// Adds the forces of the near pairs to force, [most_local], and lists those that touch for what
-/// follows in the step. Returns how many, and their largest overlap.
+/// Adds the forces of the near pairs to force, [most_local], and lists the pairs that touch for the
+/// rest of the step. Returns their number and their largest overlap.
 template <class Forces>
 BAGNOLD_INLINE BlockReport add_and_list(Forces const& forces, BlockSystem const& s, std::uint32_t b,
                                         typename Forces::Force* force) {
@@ -50,8 +50,8 @@ BAGNOLD_INLINE BlockReport add_and_list(Forces const& forces, BlockSystem const&
   return report;
 }
 
-/// Copies records of disks of other blocks, and images, into a block's halo as they are: changes of
-/// motion are the same for all images.
+/// Copies records of disks of other blocks, and of images, into a block's halo unchanged: changes
+/// of motion are equal for all images.
 inline void copy_halo(Blocks const& blocks, Block const& block,
                       Blocks::Array<simd::Record> const& records) {
   auto const* halo = blocks.halo.data() + block.halo_first;

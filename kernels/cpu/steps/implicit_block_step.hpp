@@ -15,8 +15,8 @@
 
 namespace bagnold {
 
-/// The step of an ImplicitScheme on a block. `trial` holds what the forces change, a; the solve is
-/// the system's (ImplicitSolve), a pass of all blocks an iteration through the pairs that touch,
+/// Step of an ImplicitScheme on a block. `trial` holds a, the changes by the forces. The system
+/// solves (ImplicitSolve): each iteration is a pass of all blocks through the pairs that touch,
 /// which the first half lists.
 template <ContactLaw L, class R, ImplicitScheme S>
 struct BlockStep<L, R, S> {
@@ -46,7 +46,7 @@ struct BlockStep<L, R, S> {
             std::unique_ptr<BlockDrive<Force, rotates> const>)
       : forces{law, repulsion}, time_step(dt), bound(DampingBound::of(law, table)) {}
 
-  /// First half: what the forces at t change. force: scratch, [most_local].
+  /// First half: the changes by the forces at t. force: scratch, [most_local].
   BlockReport predict(BlockSystem const& s, std::uint32_t b, ShearedBox const& box,
                       Force* force) const {
     Block const& block = s.blocks.block(b);
@@ -73,7 +73,7 @@ struct BlockStep<L, R, S> {
     return report;
   }
 
-  /// Iteration k of the system's solve, to ImplicitSolve::next.
+  /// Iteration k of the system's solve, into ImplicitSolve::next.
   void iterate(BlockSystem const& s, std::uint32_t b, int k, Force* force) const {
     Block const& block = s.blocks.block(b);
     asking_ahead(s, b, k, [&](auto&& ask) {
@@ -81,8 +81,8 @@ struct BlockStep<L, R, S> {
     });
   }
 
-  /// Second half: the last iteration, and the state at t + dt. observed: it has been done, as
-  /// measure() needs it.
+  /// Second half: the last iteration, and the state at t + dt. observed: measure() has done the
+  /// last iteration already.
   template <class Seen>
   BlockReport correct(BlockSystem const& s, std::uint32_t b, ShearedBox const& box, Force* force,
                       bool observed, Seen const& seen) const {
@@ -113,8 +113,8 @@ struct BlockStep<L, R, S> {
     return {.fastest2 = simd::largest(speeds.fastest2), .nan_flag = simd::sum(speeds.nan_flag)};
   }
 
-  /// Sees the pairs that touch, as ImplicitForces has them. force: [most_local], out: the damping
-  /// of w.
+  /// Shows the pairs that touch to an observer, as ImplicitForces does. force: [most_local], out:
+  /// the damping of w.
   template <class Observer>
   void observe(BlockSystem const& s, Block const& block, Force* force, Observer&& observer) const {
     auto const& w = s.implicit.solution();
@@ -147,7 +147,8 @@ struct BlockStep<L, R, S> {
 
   DrivePower drive_power(BlockSystem const&, Block const&, Real, Force const*) const { return {}; }
 
-  /// Of a pack of disks from i on, after observe(), as ImplicitForces has it. r, spin: theirs.
+  /// Powers of a pack of disks from i on, after observe(), as in ImplicitForces. r, spin: of these
+  /// disks.
   PackPower observed_power(BlockSystem const& s, Block const& block, Force const* force,
                            std::uint32_t i, simd::Mask big, simd::Records const& r, simd::Pack spin,
                            Real strain_rate) const {
@@ -191,13 +192,13 @@ struct BlockStep<L, R, S> {
     Pack spin;
   };
 
-  /// Of a pack of disks, from records {v_x, -, v_y, thetadot}: the order of TurningForce.
+  /// Motions of a pack of disks, from records {v_x, -, v_y, thetadot}: the order of TurningForce.
   BAGNOLD_INLINE static Motions load_motions(simd::Record const* records) {
     auto const r = simd::load_records(records);
     return {{r.x, r.vx}, r.vy};
   }
 
-  /// The four numbers of a record or of a TurningForce.
+  /// Four numbers of a record or of a TurningForce.
   using Row [[gnu::vector_size(32), gnu::may_alias]] = double;
   static_assert(sizeof(Force) == sizeof(simd::Record));  // w may be made where the forces are
 
@@ -210,7 +211,8 @@ struct BlockStep<L, R, S> {
     *reinterpret_cast<Row*>(at) = row;
   }
 
-  /// What turns the force on a disk in a time into a change of its motion, in their order.
+  /// Factors by which a force on a disk, acting for a time, changes its motion, in the order of a
+  /// row.
   struct RowBySpecies {
     Row row[2];
 
@@ -222,7 +224,7 @@ struct BlockStep<L, R, S> {
     }
   };
 
-  /// to: [block.padded]; may be where the forces are. ask(): called for each pack of pairs.
+  /// to: [block.padded]; may be the array of forces. ask(): called for each pack of pairs.
   template <class Ask>
   void iterate(BlockSystem const& s, Block const& block, int k, Force* force, simd::Record* to,
                Ask&& ask) const {
@@ -241,7 +243,7 @@ struct BlockStep<L, R, S> {
     }
   }
 
-  /// The damping of disks that move as the records say.
+  /// Damping of disks that move as the records say.
   template <class Ask>
   void add_damping(BlockSystem const& s, Block const& block, simd::Record const* moving,
                    Force* force, Ask&& ask) const {
@@ -271,8 +273,8 @@ struct BlockStep<L, R, S> {
     }
   }
 
-  /// Of a pack of pairs of the contact list, by where they stand in it: as kept, if the law turns
-  /// disks by them.
+  /// Separations of a pack of pairs of the contact list, by its place in the list: as saved if the
+  /// law rotates.
   BAGNOLD_INLINE static Vec2<Pack> separation_of(BlockSystem const& s, std::uint32_t at,
                                                  simd::Record const* records) {
     if constexpr (rotates) {
@@ -300,7 +302,7 @@ struct BlockStep<L, R, S> {
     return {-1, 0, -1, second_diameter(pair_class) / first_diameter(pair_class)};
   }
 
-  /// What a pack of pairs needs of memory, loaded before the pack before it is worked on.
+  /// Data of a pack of pairs, loaded before the previous pack is evaluated.
   struct Loaded {
     simd::Records now, moving;
   };
@@ -309,8 +311,8 @@ struct BlockStep<L, R, S> {
     return {simd::load_differences(records, pairs), simd::load_combined(moving, pairs, weight)};
   }
 
-  /// visit(pairs, touching, class, difference of the records, contact) of the listed pairs, where
-  /// the contact's velocity is that of disks that move as `moving` says.
+  /// Calls visit(pairs, touching, class, difference of the records, contact) for the listed pairs.
+  /// The contact's velocity is that of disks that move as `moving` says.
   template <class Visit>
   void each_contact(BlockSystem const& s, Block const& block, simd::Record const* moving,
                     Visit const& visit) const {

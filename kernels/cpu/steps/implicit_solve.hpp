@@ -6,8 +6,8 @@
 
 namespace bagnold {
 
-/// The iterations of an ImplicitScheme in a step, for the changes w of all motions: a record {v_x,
-/// v_y, thetadot, -} a disk. Iteration k makes w_k+2 from `now`, w_k+1.
+/// Iterations of an ImplicitScheme in a step, for the changes w of all motions: a record {v_x, v_y,
+/// thetadot, -} a disk. Iteration k makes w_k+2 from `now`, w_k+1.
 struct ImplicitSolve {
   using Records = Blocks::Array<simd::Record>;
 
@@ -17,7 +17,7 @@ struct ImplicitSolve {
 
   int passes() const { return iterations.count; }
 
-  /// start: a, which stands for w_1.
+  /// start: a, which is used as w_1.
   Records const& now(int k, Records const& start) const {
     return k == 0 ? start : iterate[(k - 1) % 2];
   }

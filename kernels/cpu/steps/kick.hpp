@@ -6,7 +6,7 @@
 
 namespace bagnold {
 
-/// What turns forces on a pack of disks in a time into changes of their motion, by species.
+/// Factors by which forces on a pack of disks, acting for a time, change their motion, by species.
 struct Kick {
   simd::Pack mass[2], inertia[2];
 

@@ -5,12 +5,12 @@
 
 namespace bagnold {
 
-/// Keeps the largest peculiar speed of the disks it is shown, and whether a motion is NaN.
+/// Observer that keeps the largest peculiar speed of disks and whether a motion is NaN.
 struct SpeedBound {
   Real strain_rate;
   simd::Pack fastest2 = 0.0, nan_flag = 0.0;
 
-  /// y: where they are at the end of the step, [d_s].
+  /// y: of the disks at the end of the step, [d_s].
   BAGNOLD_INLINE void operator()(simd::Records const& r, simd::Pack y) {
     simd::Pack const ux = fnma(strain_rate, y, r.vx);
     simd::Pack const speed2 = fma(ux, ux, r.vy * r.vy);
@@ -19,13 +19,13 @@ struct SpeedBound {
   }
 };
 
-/// Keeps how far disks come from the straight flight they were predicted by: at the new position,
-/// and at the next trial position.
+/// Observer that keeps the largest distance of disks from their predicted straight flight, at the
+/// new position and at the next trial position.
 struct FlightDeviation {
   simd::Record const* origin;
   Real* flight_deviation2;
   Real time;       ///< t of FlightTimes at the end of the step
-  Real time_step;  ///< of the next step, at the velocities that are seen
+  Real time_step;  ///< of the next step, at the observed velocities
   Real scale = 1;  ///< q of FlightTimes, of the same velocities
 
   void all_of(Block const& block, simd::Record const* records) const {

@@ -14,7 +14,7 @@
 
 namespace bagnold {
 
-/// The step of a PredictCorrectScheme on a block, as in device/dynamics/predict_correct.hpp.
+/// Step of a PredictCorrectScheme on a block, as in device/dynamics/predict_correct.hpp.
 template <ContactLaw L, class R, PredictCorrectScheme S>
 struct BlockStep<L, R, S> {
   using Law = L;
@@ -173,8 +173,8 @@ struct BlockStep<L, R, S> {
     return report(speeds, overlaps);
   }
 
-  /// Sees all pairs of the inner list as they are between the two halves of a step. force:
-  /// [most_local], out: all forces.
+  /// Shows all pairs of the inner list to an observer, at their state between the two halves of a
+  /// step. force: [most_local], out: all forces.
   template <class Observer>
   void observe(BlockSystem const& s, Block const& block, Force* force, Observer&& observer) const {
     forces.evaluate(s, block, s.now, force, observer);
@@ -186,7 +186,7 @@ struct BlockStep<L, R, S> {
     return drive->power(s, block, strain_rate);
   }
 
-  /// Of a pack of disks from i on, after observe(). spin: theirs.
+  /// Powers of a pack of disks from i on, after observe(). spin: of these disks.
   PackPower observed_power(BlockSystem const&, Block const&, Force const* force, std::uint32_t i,
                            simd::Mask big, simd::Records const&, simd::Pack spin, Real) const {
     PackPower power;

@@ -20,7 +20,7 @@ class StepperOf final : public BlockStepper {
 
   using Drive = BlockDrive<typename Step::Force, Step::rotates>;
 
-  /// drive: null where none acts.
+  /// drive: null for none.
   StepperOf(Law const& law, Repulsion const& repulsion, SpeciesTable const& table, Real time_step,
             std::unique_ptr<Drive const> drive)
       : BlockStepper(needs_of(drive != nullptr)),
@@ -90,7 +90,7 @@ class StepperOf final : public BlockStepper {
  private:
   static constexpr bool iterates = ImplicitScheme<typename Step::Scheme>;
 
-  /// Engines ask `needs` before they call.
+  /// Never reached: engines read `needs` before they call.
   [[noreturn]] static void not_of_this_form() {
     throw std::logic_error("a step that the scheme has not");
   }

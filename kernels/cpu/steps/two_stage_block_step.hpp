@@ -15,9 +15,9 @@
 
 namespace bagnold {
 
-/// The step of a TwoStageScheme on a block. `trial` holds what the first stage changes:
-/// as a record {v_x, v_y, thetadot, contacts} a disk. The first stage lists the pairs that touch
-/// for the second one.
+/// Step of a TwoStageScheme on a block. `trial` holds the changes of the first stage: a record
+/// {v_x, v_y, thetadot, contacts} a disk. The first stage lists the pairs that touch for the second
+/// one.
 template <TwoStageLaw L, class R, TwoStageScheme S>
 struct BlockStep<L, R, S> {
   using Law = L;
@@ -51,7 +51,7 @@ struct BlockStep<L, R, S> {
 
   SecondStage const* second_stage() const { return &shares; }
 
-  /// First half: what the forces at t change. force: scratch, [most_local].
+  /// First half: the changes by the forces at t. force: scratch, [most_local].
   BlockReport predict(BlockSystem const& s, std::uint32_t b, ShearedBox const& box,
                       Force* force) const {
     Block const& block = s.blocks.block(b);
@@ -160,8 +160,9 @@ struct BlockStep<L, R, S> {
     return {simd::largest(speeds.fastest2), 0, 0, simd::sum(speeds.nan_flag)};
   }
 
-  /// Sees the pairs that touch, both stages together; between the two halves of a step. force:
-  /// [2][most_local], out: the damping of both stages, and that of the second one.
+  /// Shows the pairs that touch to an observer, with both stages together, between the two halves
+  /// of a step. force: [2][most_local], out: the damping of both stages, and that of the second
+  /// one.
   template <class Observer>
   void observe(BlockSystem const& s, Block const& block, Force* force, Observer&& observer) const {
     copy_halo(s.blocks, block, s.trial.record);
@@ -178,7 +179,8 @@ struct BlockStep<L, R, S> {
     return drive->power(s, block, strain_rate, force + s.blocks.most_local);
   }
 
-  /// Of a pack of disks from i on, after observe(), as ChangeForces has it. spin: theirs.
+  /// Powers of a pack of disks from i on, after observe(), as in ChangeForces. spin: of these
+  /// disks.
   PackPower observed_power(BlockSystem const& s, Block const&, Force const* force, std::uint32_t i,
                            simd::Mask big, simd::Records const&, simd::Pack spin, Real) const {
     auto const both = simd::load_forces(force + i);
@@ -198,7 +200,7 @@ struct BlockStep<L, R, S> {
  private:
   using Pack = simd::Pack;
 
-  /// What the first stage changes, as in `trial`.
+  /// Changes of the first stage, as in `trial`.
   BAGNOLD_INLINE static simd::Records change_of(Kick const& kick, simd::ForceComponents const& f,
                                                 simd::Mask big) {
     Pack const most = SecondStage::most;
@@ -217,8 +219,8 @@ struct BlockStep<L, R, S> {
     return Scheme::velocity(spin, change.vx, second.torque_per_diameter, per_inertia);
   }
 
-  /// Adds what the second stage exerts to force, which is cleared where pairs touch. ask(): called
-  /// for each pack of pairs.
+  /// Adds the forces of the second stage to force, which is cleared where pairs touch. ask():
+  /// called for each pack of pairs.
   template <class Ask>
   void add_second(BlockSystem const& s, Block const& block, Force* force, Ask&& ask) const {
     copy_halo(s.blocks, block, s.trial.record);
@@ -241,7 +243,7 @@ struct BlockStep<L, R, S> {
                        block.near[contact_list][c], force, ask, observe);
   }
 
-  /// What a pack of pairs needs of memory, loaded before the pack before it is worked on.
+  /// Data of a pack of pairs, loaded before the previous pack is evaluated.
   struct Loaded {
     simd::Records now, change;
   };
@@ -260,7 +262,8 @@ struct BlockStep<L, R, S> {
                   zero_unless(touching, f.dissipative.y), torque_per_diameter);
   }
 
-  /// Adds the forces of the second stage, or shows those of both stages together and adds both.
+  /// Adds the forces of the second stage. If Whole, adds those of both stages and shows them to the
+  /// observer.
   template <bool Whole, class Ask, class Observer>
   void add_class(int pair_class, BlockSystem const& s, Block const& block,
                  simd::LocalPair const* pairs, std::uint32_t count, Force* force, Ask& ask,
