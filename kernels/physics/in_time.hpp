@@ -7,15 +7,14 @@
 
 namespace bagnold {
 
-/// A number that changes with time t as a polynomial, c_0 + c_1 t + .. of a fixed degree: what a
-/// disk in free flight has. Formulas that are written for numbers then hold for whole flights: a
-/// product's degree is the sum of those of its factors, so nothing is cut off and nothing
-/// multiplied by zero. T: a number or a pack.
+/// Polynomial in time t of a fixed degree, c_0 + c_1 t + .., as of a disk in free flight. Formulas
+/// written for numbers hold for whole flights: the degree of a product is the sum of those of its
+/// factors, so nothing is cut off and nothing multiplied by zero. T: a number or a pack.
 template <class T, int degree>
 struct InTime {
   T c[degree + 1]{};
 
-  /// Its sum over many times, from their number, the sum of t and the sum of t^2.
+  /// Sum over many times, from their number, the sum of t and the sum of t^2.
   KOKKOS_FORCEINLINE_FUNCTION T over(T const& times, T const& sum_t, T const& sum_t2) const {
     static_assert(degree <= 2);
     T const powers[3] = {times, sum_t, sum_t2};

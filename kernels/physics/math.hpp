@@ -4,8 +4,7 @@
 #include <Kokkos_Macros.hpp>
 #include <cmath>
 
-/// Functions of numbers that host and device have, without Kokkos itself: formulas are light to
-/// compile.
+/// Functions of numbers for host and device, without Kokkos itself, so that formulas compile fast.
 namespace bagnold::math {
 
 KOKKOS_INLINE_FUNCTION double fabs(double x) { return ::fabs(x); }

@@ -5,7 +5,7 @@
 
 namespace bagnold {
 
-/// How one disk moves. A law without rotation has no spin: not zero, but absent.
+/// Motion of one disk. A law without rotation has no spin: not zero, but absent.
 template <bool Rotates>
 struct Motion {
   Vec2<Real> velocity{};  ///< lab frame, [d_s / tau_e]
@@ -17,7 +17,7 @@ struct Motion<true> {
   Real spin{};  ///< thetadot, counter-clockwise, [1 / tau_e]
 };
 
-/// What acts on one disk.
+/// Force and torque on one disk.
 template <bool Rotates>
 struct Load {
   Vec2<Real> force{};  ///< [m d_s / tau_e^2]

@@ -7,8 +7,8 @@
 
 namespace bagnold {
 
-/// a b + c, rounded twice for plain numbers on every backend. Packs bring their own, rounded once
-/// where the machine can, as does any other number: found by its namespace.
+/// a b + c, rounded twice for plain numbers on every backend. Packs and other types of numbers have
+/// their own, found by namespace; that of packs is rounded once if the processor can.
 template <std::floating_point T>
 KOKKOS_FORCEINLINE_FUNCTION constexpr T multiply_add(T a, T b, T c) {
   return a * b + c;

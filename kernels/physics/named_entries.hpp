@@ -9,12 +9,12 @@
 
 namespace bagnold {
 
-/// Entries with a `name`, what is known of the types of a list: one for each, then those that a
-/// program of its own adds. An entry stays where it is when another is added.
+/// Entries with a `name`, one for each type of a list, then those that a user's program adds. The
+/// address of an entry stays valid when another is added.
 template <class Entry>
 class NamedEntries {
  public:
-  /// make.operator()<T>() for each type of a list.
+  /// Calls make.operator()<T>() for each type of a list.
   template <class List, class Make>
   static NamedEntries& of(Make const& make) {
     static NamedEntries entries = [&] {
@@ -27,7 +27,7 @@ class NamedEntries {
     return entries;
   }
 
-  /// nullptr where there is none of that name.
+  /// Entry of a name; nullptr if there is none.
   Entry const* find(std::string_view name) const {
     auto const found = std::ranges::find(entries_, name, &Entry::name);
     return found == entries_.end() ? nullptr : &*found;

@@ -8,15 +8,15 @@
 
 namespace bagnold {
 
-/// What draws random numbers while a system is stepped: each has a stream of its own for each seed,
-/// and none depends on what the others draw. The number is part of what is drawn: append, never
-/// renumber.
+/// Uses of random numbers while a system is stepped. Each has its own stream for each seed and does
+/// not depend on what the others draw. The number of a stream enters the numbers drawn: append,
+/// never renumber.
 enum class Stream : std::uint64_t {
   contact_samples = 0,  ///< which configurations of a contact are sampled
   thermal_noise = 1     ///< forces of a bath
 };
 
-/// SplitMix64 (Steele, Lea and Flood, OOPSLA 2014): 64 bits that look random, from 64 that do not.
+/// SplitMix64 (Steele, Lea and Flood, OOPSLA 2014): a hash of 64 bits.
 KOKKOS_INLINE_FUNCTION constexpr std::uint64_t mixed(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15u;
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -28,8 +28,8 @@ struct Centred {
   Real x, y, z;
 };
 
-/// Random numbers by what they are for: of a disk or pair, at a step. No state: bits depend neither
-/// on threads nor on restarts.
+/// Random numbers by their purpose: of a disk or pair, at a step. They have no state, so bits
+/// depend neither on threads nor on restarts.
 struct RandomStream {
   std::uint64_t key;
 
@@ -41,12 +41,12 @@ struct RandomStream {
     return mixed(mixed(key ^ whose) ^ when);
   }
 
-  /// Even in (0, 1], of 53 bits.
+  /// Uniform in (0, 1], with 53 bits.
   KOKKOS_INLINE_FUNCTION constexpr Real uniform(std::uint64_t whose, std::uint64_t when) const {
     return static_cast<Real>((bits(whose, when) >> 11) + 1) * (1 / Real(std::uint64_t{1} << 53));
   }
 
-  /// Three, even in (-1/2, 1/2), of 21 bits each, with mean 0.
+  /// Three numbers, uniform in (-1/2, 1/2), of 21 bits each, with mean 0.
   KOKKOS_INLINE_FUNCTION constexpr Centred centred(std::uint64_t whose, std::uint64_t when) const {
     auto const all = bits(whose, when);
     auto const one = [all](int shift) {

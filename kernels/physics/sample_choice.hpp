@@ -7,13 +7,13 @@
 
 namespace bagnold {
 
-/// In which of its configurations a contact is sampled: when it ends, the last sample has been at
-/// each of them with equal chance.
+/// Choice of the configuration in which a contact is sampled: when it ends, each of its
+/// configurations has been the last sample with equal probability.
 ///
-/// A reservoir of one, with jumps (Li, ACM Trans. Math. Softw. 20, 481 (1994)): after the j-th
-/// configuration comes the one of number floor(j/u) + 1, u even in (0, 1], so about ln n samples in
-/// n configurations. u is a hash of seed, disks and step: no thread, list or restart has a part in
-/// it.
+/// Reservoir sampling of one, with jumps (Li, ACM Trans. Math. Softw. 20, 481 (1994)): after the
+/// j-th configuration comes the one of number floor(j/u) + 1, u uniform in (0, 1], so about ln n
+/// samples in n configurations. u is a hash of seed, disks and step, so it depends on no thread,
+/// list or restart.
 class SampleChoice {
  public:
   static constexpr std::int64_t never = INT64_MAX;
@@ -24,10 +24,10 @@ class SampleChoice {
 
   KOKKOS_FUNCTION explicit operator bool() const { return on_; }
 
-  /// The first sample of a contact that begins at a step.
+  /// First sample of a contact that begins at a step.
   KOKKOS_FUNCTION std::int64_t first(std::int64_t begin) const { return on_ ? begin : never; }
 
-  /// The sample after the one at step `now`. Disks in any order.
+  /// Sample after the one at step `now`. Disks in any order.
   KOKKOS_FUNCTION std::int64_t next(std::uint32_t a, std::uint32_t b, std::int64_t begin,
                                     std::int64_t now) const {
     Real const step = static_cast<Real>(now - begin + 1) / uniform(a, b, now);
@@ -35,13 +35,13 @@ class SampleChoice {
     return begin + static_cast<std::int64_t>(step < most ? step : most);
   }
 
-  /// A number in (0, 1] of a whole contact, by which some of many may be picked.
+  /// Random rank of a whole contact in (0, 1], by which some of many are picked.
   KOKKOS_FUNCTION Real rank(std::uint32_t a, std::uint32_t b, std::int64_t begin) const {
     constexpr std::int64_t aside = std::int64_t{1} << 62;  // no step
     return uniform(a, b, begin ^ aside);
   }
 
-  /// Likewise of a contact in the configuration at a step.
+  /// Random rank of a contact in the configuration at a step, in (0, 1].
   KOKKOS_FUNCTION Real rank_at(std::uint32_t a, std::uint32_t b, std::int64_t step) const {
     constexpr std::int64_t aside = std::int64_t{1} << 61;  // no step
     return uniform(a, b, step ^ aside);
@@ -57,9 +57,9 @@ class SampleChoice {
   bool on_ = false;
 };
 
-/// Which contacts of evaluated configurations are offered to those who keep the ones of the least
-/// ranks, which are an even choice of all: a contact has as many chances as configurations it
-/// lasts.
+/// Choice of contacts in evaluated configurations for collectors that keep those of the smallest
+/// ranks. These are a uniform choice of all: a contact has a chance in each configuration in which
+/// it exists.
 struct PickChoice {
   SampleChoice choice;
   std::int64_t first_step = 0;  ///< from which on

@@ -8,10 +8,11 @@
 
 namespace bagnold {
 
-/// Which of the two sizes a disk has: one byte a disk instead of its diameter, mass and inertia.
+/// Size of a disk, one of two: one byte a disk instead of its diameter, mass and inertia.
 using Species = std::uint8_t;
 
-/// A number for each size. No array: a GPU would keep that in memory to look it up by an index.
+/// A number for each size. It is not an array, which a GPU would keep in memory to look it up by an
+/// index.
 struct PerSpecies {
   Real small, big;
 
@@ -20,7 +21,7 @@ struct PerSpecies {
   }
 };
 
-/// What a size implies. The mass rule is folded in here and appears nowhere else.
+/// Properties of each size. The mass rule enters here and nowhere else.
 struct SpeciesTable {
   PerSpecies diameter;         ///< d, [d_s]
   PerSpecies inverse_mass;     ///< 1/m, [1/m] (P2) or [1/m_0] (P1)
@@ -35,7 +36,7 @@ inline constexpr int pair_classes = 3;
 
 KOKKOS_INLINE_FUNCTION constexpr int pair_class(Species a, Species b) { return a + b; }
 
-/// Contact distance of a class, d_ij = (d_i + d_j)/2, [d_s]. Chosen, not computed: constants.
+/// Contact distance of a class, d_ij = (d_i + d_j)/2, [d_s]; selected from constants.
 KOKKOS_INLINE_FUNCTION constexpr Real class_distance(int pair_class) {
   return pair_class == 0   ? small_diameter
          : pair_class == 1 ? (small_diameter + big_diameter) / 2
@@ -60,8 +61,9 @@ constexpr Real disk_inertia(bool by_area, Real diameter) {
   return disk_mass(by_area, diameter) * diameter * diameter / 8;
 }
 
-/// How much faster the points of contact of two disks change their velocity along the tangent than
-/// along the normal: mu/mu_t = 1, or where they roll 1 + mu (d_i^2/4I_i + d_j^2/4I_j) = 3.
+/// Ratio of the changes of the velocity at the point of contact of two disks by equal forces along
+/// the tangent and along the normal: mu/mu_t = 1, or where they roll 1 + mu (d_i^2/4I_i +
+/// d_j^2/4I_j) = 3.
 constexpr Real tangential_mobility(bool rotates) { return rotates ? 3 : 1; }
 
 constexpr SpeciesTable make_species_table(bool mass_by_area) {

@@ -18,13 +18,13 @@ void each_of(std::tuple<T...> const*, Use const& use) {
 
 }  // namespace detail
 
-/// use(std::type_identity<T>) for each type of a list.
+/// Calls use(std::type_identity<T>) for each type of a list.
 template <class List, class Use>
 void for_each_type(Use const& use) {
   detail::each_of(static_cast<List const*>(nullptr), use);
 }
 
-/// The names of a list, in its order.
+/// Names of a list, in its order.
 template <class List>
 std::vector<std::string_view> names_of() {
   std::vector<std::string_view> names;
@@ -32,8 +32,8 @@ std::vector<std::string_view> names_of() {
   return names;
 }
 
-/// use(std::type_identity<T>) with the type of that name in a list; a value-initialised result
-/// where there is none.
+/// Calls use(std::type_identity<T>) with the type of that name in a list; a value-initialised
+/// result if there is none.
 template <class List, class Use>
 auto with_named(std::string_view name, Use const& use) {
   using Result = decltype(use(std::type_identity<std::tuple_element_t<0, List>>{}));

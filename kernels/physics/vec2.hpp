@@ -46,7 +46,7 @@ KOKKOS_FUNCTION constexpr T cross(Vec2<T> const& a, Vec2<T> const& b) {
   return a.x * b.y - a.y * b.x;
 }
 
-/// z^ x a: a turned by a quarter, counter-clockwise.
+/// z^ x a: a rotated by 90 degrees, counter-clockwise.
 template <class T>
 KOKKOS_FUNCTION constexpr Vec2<T> perpendicular(Vec2<T> const& a) {
   return {-a.y, a.x};

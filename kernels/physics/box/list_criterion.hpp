@@ -25,20 +25,22 @@ KOKKOS_INLINE_FUNCTION Real list_margin(Real strain_since_build, Real largest_no
   return 2 * s * largest_nonaffine + (s - 1) * big_diameter;
 }
 
-/// Whether a list still holds every pair in contact.
+/// True if a list still holds every pair in contact.
 KOKKOS_INLINE_FUNCTION bool list_holds(Real strain_since_build, Real largest_nonaffine2,
                                        Real skin) {
   return list_margin(strain_since_build, math::sqrt(largest_nonaffine2)) < skin;
 }
 
-/// The |w| up to which that is so, [d_s]; negative if the shear alone is too much.
+/// Largest |w| at which a list still holds every pair in contact, [d_s]; negative if the shear
+/// alone is too much.
 KOKKOS_INLINE_FUNCTION Real list_reach(Real strain_since_build, Real skin) {
   Real const half = math::sqrt(strain_since_build * strain_since_build) / 2;
   Real const s = half + math::sqrt(1 + half * half);
   return (skin - (s - 1) * big_diameter) / (2 * s);
 }
 
-/// |w|^2 of a disk, [d_s^2]: how far it is from where the mean flow alone would have taken it.
+/// |w|^2 of a disk, [d_s^2]: its squared distance from where the mean flow alone would have taken
+/// it.
 KOKKOS_INLINE_FUNCTION Real nonaffine2(Vec2<Real> const& position, Vec2<Real> const& at_build,
                                        Real strain_since_build) {
   Vec2<Real> w = position - at_build;

@@ -8,14 +8,14 @@
 
 namespace bagnold {
 
-/// A step that strain and offset are counted from: that of a list build.
+/// Step from which strain and offset are counted: that of a list build.
 struct ShearMark {
   std::int64_t step = 0;
   DoubleDouble strain{};  ///< since step 0
   DoubleDouble turns{};   ///< gamma L_y/L_x, in [0, 1)
 };
 
-/// How far the images of the box have come since a mark, from some step on at one rate.
+/// Displacement of the images of the box since a mark, from some step on at a constant rate.
 struct ShearSince {
   DoubleDouble turns;        ///< gamma L_y/L_x at the mark, in [0, 1)
   DoubleDouble before;       ///< strain from the mark to `first`
@@ -29,7 +29,7 @@ struct ShearSince {
     return (before + step_strain * static_cast<double>(step - first)).rounded();
   }
 
-  /// x of the image above, [d_s]; in [0, L_x) at the mark, from where it grows on.
+  /// x of the image above, [d_s]; in [0, L_x) at the mark, growing from there.
   KOKKOS_FUNCTION Real offset(std::int64_t step) const {
     return ((turns + before * aspect + step_strain * aspect * static_cast<double>(step - first)) *
             length)
@@ -37,7 +37,8 @@ struct ShearSince {
   }
 };
 
-/// turns: of any size; zero where they would round up to a whole one. In [0, 1).
+/// Fraction of `turns` in [0, 1). turns: any number; zero where the fraction times `length` rounds
+/// up to `length`.
 KOKKOS_INLINE_FUNCTION DoubleDouble turns_in_box(DoubleDouble const& turns, Real length) {
   DoubleDouble const part = fraction(turns);
   return (part * length).rounded() >= length ? DoubleDouble{} : part;

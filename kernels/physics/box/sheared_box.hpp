@@ -8,7 +8,7 @@
 
 namespace bagnold {
 
-/// Which periodic image of a disk is meant: the one at (x + m L_x + n gamma L_y, y + n L_y).
+/// Periodic image of a disk: the one at (x + m L_x + n gamma L_y, y + n L_y).
 ///
 /// m in -2..2 and n in -1..1 while disks are in the box at a list build, so 15 images: 4 bits.
 struct Image {
@@ -24,18 +24,18 @@ struct ShearedBox {
   Real strain_rate;      ///< gammadot, [1 / tau_e]
   Real height = length;  ///< L_y, [d_s]
 
-  /// Where an image sits from its disk, [d_s].
+  /// Displacement of an image from its disk, [d_s].
   KOKKOS_FUNCTION Vec2<Real> shift(Image const& image) const {
     return {image.m * length + image.n * offset, image.n * height};
   }
 
-  /// v_x of an image from that of its disk: n gammadot L_y, [d_s / tau_e].
+  /// v_x of an image relative to its disk: n gammadot L_y, [d_s / tau_e].
   KOKKOS_FUNCTION Real velocity_shift(Image const& image) const {
     return image.n * (strain_rate * height);
   }
 };
 
-/// Take a disk back into [0, L_x) x [0, L_y). A wrap in y changes x by the offset, v_x by gammadot
+/// Wraps a disk back into [0, L_x) x [0, L_y). A wrap in y changes x by the offset, v_x by gammadot
 /// L_y.
 ///
 /// Positions that are in the box already keep their bits.
@@ -50,7 +50,7 @@ KOKKOS_INLINE_FUNCTION void wrap(ShearedBox const& box, Vec2<Real>& position, Re
   if (m != 0) position.x -= m * box.length;
 }
 
-/// A neighbour of a disk: its index, its size and its image in one word, which orders as the index.
+/// A neighbour of a disk: index, size and image in one word, which is ordered by the index.
 struct Neighbor {
   std::uint32_t packed;
 

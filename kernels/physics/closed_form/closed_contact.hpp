@@ -75,10 +75,10 @@ struct ClosedContact {
   Real centrifugal[3];      ///< C_q, [d_s]
   Real duration;            ///< to the end, [tau_e]
   PolarMotion<Real> last;   ///< at s = duration, where |separation| = d_ij
-  PairMotion<Rotates> end;  ///< likewise
+  PairMotion<Rotates> end;  ///< at s = duration
   [[no_unique_address]] StartSpins<Rotates> spins;
 
-  /// Disks that come to touch, r_ij = d_ij but for rounding.
+  /// Contact of disks that come to touch, r_ij = d_ij up to rounding.
   static ClosedContact begin(Class const& c, PairMotion<Rotates> const& pair) {
     ClosedContact k = with(c, pair, true);
     if (k.approach > 0)
@@ -88,7 +88,8 @@ struct ClosedContact {
     return k;
   }
 
-  /// Disks in contact for some time already, r_ij <= d_ij: duration is what is left.
+  /// Contact of disks in contact for some time already, r_ij <= d_ij; duration is the remaining
+  /// time.
   static ClosedContact resume(Class const& c, PairMotion<Rotates> const& pair) {
     ClosedContact k = with(c, pair, false);
     if (k.overlap > 0 || k.approach > 0)
@@ -111,7 +112,7 @@ struct ClosedContact {
     return polar(c, p, radial(c, p));
   }
 
-  /// From polar form.
+  /// Motion of the pair from polar form.
   PairMotion<Rotates> motion(Class const& c, PolarMotion<Real> const& of) const {
     PairMotion<Rotates> pair;
     pair.separation = (c.distance - of.overlap) * of.normal;
@@ -158,8 +159,8 @@ struct ClosedContact {
     return c.frequency02 * (largest_overlap() + pushed()) +
            c.rates.sliding * std::fabs(sliding) * stretch(c);
   }
-  /// Largest distance between the relative motion and the line on which it goes on after the
-  /// contact, [d_s]; share_i of it is that of disk i.
+  /// Largest distance between the relative motion and its straight continuation after the contact,
+  /// [d_s]; share_i of it is that of disk i.
   Real largest_deviation(Class const& c) const {
     Real const l = tangential_speed(c), turn = l * duration * c.inverse_distance;
     Real const slid = std::fabs(last.angular - (constant + sliding));
@@ -288,7 +289,7 @@ struct ClosedContact {
     end = pair;
   }
 
-  /// Of a contact that begins: nearly half a period on.
+  /// Finds the end of a contact from its beginning: nearly half a period later.
   void find_end(Class const& c) {
     Real const w = c.rates.frequency;
     auto q = radial(c, c.end);
@@ -314,8 +315,9 @@ struct ClosedContact {
     search_end(c);
   }
 
-  /// Anywhere: Newton's method in a bracket. Without the centrifugal term, which pulls the disks
-  /// apart, the overlap would be 0 at `high`: there it is not above 0, and it has been 0 once.
+  /// Finds the end from any phase, by Newton's method in a bracket. Without the centrifugal term,
+  /// which pulls the disks apart, the overlap would be 0 at `high`. With it the overlap is not
+  /// above 0 there, and it has been 0 once.
   void search_end(Class const& c) {
     Real const w = c.rates.frequency;
     Real const swing = (approach + c.rates.damping * overlap) * c.inverse_frequency;

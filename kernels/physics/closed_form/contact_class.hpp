@@ -14,7 +14,8 @@
 
 namespace bagnold {
 
-/// Whether a contact of two alone is solved in closed form: a spring and dashpots that are linear.
+/// True if a contact of two disks alone is solved in closed form: a linear spring and linear
+/// dashpots.
 template <class Law, class Repulsion>
 concept HasClosedForm = LinearLaw<Law> && std::same_as<Repulsion, HarmonicRepulsion>;
 
@@ -25,7 +26,7 @@ struct DiskMotion {
   Motion<Rotates> motion;  ///< lab frame, an image with the shear of the box
 };
 
-/// Disk i against disk j, or against an image of it.
+/// Motion of disk i relative to disk j, or to an image of it.
 template <bool Rotates>
 struct PairMotion {
   Vec2<Real> separation;  ///< r_ij = r_i - r_j, [d_s]
@@ -38,7 +39,7 @@ struct PairMotion<true> {
   Real spin_i, spin_j;  ///< thetadot, counter-clockwise, [1 / tau_e]
 };
 
-/// Centre of mass of two disks. It flies straight while they touch nobody else.
+/// Centre of mass of two disks. It moves on a straight line while they touch no other disk.
 struct PairCentre {
   Vec2<Real> position, velocity;
 };
@@ -71,9 +72,9 @@ struct ContactClass {
   ContactPhase<Real> end;         ///< at half_period
   ContactPhase<AtNodes> nodes;    ///< at the nodes between 0 and half_period
 
-  /// Whether contacts end of themselves. An overdamped one has no end in closed form: Q below
-  /// d_ij/(2 sqrt(mu)) for k_n = 1/Q, which is 0.564 to 0.588 for masses by area, 0.707 to 0.990
-  /// for equal ones.
+  /// True if contacts are underdamped, so that they end. An overdamped contact has no end in closed
+  /// form. Contacts are overdamped for Q below d_ij/(2 sqrt(mu)) for k_n = 1/Q, which is 0.564 to
+  /// 0.588 for masses by area, 0.707 to 0.990 for equal ones.
   bool underdamped() const { return rates.frequency > 0; }
 
   template <LinearLaw Law>
@@ -128,7 +129,7 @@ struct ContactClass {
     return c;
   }
 
-  /// Of two disks, and back.
+  /// Centre of mass of two disks; and each disk from the centre and the relative motion.
   PairCentre centre(DiskMotion<Rotates> const& i, DiskMotion<Rotates> const& j) const {
     return {share_j * i.position + share_i * j.position,
             share_j * i.motion.velocity + share_i * j.motion.velocity};
@@ -148,7 +149,7 @@ struct ContactClass {
   }
 };
 
-/// One disk against the other.
+/// Relative motion of two disks.
 template <bool Rotates>
 PairMotion<Rotates> pair_motion(DiskMotion<Rotates> const& i, DiskMotion<Rotates> const& j) {
   PairMotion<Rotates> pair;
@@ -176,7 +177,7 @@ struct ContactClasses {
 
   ContactClass<Rotates> const& operator()(Species i, Species j) const { return of[i][j]; }
 
-  /// Whether every contact of two alone has an end.
+  /// True if every contact of two disks alone ends.
   bool underdamped() const {
     return of[0][0].underdamped() && of[0][1].underdamped() && of[1][1].underdamped();
   }

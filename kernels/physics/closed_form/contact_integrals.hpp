@@ -10,8 +10,8 @@
 
 namespace bagnold {
 
-/// Integrals over a contact, or part of one, of what SumColumns and ContactMotion sum over a
-/// configuration: a mean over a window then needs no samples.
+/// Integrals over a contact, or part of one, of the columns of SumColumns and ContactMotion. With
+/// them a mean over a window needs no samples.
 ///
 /// With G = k_n (d_ij delta - delta^2/2), the virial f_a r_b of both forces is
 ///
@@ -19,13 +19,13 @@ namespace bagnold {
 ///     dissipative:  [G n n] - integral of G theta' (n t + t n) - integral of k_t r V t n,
 ///
 /// the first of which is k_n r delta' n n integrated by parts. So its trace is [G], 0 over whole
-/// contacts to rounding; it is not symmetric where k_t is not 0. The dissipated energy, and that
-/// which goes into rotation, is the difference of the energies at both phases. All else is Gauss's
-/// rule on the closed form, in pieces short enough for an error of 1e-10 of the contact's own
-/// scale.
+/// contacts to rounding; it is not symmetric where k_t is not 0. The dissipated energy, and the
+/// energy that goes into rotation, are differences of the energies at both phases. All other
+/// columns use Gauss's rule on the closed form, in pieces short enough for an error of 1e-10 of the
+/// contact's own scale.
 ///
-/// A negative weight takes a part back: where a contact is cut at phase s, what was added up to its
-/// duration is corrected by -1 times the integrals from s to duration.
+/// A negative weight subtracts a part: if a contact is cut at phase s, the sums up to its duration
+/// are corrected by -1 times the integrals from s to duration.
 ///
 ///     ContactIntegrals const integrals{c};
 ///     integrals.add_pair_columns(columns, contact, 0, contact.duration);

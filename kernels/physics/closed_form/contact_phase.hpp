@@ -9,7 +9,7 @@
 
 namespace bagnold {
 
-/// A phase of a contact: the numbers of which all others are made.
+/// A phase of a contact: the numbers from which all others follow.
 template <class T>
 struct ContactPhase {
   T time;          ///< s, since the reference instant of the contact, [tau_e]
@@ -37,7 +37,7 @@ struct ContactRates {
     return p;
   }
 
-  /// Times that count as slight: largest() times them is below this.
+  /// Bound of slight times: largest() times the time is below this.
   static constexpr Real slight = 1.0 / 64;
 
   /// Phases slightly earlier. very: a 16th of `slight`, at most.
@@ -46,7 +46,7 @@ struct ContactRates {
     return very ? earlier<2, 4>(p, by) : earlier<4, 7>(p, by);
   }
 
-  /// A phase earlier by a time of which the square of largest() times it is nothing.
+  /// Phase earlier by a time whose product with largest() has a negligible square.
   ContactPhase<Real> barely_earlier(ContactPhase<Real> const& p, Real by) const {
     return {p.time - by,
             p.decay + damping * by * p.decay,
@@ -56,7 +56,7 @@ struct ContactRates {
             p.slide_time - p.slide * by};
   }
 
-  /// Phases earlier by times of which largest() times them is below 2.
+  /// Phases earlier by times whose products with largest() are below 2.
   template <class T>
   ContactPhase<T> earlier(ContactPhase<Real> const& p, T const& by) const {
     return earlier(p, by, series::sine_cosine<11>(T(frequency) * by), growth(T(damping) * by),

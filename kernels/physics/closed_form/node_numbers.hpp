@@ -5,11 +5,11 @@
 
 namespace bagnold {
 
-/// A number at each node of Gauss's rule on (-1, 1): formulas written for numbers then hold for all
-/// nodes at once.
+/// A number at each node of Gauss's rule on (-1, 1), so that formulas written for numbers hold for
+/// all nodes at once.
 struct AtNodes {
   static constexpr int count = 8;
-#ifdef __CUDA_ARCH__  // the device knows no vectors; nvcc only reads this, it never runs there
+#ifdef __CUDA_ARCH__  // no vector types there; nvcc only parses this
   struct Lanes {
     Real lane[count];
     Real& operator[](int k) { return lane[k]; }
@@ -41,7 +41,7 @@ struct AtNodes {
                  0.2223810344533744706, 0.1012285362903762591};
   }
 
-  /// Over (-1, 1).
+  /// Integral over (-1, 1).
   Real integral() const {
     Lanes const w = v * weights().v;
     return ((w[0] + w[4]) + (w[1] + w[5])) + ((w[2] + w[6]) + (w[3] + w[7]));

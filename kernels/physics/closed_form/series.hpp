@@ -6,8 +6,8 @@
 #include "kernels/physics/multiply_add.hpp"
 #include "kernels/physics/vec2.hpp"
 
-/// Sums of power series, to rounding for small arguments. No library function has a part in them:
-/// the same bits on every machine.
+/// Sums of power series, accurate to rounding for small arguments. They use no library function, so
+/// the bits are the same on every machine.
 namespace bagnold::series {
 
 template <class T>

@@ -11,15 +11,15 @@
 
 namespace bagnold {
 
-/// One disk as a one-body force sees it, beside the mean flow u(r) = gammadot y x^. T: a number or
-/// pack.
+/// Motion of one disk for a one-body force, relative to the mean flow u(r) = gammadot y x^. T: a
+/// number or pack.
 template <class T>
 struct DrivenDisk {
   Vec2<T> position;     ///< [d_s]
   Vec2<T> velocity;     ///< v - u(r), [d_s / tau_e]
   T spin;               ///< thetadot + gammadot/2: beyond the rotation of the flow, [1 / tau_e]
   T big;                ///< 1 of a big disk, 0 of a small one
-  Vec2<T> random = {};  ///< even in (-1/2, 1/2), of the disk and the step; 0 if the drive asks none
+  Vec2<T> random = {};  ///< uniform in (-1/2, 1/2), of the disk and the step; 0 if unused
   T random_spin = T(0);
 
   /// A number that depends on the size.
@@ -28,7 +28,7 @@ struct DrivenDisk {
   }
 };
 
-/// What acts on one disk alone.
+/// Force and torque on one disk.
 template <class T>
 struct Push {
   Vec2<T> force{};  ///< [m d_s / tau_e^2]
@@ -41,7 +41,7 @@ struct Push {
   }
 };
 
-/// What a scheme does with a force on one disk, and with its damping; z = zeta dt/m.
+/// Response of a scheme to a force on one disk, and to its damping; z = zeta dt/m.
 struct SchemeOnDisk {
   Real (*gain)(Real z);   ///< v -> v + gain(z) (f dt/m - z v) in a step, f a constant force
   Real (*share)(Real z);  ///< of the drag of the changes in the second stage; null: there is none
@@ -69,7 +69,7 @@ struct SchemeOnDisk {
   }
 };
 
-/// What a drive is made of.
+/// Parameters of a drive.
 struct DriveInput {
   Real drag;         ///< zeta, [m / tau_e]
   Real temperature;  ///< T, [m d_s^2 / tau_e^2]
@@ -94,13 +94,13 @@ KOKKOS_FORCEINLINE_FUNCTION Push<T> drag_force(Real drag, DrivenDisk<T> const& d
   return {T(-drag) * disk.velocity, -spin_drag(T(drag), diameter) * disk.spin};
 }
 
-/// A one-body force: a drag, which engines exert as its scheme steps damping, and a push besides.
-/// A disk that touches nothing does not fly straight under it.
+/// A one-body force: a drag, which engines step as the scheme steps damping, and a push besides. A
+/// disk that touches nothing does not fly straight under it.
 template <class D>
 concept OneBodyDrive = requires(D const& drive, DriveInput const& input,
                                 DrivenDisk<Real> const& disk) {
   { D::name } -> std::convertible_to<std::string_view>;  // as in input and output
-  { D::random } -> std::convertible_to<bool>;            // asks for random numbers
+  { D::random } -> std::convertible_to<bool>;            // uses random numbers
   { D::thermal } -> std::convertible_to<bool>;           // has a temperature
   { D::make(input) } -> std::same_as<D>;
   { drive.drag } -> std::convertible_to<Real>;  // zeta, [m / tau_e]

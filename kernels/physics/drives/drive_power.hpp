@@ -17,7 +17,7 @@ struct DrivePower {
   }
 };
 
-/// What a force gives to the motion beside the mean flow and to the rotation:
+/// Power of a force on the motion relative to the mean flow and on the rotation:
 ///
 ///     f . (v - u) + torque thetadot
 ///

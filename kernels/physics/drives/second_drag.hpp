@@ -5,8 +5,8 @@
 
 namespace bagnold {
 
-/// The drag of the changes, in the second stage of a scheme: zeta share(zeta dt/m), with that of
-/// TwoStageLeapfrog so that a free disk relaxes by e^-z exactly.
+/// Drag of the changes, in the second stage of a scheme: zeta share(zeta dt/m), with the share of
+/// TwoStageLeapfrog, so that a free disk relaxes by e^-z exactly.
 struct SecondDrag {
   PerSpecies drag;  ///< [m / tau_e]
   PerSpecies spin;  ///< [m d_s^2 / tau_e]
@@ -24,7 +24,7 @@ struct SecondDrag {
     spin = {of_spin(0), of_spin(1)};
   }
 
-  /// change: velocity and spin hold what the first stage changes.
+  /// change: velocity and spin hold the changes of the first stage.
   template <class T>
   KOKKOS_FORCEINLINE_FUNCTION Push<T> operator()(DrivenDisk<T> const& change) const {
     return {-change.of(drag) * change.velocity, -change.of(spin) * change.spin};

@@ -5,7 +5,7 @@
 
 namespace bagnold {
 
-/// A fluid that flows with the mean flow and drags the disks, P2 Sec. IV: drag_force(), no more.
+/// Drag of a fluid that moves with the mean flow, P2 Sec. IV: drag_force(), without a push.
 struct StokesDrag {
   static constexpr std::string_view name = "stokes";
   static constexpr bool random = false;

@@ -8,7 +8,7 @@
 
 namespace bagnold {
 
-/// Two disks i and j in contact, as a law sees them.
+/// Two disks i and j in contact, as the argument of a law.
 template <class T>
 struct Contact {
   Vec2<T> normal;      ///< r_ij / |r_ij|: from j to i
@@ -21,14 +21,14 @@ struct Contact {
 /// Largest relative overlap at which a soft disk is still taken for a grain.
 inline constexpr Real largest_relative_overlap = 0.2;
 
-/// Damping as a scene gives it.
+/// Damping constants of a scene.
 struct DampingInput {
   Real elasticity;      ///< Q; k_d = 1/Q (P1 Eq. 6, P2 Eq. 9)
   Real normal = 1;      ///< k_d^(n) Q, for laws with separate constants
-  Real tangential = 1;  ///< k_d^(t) Q, likewise
+  Real tangential = 1;  ///< k_d^(t) Q, for laws with separate constants
 };
 
-/// What a law says of itself, one concept a fact; ContactLaw asks for all.
+/// Facts that a law states about itself, one concept for each; ContactLaw requires all.
 namespace law {
 
 template <class Law>
@@ -36,39 +36,39 @@ concept Named = requires {
   { Law::name } -> std::convertible_to<std::string_view>;
 };
 
-/// Whether disks have spins, as the force feels the velocity at the point of contact.
+/// States if disks have spins: the force then depends on the velocity at the point of contact.
 template <class Law>
 concept SaysWhetherItRotates = requires {
   { Law::rotates } -> std::convertible_to<bool>;
 };
 
-/// The force on i from j.
+/// Has the force on i from j.
 template <class Law>
 concept Forceful = requires(Law const law, Contact<Real> const contact) {
   { law.dissipative_force(contact) } -> std::same_as<Vec2<Real>>;
 };
 
-/// Whether the force is linear in the velocity.
+/// States if the force is linear in the velocity.
 template <class Law>
 concept SaysWhetherItIsLinear = requires {
   { Law::linear } -> std::convertible_to<bool>;
 };
 
-/// The law of a scene, its constants in proportion to 1/Q, and whether it has a constant of its own
-/// along the normal and the tangent (disks.damping_normal and disks.damping_tangential).
+/// Makes the law of a scene, with constants proportional to 1/Q, and states if it has separate
+/// constants along the normal and the tangent (disks.damping_normal and disks.damping_tangential).
 template <class Law>
 concept MadeFromInput = requires(DampingInput const& input) {
   { Law::make(input) } -> std::same_as<Law>;
   { Law::separate_constants } -> std::convertible_to<bool>;
 };
 
-/// The papers' time step at an elasticity Q, [tau_e].
+/// States the papers' time step at an elasticity Q, [tau_e].
 template <class Law>
 concept FollowsAPaper = requires(Real elasticity) {
   { Law::paper_time_step(elasticity) } -> std::convertible_to<Real>;
 };
 
-/// Of a law that is linear: f_dis = -k_n v_n n - k_t v_t.
+/// States the constants of a linear law: f_dis = -k_n v_n n - k_t v_t.
 template <class Law>
 concept HasConstants = requires(Law const law) {
   { law.normal_damping() } -> std::same_as<Real>;      // k_n, [m / tau_e]
@@ -79,11 +79,11 @@ concept HasConstants = requires(Law const law) {
 
 }  // namespace law
 
-/// A force of disks in contact, as loops over pairs need it.
+/// A force of disks in contact, as pair loops need it.
 template <class Law>
 concept PairLaw = law::SaysWhetherItRotates<Law> && law::Forceful<Law>;
 
-/// A contact law: all that the program asks of one. A law that is not linear has no constants.
+/// A contact law: all that the program requires of one. A law that is not linear has no constants.
 template <class Law>
 concept ContactLaw = law::Named<Law> && PairLaw<Law> && law::MadeFromInput<Law> &&
     law::FollowsAPaper<Law> && law::SaysWhetherItIsLinear<Law> &&
@@ -93,13 +93,13 @@ concept ContactLaw = law::Named<Law> && PairLaw<Law> && law::MadeFromInput<Law> 
 template <class Law>
 concept LinearLaw = ContactLaw<Law> && Law::linear;
 
-/// A law for two-stage damping, whose second stage acts on weighed changes of the velocity
-/// (kernels/physics/schemes/second_stage.hpp): linear in them and, without spins, with one weight
-/// for both directions.
+/// A law for two-stage damping, whose second stage acts on weighted changes of the velocity
+/// (kernels/physics/schemes/second_stage.hpp). It is linear in them and, without spins, has one
+/// weight for both directions.
 template <class Law>
 concept TwoStageLaw = LinearLaw<Law> &&(Law::rotates || Law::one_constant);
 
-/// True, or one sentence from the compiler for each fact that a law lacks.
+/// True, or one error of the compiler for each fact that a law lacks.
 template <class Law>
 constexpr bool is_contact_law() {
   static_assert(law::Named<Law>, "a contact law has `static constexpr std::string_view name`");

@@ -3,8 +3,8 @@
 
 #include "kernels/physics/vec2.hpp"
 
-/// Fastest relaxation of the contacts of a dense flow, held as they are, over k_d/m of small disks:
-/// of a steady state of CD_rot at phi = 0.82 (Z = 3.5), measured (docs/stability.md).
+/// Fastest relaxation rate of the contacts of a dense flow, held as they are, over k_d/m of small
+/// disks. Measured in a steady state of CD_rot at phi = 0.82 (Z = 3.5), see docs/stability.md.
 namespace bagnold::dense_flow {
 
 inline constexpr Real rolling = 18.8;  ///< disks that roll, k_t = k_n

@@ -10,8 +10,8 @@
 
 namespace bagnold {
 
-/// Every contact law there is: the program, its messages and its typed tests read this list, or
-/// what a developer's build chooses of it (BAGNOLD_LAWS).
+/// All contact laws. The program, its messages and its typed tests read this list, or the part that
+/// a developer's build selects (BAGNOLD_LAWS).
 using AllLaws = std::tuple<CD,     //
                            CDn,    //
                            CDrot,  //

@@ -6,7 +6,8 @@
 
 namespace bagnold {
 
-/// What a pair in contact exerts on i, and where: what observers of the pair loops are given.
+/// Forces of a pair in contact on i, and where they act: the argument of observers of the pair
+/// loops.
 template <class T>
 struct PairForce {
   Vec2<T> separation;   ///< r_ij = r_i - r_j, nearest image, [d_s]
@@ -15,7 +16,7 @@ struct PairForce {
   T relative_overlap;   ///< 1 - r_ij / d_ij
   Vec2<T> velocity;     ///< of i against j where the dissipative force acts, [d_s / tau_e]
 
-  /// What the dissipative force takes out of the motion, -f_dis . v, [m d_s^2 / tau_e^3].
+  /// Power that the dissipative force takes out of the motion, -f_dis . v, [m d_s^2 / tau_e^3].
   KOKKOS_FUNCTION T dissipation() const { return -dot(dissipative, velocity); }
 
   /// Torque on i over d_i, and on j over d_j, [m d_s / tau_e^2]:
@@ -25,7 +26,7 @@ struct PairForce {
   }
 };
 
-/// Two disks in contact, but for their velocity. distance2 = r_ij^2; inverse_distance: 1/d_ij.
+/// Two disks in contact, without their velocity. distance2 = r_ij^2; inverse_distance: 1/d_ij.
 template <class T>
 KOKKOS_FORCEINLINE_FUNCTION Contact<T> make_contact(Vec2<T> const& separation, T const& distance2,
                                                     T const& inverse_distance) {
@@ -38,12 +39,12 @@ KOKKOS_FORCEINLINE_FUNCTION Contact<T> make_contact(Vec2<T> const& separation, T
   return contact;
 }
 
-/// Velocity of i against j as the law feels it: of the centres, or at the point of contact.
+/// Velocity of i relative to j in the law: of the centres, or at the point of contact.
 ///
 ///     v_i^C - v_j^C = v_ij - (thetadot_i d_i + thetadot_j d_j)/(d_i + d_j) z^ x r_ij   P2 Eq. (6)
 ///
-/// velocity: v_i - v_j with the shear of the image; spins: thetadot_i d_i + thetadot_j d_j,
-/// [d_s / tau_e], of no account where the law does not rotate. Or changes of both.
+/// velocity: v_i - v_j with the shear of the image; spins: thetadot_i d_i + thetadot_j d_j, [d_s /
+/// tau_e], ignored if the law does not rotate. Changes of both may be given instead.
 template <PairLaw Law, class T>
 KOKKOS_FORCEINLINE_FUNCTION Vec2<T> velocity_at_contact(Vec2<T> const& velocity,
                                                         Vec2<T> const& separation,
@@ -54,8 +55,8 @@ KOKKOS_FORCEINLINE_FUNCTION Vec2<T> velocity_at_contact(Vec2<T> const& velocity,
     return velocity;
 }
 
-/// The force of a pair that touches: one disk at a time, or a pack of pairs at once. Arguments: see
-/// make_contact and velocity_at_contact.
+/// Force of a pair that touches, for one pair or a pack of pairs. Arguments: see make_contact and
+/// velocity_at_contact.
 template <PairLaw Law, class Repulsion, class T>
 KOKKOS_FORCEINLINE_FUNCTION PairForce<T> pair_force(Law const& law, Repulsion const& repulsion,
                                                     Vec2<T> const& separation, T const& distance2,

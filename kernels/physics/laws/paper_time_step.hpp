@@ -5,7 +5,7 @@
 
 #include "kernels/physics/vec2.hpp"
 
-/// The papers' time steps at an elasticity Q, [tau_e]: a law follows one.
+/// Time steps of the papers at an elasticity Q, [tau_e]; each law uses one of them.
 namespace bagnold {
 
 /// min{0.5/Q, 0.1, 0.2 Q}     P1 Sec. II C

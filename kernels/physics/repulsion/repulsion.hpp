@@ -49,7 +49,7 @@ struct HertzianRepulsion {
   }
 };
 
-/// Every repulsion there is; the first is the default.
+/// All repulsions; the first is the default.
 using Repulsions = std::tuple<HarmonicRepulsion,  //
                               HertzianRepulsion>;
 static_assert(RepulsionLaw<HarmonicRepulsion> && RepulsionLaw<HertzianRepulsion>);

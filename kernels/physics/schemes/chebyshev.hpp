@@ -9,12 +9,12 @@
 
 namespace bagnold {
 
-/// One iteration of (1 + B) w = a, from u = w_k to w_k+1; coefficients of a, -B u and u. Of one
-/// component of a disk.
+/// One iteration of (1 + B) w = a, from u = w_k to w_k+1, for one component of a disk: coefficients
+/// of a, -B u and u.
 struct ChebyshevIteration {
   Real of_start, of_coupling, of_now;
 
-  /// per_mass: what makes -B u of `force`; T: a number or pack, V: Vec2<T> or T.
+  /// per_mass: factor from `force` to -B u; T: a number or pack, V: Vec2<T> or T.
   template <class T, class V>
   KOKKOS_FORCEINLINE_FUNCTION V operator()(V const& start, V const& force, T const& per_mass,
                                            V const& now) const {
@@ -41,18 +41,18 @@ struct ChebyshevRoots {
   }
 };
 
-/// The iterations of (1 + B) w = a for a B whose eigenvalues lie in [0, bound], Saad, Iterative
-/// Methods (2nd ed.), Sec. 12.3.2: Richardson's, by the roots 1/g of Chebyshev's polynomial T_n,
+/// Iterations of (1 + B) w = a for a B whose eigenvalues lie in [0, bound], Saad, Iterative Methods
+/// (2nd ed.), Sec. 12.3.2: Richardson's, by the roots 1/g of Chebyshev's polynomial T_n,
 ///
 ///     w_k+1 = w_k + g_k (a - w_k - B w_k),   w_0 = 0,   k = 0 .. n - 1,
 ///     1/g = 1 + (bound/2) (1 - cos((2 j - 1) pi/(2 n))),   j = 1 .. n
 ///
-/// No other polynomial of a and B with as many terms is nearer to the solution for the worst of
-/// such B: an error of 1/T_n(1 + 2/bound). Large and small roots take turns, so that rounding does
-/// not grow. What B takes for zero is scaled by 1 less the error: the momentum of all disks, of
-/// which pair forces give none, stays.
+/// No other polynomial of a and B with as many terms is nearer to the solution for the worst such
+/// B: the error is 1/T_n(1 + 2/bound). Large and small roots alternate, so that rounding errors do
+/// not grow. A component of a in the null space of B is multiplied by 1 less the error. The
+/// momentum of all disks is conserved nevertheless, since pair forces give none to a.
 ///
-/// w_1 is never worked out: the first iteration takes `a` for u.
+/// w_1 is never computed: the first iteration takes `a` for u.
 struct ChebyshevIterations {
   static constexpr int most = ChebyshevRoots::most - 1;
   ChebyshevIteration iteration[most];  ///< that make w_2, w_3 ...
@@ -70,7 +70,7 @@ struct ChebyshevIterations {
     iteration[0].of_now *= first;
   }
 
-  /// To w_`terms`, 2 to most + 1, on the host.
+  /// Iterations up to w_`terms`, 2 to most + 1, on the host.
   ChebyshevIterations(Real bound, int terms)
       : ChebyshevIterations(bound, ChebyshevRoots::make(terms)) {}
 };

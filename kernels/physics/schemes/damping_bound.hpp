@@ -34,7 +34,7 @@ class DampingBound {
     return bound;
   }
 
-  /// [1/tau_e]; of a disk with so many contacts.
+  /// Bound for a disk with this number of contacts, [1/tau_e].
   KOKKOS_FUNCTION Real operator()(Species species, int contacts) const {
     return rate_[species][contacts < most ? contacts : most];
   }

@@ -3,7 +3,7 @@
 
 #include "kernels/physics/multiply_add.hpp"
 
-/// What every scheme is made of. T: a number or pack; V: Vec2<T>, or T for the spin.
+/// Building blocks of all schemes. T: a number or pack; V: Vec2<T>, or T for the spin.
 namespace bagnold {
 
 /// r + v dt: a disk that touches nothing.

@@ -27,15 +27,18 @@ struct ImplicitDamping {
 
   static constexpr Real theta = 1;  ///< weight of the new velocities in the damping
 
-  /// Of the solution for w; with spins the eigenvalues of the damping lie twice as far apart.
+  /// Terms of the Chebyshev solution for w. With spins the eigenvalues of the damping extend twice
+  /// as far.
   static constexpr int terms(bool rotates) { return rotates ? 5 : 4; }
 
-  /// Of the normal damping: with less along contacts inertia always has a part.
+  /// Least tangential damping relative to the normal one: below it inertia always matters along
+  /// contacts.
   static constexpr Real least_tangential_share = 0.3;
 
-  /// Damping alone never grows: 1/(1 + y).
+  /// Largest rate of damping that does not grow, times dt: none, as the factor of a step is 1/(1 +
+  /// y).
   static constexpr Real largest_rate = std::numeric_limits<Real>::infinity();
-  /// Largest frequency without damping, times dt: of a leapfrog.
+  /// Largest frequency without damping, times dt: that of a leapfrog.
   static constexpr Real largest_frequency = 2;
 
   /// Largest stable dt of a mode x'' = -omega^2 x - c x': omega^2 dt^2 = 4 + 2 c dt. [tau_e]
@@ -43,15 +46,15 @@ struct ImplicitDamping {
     return (rate + std::sqrt(rate * rate + 4 * frequency2)) / frequency2;
   }
 
-  /// Whether it can step a law, and what stops it where it cannot.
+  /// True if the scheme can step a law; and why it cannot step others.
   template <ContactLaw Law>
   static constexpr bool can_step = LinearLaw<Law>;
   static constexpr std::string_view cannot_step = "damping is not linear in the velocity";
 
-  /// The rule for dt, [tau_e]: 1.6 min{1, Q^-0.3}, 1.4 for 1.6 where disks roll, with Q over the
-  /// larger damping constant in units of 1/Q; 0.2 where damping leaves sliding contacts (nearly)
-  /// alone, so that inertia always has a part. Biases in Newtonian flow are below 0.4%
-  /// (docs/accuracy.md, "Implicit damping").
+  /// Rule for dt, [tau_e]: 1.6 min{1, Q^-0.3}, 1.4 for 1.6 where disks roll, with Q over the larger
+  /// damping constant in units of 1/Q; 0.2 where sliding contacts are (nearly) undamped, so that
+  /// inertia always matters. Biases in Newtonian flow are below 0.4% (docs/accuracy.md, "Implicit
+  /// damping").
   template <LinearLaw Law>
   static Real time_step(DampingInput const& input) {
     Law const at_one = Law::make({1, input.normal, input.tangential});
@@ -61,13 +64,13 @@ struct ImplicitDamping {
     return longest * std::min(1.0, std::pow(input.elasticity / std::max(normal, tangential), -0.3));
   }
 
-  /// a of the force.
+  /// a from the force.
   template <class T, class V>
   KOKKOS_FORCEINLINE_FUNCTION static V change(V const& force, T const& per_mass) {
     return per_mass * force;
   }
 
-  /// v_+ of v_- and w.
+  /// v_+ from v_- and w.
   template <class V>
   KOKKOS_FORCEINLINE_FUNCTION static V velocity(V const& before, V const& change) {
     return before + change;
@@ -79,7 +82,7 @@ struct ImplicitDamping {
     return flown(position, after, time_step);
   }
 
-  /// Of two disks that touch no other, the equation solved.
+  /// Step of two disks that touch no other, with the equation solved exactly.
   static RelativeMotion step(RelativeMotion const& q, LoneContact const& contact, Real dt) {
     Real const damping = contact.acts(q) ? theta * contact.damping * dt : Real(0);
     Real const after = velocity(q.v, change(contact.acceleration(q), dt) / (1 + damping));

@@ -7,14 +7,14 @@
 
 namespace bagnold {
 
-/// Two disks that touch no other, one component of their relative motion: along the normal, or the
+/// Relative motion of two disks that touch no other, one component: along the normal, or the
 /// sliding of their points of contact.
 struct RelativeMotion {
   Real x;  ///< distance beyond contact, [d_s]; negative: overlap
   Real v;  ///< [d_s / tau_e]
 };
 
-/// Their contact, per reduced mass: x'' = -k x - c x'.
+/// Contact of two disks that touch no other, per reduced mass: x'' = -k x - c x'.
 struct LoneContact {
   Real stiffness;      ///< k, [1 / tau_e^2]
   Real damping;        ///< c, [1 / tau_e]

@@ -22,14 +22,14 @@ struct ModifiedVelocityVerlet {
 
   /// Largest rate of damping that does not grow, times dt: |1 - y + y^2/2| <= 1.
   static constexpr Real largest_rate = 2;
-  /// Largest frequency without damping, times dt: of a velocity Verlet.
+  /// Largest frequency without damping, times dt: that of velocity Verlet.
   static constexpr Real largest_frequency = 2;
 
-  /// Whether it can step a law: it steps all.
+  /// True if the scheme can step a law: it steps all.
   template <ContactLaw Law>
   static constexpr bool can_step = true;
 
-  /// The rule for dt, [tau_e]: that of the papers.
+  /// Rule for dt, [tau_e]: that of the papers.
   template <ContactLaw Law>
   static Real time_step(DampingInput const& input) {
     return Law::paper_time_step(input.elasticity);
@@ -47,21 +47,21 @@ struct ModifiedVelocityVerlet {
     return flown(position, velocity, time_step);
   }
 
-  /// v_1 of v_0 and v~_1. force: at the trial state; half_per_mass: dt/2m.
+  /// v_1 from v_0 and v~_1. force: at the trial state; half_per_mass: dt/2m.
   template <class T, class V>
   KOKKOS_FORCEINLINE_FUNCTION static V velocity(V const& before, V const& trial, V const& force,
                                                 T const& half_per_mass) {
     return kicked(T(0.5) * (before + trial), force, half_per_mass);
   }
 
-  /// r_1 of r_0, v_0 and v_1.
+  /// r_1 from r_0, v_0 and v_1.
   template <class T, class V>
   KOKKOS_FORCEINLINE_FUNCTION static V position(V const& position, V const& before, V const& after,
                                                 T const& half_time_step) {
     return flown(position, before + after, half_time_step);
   }
 
-  /// Of two disks that touch no other.
+  /// Step of two disks that touch no other.
   static RelativeMotion step(RelativeMotion const& q, LoneContact const& contact, Real dt) {
     RelativeMotion const trial{trial_position(q.x, q.v, dt),
                                trial_velocity(q.v, contact.acceleration(q), dt)};

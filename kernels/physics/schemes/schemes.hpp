@@ -11,7 +11,7 @@
 
 namespace bagnold {
 
-/// What the program asks of a scheme: the facts of it, and one of the forms that engines step.
+/// Requirements on a scheme: its facts, and one of the forms that engines step.
 template <class S>
 concept SteppingScheme = (PredictCorrectScheme<S> || TwoStageScheme<S> ||
                           ImplicitScheme<S>)&&requires(RelativeMotion const& q,
@@ -24,7 +24,7 @@ concept SteppingScheme = (PredictCorrectScheme<S> || TwoStageScheme<S> ||
   { S::template time_step<CDn>(DampingInput{}) } -> std::convertible_to<Real>;  // its rule, [tau_e]
 };
 
-/// Every scheme there is.
+/// All schemes.
 using Schemes = std::tuple<ModifiedVelocityVerlet,  //
                            TwoStageLeapfrog,        //
                            ImplicitDamping>;
@@ -35,7 +35,7 @@ constexpr bool are_schemes(std::tuple<S...> const*) {
 }
 static_assert(are_schemes(static_cast<Schemes const*>(nullptr)));
 
-/// What "auto" takes.
+/// Scheme of "auto".
 using DefaultScheme = TwoStageLeapfrog;
 
 }  // namespace bagnold

@@ -7,12 +7,12 @@
 
 namespace bagnold {
 
-/// What share of the damping of the changes acts in the second stage of a scheme: its share(z) of
+/// Share of the damping of the changes that acts in the second stage of a scheme: its share(z) of
 ///
 ///     z = N k_d dt (1/m_i + 1/m_j),
 ///
-/// and along the tangent of disks that roll with tangential_mobility times that z.
-/// N: the contacts of the one of the two disks that has more.
+/// and for the tangent of disks that roll of tangential_mobility times that z. N: number of
+/// contacts of the disk, of the two, that has more.
 struct SecondStage {
   static constexpr int most = 8;     ///< N beyond it counts as it
   static constexpr int classes = 3;  ///< small-small, small-big, big-big
@@ -40,7 +40,7 @@ struct SecondStage {
   }
 };
 
-/// The velocity at a contact whose damping the second stage adds. change: of v_i - v_j, at the
+/// Velocity at a contact whose damping is added in the second stage. change: of v_i - v_j, at the
 /// point of contact if the law rotates.
 template <TwoStageLaw Law, class T>
 KOKKOS_FORCEINLINE_FUNCTION Vec2<T> second_stage_velocity(Vec2<T> const& change,
@@ -54,8 +54,8 @@ KOKKOS_FORCEINLINE_FUNCTION Vec2<T> second_stage_velocity(Vec2<T> const& change,
     return share_normal * change;  // CD: one and the same share; CD_n: no force along the tangent
 }
 
-/// What a force on i and its opposite on j, with their torques, change in a step of the velocity at
-/// the contact of a lone pair.
+/// Change of the velocity at the contact of a lone pair in a step, by a force on i and its opposite
+/// on j, with their torques.
 ///
 /// torque: over the diameter; per_force: dt (1/m_i + 1/m_j); per_torque: dt (d_i^2/I_i +
 /// d_j^2/I_j).

@@ -8,15 +8,14 @@
 
 namespace bagnold {
 
-/// How the surfaces of two disks in contact move past each other, over gammadot d_s.
+/// Relative motion of the surfaces of two disks in contact, over gammadot d_s.
 ///
 /// With t = z x r_ji/r_ij (P2 Eqs. 30-34): V_ij,T = V_ij . t, V_ij,N = V_ij . r_ji/r_ij (positive
-/// where they come together), V^C_ij,T = V_ij,T + V^R_ij. The contact is where P2 Eq. (6) has it,
-/// so
+/// where they approach), V^C_ij,T = V_ij,T + V^R_ij. The point of contact is that of P2 Eq. (6), so
 ///
 ///     V^R_ij = r_ij (d_i thetadot_i + d_j thetadot_j) / (d_i + d_j) / (gammadot d_s),
 ///
-/// about half of what P2 Eq. (31) says. The same for (j, i).
+/// about half of P2 Eq. (31). All are the same for (j, i).
 struct ContactVelocities {
   Real tangential = 0;  ///< V_ij,T
   Real rotational = 0;  ///< V^R_ij; 0 where disks do not rotate

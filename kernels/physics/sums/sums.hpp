@@ -6,7 +6,7 @@
 
 namespace bagnold {
 
-/// What is summed over a configuration: everything later observables are functions of.
+/// Sums over a configuration, of which all observables are functions.
 ///
 /// Pair sums run over pairs once, p_ab L_x L_y = sum f_a r_b (P1 Eqs. 9-10, P2 Eqs. 12-13); the
 /// dissipative one is not symmetric in model CD. dv = v - gammadot y x^.
@@ -46,7 +46,7 @@ struct Sums {
   }
 };
 
-/// What one pair adds to the columns before kinetic_xx.
+/// Number of columns of pairs: those before kinetic_xx.
 inline constexpr int pair_columns = SumColumns::kinetic_xx;
 
 template <class T>
@@ -85,7 +85,7 @@ KOKKOS_FORCEINLINE_FUNCTION T peculiar_x(T const& velocity_x, T const& y, Real s
 }
 
 /// Adds the motion of a disk: u = v - gammadot y x^. to: indexed by column. Numbers: of one disk,
-/// packs, or in time (in_time.hpp).
+/// packs, or polynomials in time (in_time.hpp).
 template <class Columns, class Mass, class X, class Y>
 KOKKOS_FORCEINLINE_FUNCTION void add_motion(Columns& to, Mass const& mass, X const& ux,
                                             Y const& uy) {
@@ -96,7 +96,7 @@ KOKKOS_FORCEINLINE_FUNCTION void add_motion(Columns& to, Mass const& mass, X con
   to[SumColumns::velocity_y2] += uy * uy;
 }
 
-/// Likewise the spin, of a law that rotates.
+/// Adds the spin of a disk, for a law that rotates.
 template <class Columns, class T>
 KOKKOS_FORCEINLINE_FUNCTION void add_spin(Columns& to, T const& spin) {
   to[SumColumns::spin] += spin;
