@@ -16,7 +16,7 @@ struct KindRequest {
   Request request = {};
 };
 
-/// What an analysis found, and its files.
+/// Result of an analysis, and its files.
 struct Analysis {
   Kind const* kind;
   Report report;

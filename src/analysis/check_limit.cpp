@@ -37,7 +37,8 @@ sweep::Sweep both_rates(Scene const& scene, LimitRequest const& request) {
   return both;
 }
 
-/// What a run found, by name. An error of 0 is one that is not known: nothing happened in the run.
+/// Means and errors of a run, by name. An error of 0 counts as unknown: nothing happened in the
+/// run.
 std::map<std::string, WithError> summary_of(std::filesystem::path const& point) try {
   auto const bytes = io::read_file(point / "summary.json");
   auto const* text = reinterpret_cast<char const*>(bytes.data());

@@ -11,7 +11,7 @@
 
 namespace bagnold::analysis {
 
-/// A scene whose limit is in question.
+/// A scene to be tested for its limit.
 struct LimitRequest {
   std::filesystem::path scene_file;  ///< names it in messages; start.file is sought beside it
   double tolerance = 0.05;           ///< relative change that counts as none
@@ -19,7 +19,7 @@ struct LimitRequest {
   sweep::SweepOptions runs;          ///< of the two runs
 };
 
-/// What a scene at its strain rate and at half of it tells of the limits.
+/// Comparison of a scene at its strain rate and at half of it, and the limits that it supports.
 struct LimitCheck {
   sweep::SweepEnd runs;  ///< the rest is there only where both are done
   double strain_rate = 0;
@@ -28,7 +28,7 @@ struct LimitCheck {
 };
 
 /// Runs a scene of protocol "steady" at its strain rate and at half of it, as a sweep in a folder
-/// that goes on where it stopped, compares (src/analysis/rate_limit.hpp) and writes
+/// that continues where it stopped. Compares the two (src/analysis/rate_limit.hpp) and writes
 /// check_limit.json into the folder. Throws InputError for another protocol, and as sweep::run()
 /// does; FileError where a result is damaged.
 LimitCheck check_limit(Scene const& scene, std::filesystem::path const& folder,

@@ -16,14 +16,14 @@ struct Rows {
 
 std::string cell(double value);
 
-/// The finite number that the text of a cell is, none where it is another text.
+/// Number in the text of a cell, if it is a finite number.
 std::optional<double> number_in(std::string const& text);
 
 /// RFC 4180, lines ended by a line feed: equal tables give equal bytes.
 std::string to_csv(Rows const& rows);
 
-/// The table of a text as to_csv writes it, RFC 4180 with either end of line. Throws InputError
-/// with the line: a quote left open, a row of another length than the names.
+/// Reads a table as to_csv writes it, RFC 4180 with either end of line. Throws InputError with the
+/// line for a quote left open or a row whose length differs from that of the names.
 Rows parse_csv(std::string const& text, std::string const& origin);
 
 }  // namespace bagnold::analysis

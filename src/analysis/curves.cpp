@@ -29,7 +29,7 @@ void require_varied(SweepTable const& table, std::string const& key, char const*
                                table.origin, fmt::join(known, " ")));
 }
 
-/// Does `key` have one value for each value of `along`, in all of the table?
+/// True if `key` has one value for each value of `along`, in all of the table.
 bool follows(SweepTable const& table, std::string const& key, std::string const& along) {
   std::map<std::string, std::string> value;
   for (std::size_t point = 0; point < table.points; ++point) {

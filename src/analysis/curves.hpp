@@ -17,10 +17,10 @@ struct Datum {
   std::vector<std::size_t> rows;  ///< its seeds in the table, failed ones left out; may be empty
 };
 
-/// A key and what it says, as text: {"disks.elasticity", "10"}.
+/// A key and its value as text: {"disks.elasticity", "10"}.
 using Label = std::pair<std::string, std::string>;
 
-/// Data along which one key runs, in its rising order, the others being constant.
+/// Data along which one key varies, in its rising order, the other keys being constant.
 struct Curve {
   std::vector<Label> labels;  ///< keys that differ between the curves
   std::vector<Datum> data;

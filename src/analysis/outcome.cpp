@@ -27,7 +27,7 @@ double standard_deviation(std::vector<std::vector<double>> const& replicas, std:
   return deviation > rounding * std::abs(sum / count) ? deviation : 0.0;
 }
 
-/// What the scatter about a fit makes of the errors of a good one, see carry_out().
+/// Widens the errors of a fit by the scatter about it, see carry_out().
 void widen(FitResult& found) {
   if (found.step || found.freedom == 0) return;
   bool const poor = beyond_chance(found);
@@ -38,7 +38,7 @@ void widen(FitResult& found) {
   for (double& error : found.error) error *= found.widened;
 }
 
-/// Puts places anywhere between points, see carry_out().
+/// Places features at random between points, see carry_out().
 void spread(std::vector<double>& value, std::vector<double> const& grid, Draw const& draw) {
   for (std::size_t k = 0; k < grid.size(); ++k)
     value[k] += std::sqrt(12.0) * grid[k] * random_offset(draw, "place " + std::to_string(k));

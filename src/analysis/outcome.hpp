@@ -16,7 +16,7 @@ struct Line {
   std::vector<double> x, y;
 };
 
-/// What was found on one curve.
+/// Result of a fit to one curve.
 struct FitResult {
   std::vector<double> value, error;  ///< [parameters]
   double chi2 = unknown;
@@ -31,7 +31,7 @@ struct FitResult {
   double widened = 1.0;           ///< errors are those of a good fit, times this (carry_out)
 };
 
-/// Something to find, on the measured points (replica 0) or on resampled ones.
+/// A fit to make, on the measured points (replica 0) or on resampled ones.
 struct Task {
   std::vector<Label> labels;
   std::function<FitResult(std::uint32_t replica)> find;
@@ -45,17 +45,19 @@ struct Outcome {
   std::vector<double> bootstrap;  ///< standard deviation over replicas, NaN if over half failed
 };
 
-/// Is chi2 more than chance makes of its degrees of freedom once in a thousand? Without errors of
-/// the points it says nothing.
+/// True if chi2 is larger than its degrees of freedom allow but once in a thousand. False without
+/// errors of the points.
 bool beyond_chance(FitResult const& found);
 
-/// Does all tasks. Errors of what was found by a fit with chi2 beyond chance, which no misfit of
-/// the law allows for yet, are widened by (chi2 / freedom)^(1/2), the scale factor of the Particle
-/// Data Group (Navas et al., PRD 110, 030001 (2024), Sec. 5.2.2). Errors that come from the scatter
-/// about the fit, these, those with a misfit and those of points without errors, have Student's
-/// factor of its degrees of freedom. To these comes, as independent, what a place is not known to
-/// between points (FitResult::grid); the bootstrap draws it evenly over 12^(1/2) times that. A task
-/// that fails does not stop the others; where all fail, throws InputError with the first reason.
+/// Does all tasks. A task that fails does not stop the others; where all fail, throws InputError
+/// with the first reason.
+///
+/// Errors of a fit whose chi2 is beyond chance, without a misfit of the law that allows for it, are
+/// multiplied by (chi2 / freedom)^(1/2), the scale factor of the Particle Data Group (Navas et al.,
+/// PRD 110, 030001 (2024), Sec. 5.2.2). Errors from the scatter about the fit (these, those with a
+/// misfit and those of points without errors) are multiplied by Student's factor of its degrees of
+/// freedom. The uncertainty of a place between points (FitResult::grid) is added as independent;
+/// the bootstrap draws it uniformly over 12^(1/2) times that.
 std::vector<Outcome> carry_out(std::vector<Task> const& tasks, Request const& request);
 
 /// A curve sampled at 200 places between two x, evenly in ln x where asked for.

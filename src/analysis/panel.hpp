@@ -34,14 +34,14 @@ std::string caption(std::vector<Label> const& labels, std::string const& skip = 
 /// Q, phi, gammadot, N for the keys that have a letter; else the name.
 std::string symbol(std::string const& name);
 
-/// A parameter of all outcomes to draw, and what its points are called; "" by the labels alone.
+/// A parameter of all outcomes to draw, and the name of its points; "" takes the labels alone.
 struct DrawnParameter {
   std::size_t index;
   std::string name = {};
 };
 
-/// Draws parameters, `axis` being what they are, against the only label that all outcomes have as a
-/// number and that differs, phi always to the right. Nothing where there is none.
+/// Draws parameters, on the axis `axis`, against the only label of all outcomes that is a number
+/// and differs; phi is always the abscissa. Nothing if there is no such label.
 void draw_against_label(Report& report, std::vector<Outcome> const& outcomes,
                         std::vector<DrawnParameter> const& parameters, std::string const& axis,
                         bool log_value);

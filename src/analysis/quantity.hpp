@@ -19,13 +19,12 @@ struct Value {
   bool pooled = false;  ///< a run without an error of its own weighs as SeedErrors has it
 };
 
-/// The mean over n seeds, those that are NaN left out, and its error: what the seeds' own errors
-/// e_i tell, (sum e_i^2)^(1/2) / n. What their scatter tells, [sum (x_i - mean)^2 / (n (n -
-/// 1))]^(1/2) times Student's factor, is taken instead where a seed has no error, and where the
-/// seeds differ by more than chance allows at 1% (chi2 with n - 1 degrees of freedom): near a
-/// transition block errors are too small. Taking always the larger one would give less weight to
-/// points that scatter by chance, and a fit's bootstrap would then be too small by a quarter with
-/// two seeds.
+/// Mean over n seeds, those that are NaN left out, and its error from the seeds' own errors e_i,
+/// (sum e_i^2)^(1/2) / n. The error from their scatter, [sum (x_i - mean)^2 / (n (n - 1))]^(1/2)
+/// times Student's factor, is taken instead where a seed has no error, and where the seeds differ
+/// by more than chance allows at 1% (chi2 with n - 1 degrees of freedom): near a transition block
+/// errors are too small. The larger of both would give too little weight to points that scatter by
+/// chance, and a fit's bootstrap would then be too small by a quarter with two seeds.
 Value merge_seeds(std::span<double const> means, std::span<double const> errors);
 
 /// A number that each datum of a sweep has: what goes on an axis. By name:
@@ -44,28 +43,28 @@ class Quantity {
   /// Keeps a reference to the table. Throws InputError for an unknown name, with the nearest one.
   Quantity(SweepTable const& table, std::string const& name, std::optional<double> phi_j = {});
 
-  /// Of one datum: the rows of the table that are its seeds.
+  /// Value of one datum. rows: rows of the table that are its seeds.
   Value of(std::span<std::size_t const> rows) const;
 
-  /// Of one datum resampled: n - 1 of its n seeds, with replacement, the same for every quantity
-  /// (Rao and Wu, J. Am. Stat. Assoc. 83, 231 (1988): n - 1 makes the variance of the mean right,
-  /// n would make it too small by (n - 1) / n). A single seed gets a normal number times its error
-  /// instead, for each observable its own.
+  /// Value of one datum resampled: n - 1 of its n seeds, drawn with replacement. All quantities
+  /// share the draw. With n - 1 the variance of the mean is right; with n it would be too small by
+  /// (n - 1) / n (Rao and Wu, J. Am. Stat. Assoc. 83, 231 (1988)). A single seed is shifted by a
+  /// normal number times its error instead; each observable has its own number.
   double resampled(std::span<std::size_t const> rows, Draw const& draw) const;
 
-  /// Of keys alone: exact.
+  /// True if the quantity is made of keys alone, so exact.
   bool is_key() const {
     return !observable_ && (!first_ || (first_->is_key() && second_->is_key()));
   }
 
-  /// How many times wider errors of runs are taken than they tell; the largest of its parts.
+  /// Factor by which errors of runs are widened; the largest of its parts.
   double widened() const;
 
  private:
   Value measured(Measured const& observable, SeedErrors const& pool,
                  std::span<std::size_t const> rows) const;
 
-  /// As of(), but for the error of a ratio from its own blocks.
+  /// Value of one datum as in of(), without the error of a ratio from its own blocks.
   Value of_merged(std::span<std::size_t const> rows) const;
 
   /// Names of the observables it is made of, from left to right; its value in a row from theirs;
@@ -74,16 +73,16 @@ class Quantity {
   double of_observables(std::size_t row, std::span<double const> means) const;
   std::vector<double> errors_of_runs() const;
 
-  /// A ratio or product of at least two observables as one, with the errors of its own blocks, or
-  /// nullptr where no run tells them. Worked out when first asked for.
+  /// A ratio or product of at least two observables as one, with the errors of its own blocks;
+  /// nullptr if no run has them. Computed on first use.
   struct OwnErrors {
     Measured measured;
     SeedErrors pool;
   };
   OwnErrors const* own_errors() const;
 
-  /// The keys and observables it is made of, from left to right, and its value from theirs, which
-  /// it takes off the front of `means`.
+  /// Keys and observables of which it is made, from left to right; and its value from theirs, which
+  /// it removes from the front of `means`.
   void add_parts(std::vector<Quantity const*>& parts) const;
   double of_parts(std::span<double const>& means) const;
 

@@ -12,7 +12,7 @@ namespace {
 
 using Philox = r123::Philox2x64;
 
-/// Two random words, the same for the same draw and purpose everywhere.
+/// Two random words that depend on the draw and the purpose alone.
 Philox::ctr_type random_words(Draw const& draw, std::uint64_t purpose) {
   Philox const philox;
   std::uint64_t const which = (std::uint64_t{draw.replica} << 32) | draw.datum;

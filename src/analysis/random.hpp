@@ -6,7 +6,8 @@
 
 namespace bagnold::analysis {
 
-/// Which resampling, of which datum. Replica 0 is what was measured; from 1 on it is resampled.
+/// Index of a draw: the resampling and the datum. Replica 0 is the measured data; replicas from 1
+/// on are resampled.
 struct Draw {
   std::uint64_t seed = 1;
   std::uint32_t replica = 0;
@@ -16,10 +17,10 @@ struct Draw {
 /// An index below `count`, for the k-th of a datum's seeds.
 std::size_t random_index(Draw const& draw, std::uint32_t k, std::size_t count);
 
-/// A number spread evenly over -1/2 .. 1/2, of its own for each purpose.
+/// A number, uniform in (-1/2, 1/2), different for each purpose.
 double random_offset(Draw const& draw, std::string_view purpose);
 
-/// A normal number of mean 0 and variance 1, of its own for each purpose (the name of a quantity).
+/// A normal number of mean 0 and variance 1, different for each purpose (the name of a quantity).
 double random_normal(Draw const& draw, std::string_view purpose);
 
 }  // namespace bagnold::analysis

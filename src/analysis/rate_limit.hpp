@@ -22,9 +22,9 @@ struct AtTwoRates {
 enum class Verdict { holds, fails, undecided };
 std::string_view word(Verdict verdict);
 
-/// Whether quantities that a limit gammadot -> 0 leaves constant are constant between a rate and
-/// half of it: those of P1 Eq. (16), B_p and B_sigma, in the hard-core limit of Bagnold's rheology
-/// (P1 Fig. 1), those of P2 Eq. (20), eta_p and eta_sigma, in Newton's (P2 Sec. III A).
+/// Test that quantities which a limit gammadot -> 0 leaves constant are the same at a rate and at
+/// half of it. In the hard-core limit of Bagnold's rheology these are B_p and B_sigma of P1 Eq.
+/// (16) (P1 Fig. 1); in Newton's limit eta_p and eta_sigma of P2 Eq. (20) (P2 Sec. III A).
 struct Limit {
   std::string name;                         ///< "Bagnold" or "Newton"
   std::map<std::string, WithError> ratios;  ///< by quantity: at half the rate over at the rate
@@ -42,9 +42,9 @@ struct RateLimit {
   std::string verdict() const;
 };
 
-/// found: of B_p, B_sigma, eta_p, eta_sigma, p and sigma. A limit holds where all its ratios are
-/// within 1 +- tolerance by two standard errors, and fails where one is outside by as much: so a
-/// measurement too short to tell is never taken for a proof.
+/// Compares B_p, B_sigma, eta_p, eta_sigma, p and sigma at both rates. A limit holds where all its
+/// ratios are within 1 +- tolerance by two standard errors, and fails where one is outside by as
+/// much. A measurement too short to decide is never taken for a proof.
 RateLimit rate_limit(std::map<std::string, AtTwoRates> const& found, double tolerance);
 
 }  // namespace bagnold::analysis

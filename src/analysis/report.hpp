@@ -10,7 +10,7 @@
 
 namespace bagnold::analysis {
 
-/// What an analysis has to say.
+/// Tables and notes of an analysis.
 struct Report {
   Rows results;                    ///< a row for each curve, or datum
   Rows drawn;                      ///< what the picture shows, see drawn_columns (panel.hpp)
@@ -25,11 +25,11 @@ Rows tabulate(std::vector<Outcome> const& outcomes, std::vector<std::string> con
 /// (SeedErrors); none where there is nothing to say.
 void note_errors(Report& report, std::size_t pooled, std::size_t data, double widened);
 
-/// Notes on fits that are not to be trusted: chi2 beyond chance, errors larger than their values.
+/// Adds notes on fits that cannot be trusted: chi2 beyond chance, errors larger than their values.
 void note_fits(Report& report, std::vector<Outcome> const& outcomes,
                std::vector<std::string> const& parameters);
 
-/// Notes on data left out, and on how others weigh.
+/// Adds notes on data left out, and on the weights of the others.
 void note_left_out(Report& report, SweepTable const& table, std::vector<Series> const& series);
 
 }  // namespace bagnold::analysis

@@ -12,7 +12,7 @@
 
 namespace bagnold::analysis {
 
-/// What the user asked of an analysis. Empty names: the kind's own.
+/// Options of an analysis as the user gave them. An empty name stands for the kind's own.
 struct Request {
   std::string x, y;   ///< quantities on the axes (src/analysis/quantity.hpp)
   std::string along;  ///< key that runs along a curve; empty: x, or disks.packing_fraction

@@ -77,8 +77,8 @@ class RunSeries {
   }
 
  private:
-  /// A window without a value is left out; one without a contact has no part in what is a mean over
-  /// contacts.
+  /// Adds a window. A window without a value is left out; one without a contact does not count in a
+  /// mean over contacts.
   void add(statistics::Windows& table, std::vector<Column> const& columns, std::size_t at) const {
     double const evaluations = evaluations_[at];
     if (!(evaluations > 0.0)) return;
@@ -98,7 +98,7 @@ class RunSeries {
   std::size_t discarded_ = 0;
 };
 
-/// Of one or two systems, the error from a few long blocks; NaN where windows are few.
+/// Error of f over one or two systems, from 12 long blocks of each; NaN where windows are too few.
 double error_of_long_blocks(std::vector<statistics::Windows> const& tables,
                             statistics::Function const& f) {
   constexpr std::size_t blocks = 12;
@@ -113,10 +113,9 @@ double error_of_long_blocks(std::vector<statistics::Windows> const& tables,
   return std::sqrt(squares) / all;
 }
 
-/// The error of f. What one window takes from a ratio a later one gives back, where contacts begin
-/// in one and end in another: blocks that are not much longer than the longest contacts tell too
-/// large an error. Where long ones tell less than chance would make of it (once in a hundred)
-/// theirs counts.
+/// Error of f. Contacts that begin in one window and end in a later one make deviations that
+/// cancel, so blocks not much longer than the longest contacts give too large an error. Where the
+/// error of long blocks is smaller than chance allows (once in a hundred), it is taken.
 double error_of_blocks(std::vector<statistics::Windows> const& tables,
                        statistics::Function const& f) {
   constexpr double by_chance = 0.55;
@@ -146,7 +145,7 @@ double error_of_run(std::filesystem::path const& result, std::vector<std::string
       means.push_back(averages[k] / averages[k + 1]);
     return f(means);
   });
-} catch (InputError const&) {  // a file that is none of ours tells no error
+} catch (InputError const&) {  // a file of another program gives no error
   return unknown;
 }
 

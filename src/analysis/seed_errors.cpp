@@ -19,7 +19,7 @@ struct Scatter {
   double chi2, freedom;
 };
 
-/// Of the seeds of one datum.
+/// Sums over the seeds of one datum.
 struct Sums {
   double count = 0.0, sum = 0.0, squares = 0.0, errors2 = 0.0, first = 0.0;
 

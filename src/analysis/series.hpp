@@ -33,7 +33,7 @@ std::vector<Series> make_series(SweepTable const& table, Request const& request,
 std::vector<Series> make_differences(SweepTable const& table, Request const& request,
                                      std::string const& x, std::string const& y);
 
-/// The key that runs along a curve of x.
+/// Key that varies along a curve of x.
 std::string running_key(Request const& request, std::string const& x);
 
 }  // namespace bagnold::analysis

@@ -68,7 +68,8 @@ void read_observables(io::Hdf5Reader const& file, SweepTable& table) {
   }
 }
 
-/// Disks that hardly met tell of no flow: B_p = 1e-32 +- 0 is not to be averaged in.
+/// Drops values of points with few collisions: they describe no flow. B_p = 1e-32 +- 0 is not to be
+/// averaged in.
 void drop_few_collisions(SweepTable& table, std::vector<std::string> const& warnings) {
   for (std::size_t point = 0; point < warnings.size(); ++point) {
     if (warnings[point].find("few_collisions") == std::string::npos) continue;
@@ -140,13 +141,13 @@ std::optional<double> number_of(Scene const& scene, std::string const& wanted) {
   return found;
 }
 
-/// Scene keys that a table can tell runs apart by: what flows, and how fast.
+/// True for scene keys that distinguish runs of a table: those of the flow and its rate.
 bool is_physics(std::string_view key) {
   return key.starts_with("disks.") || key.starts_with("drive.") || key == "shear.strain_rate" ||
          key == "shear.ramp_rate";
 }
 
-/// Values of a scene's keys of physics, as numbers or texts.
+/// Values of a scene's physical keys, as numbers or texts.
 std::map<std::string, KeyColumn> physics_of(SweepTable const& table) {
   std::map<std::string, KeyColumn> found;
   auto const scene = parse_scene(table.scenes.front(), table.origin,
@@ -161,7 +162,7 @@ std::map<std::string, KeyColumn> physics_of(SweepTable const& table) {
   return found;
 }
 
-/// Keys in which sweeps differ that vary none of them: each becomes a varied one.
+/// Adds keys that differ between sweeps and vary in none of them: each becomes a varied key.
 void tell_apart(std::vector<SweepTable>& tables) {
   if (std::ranges::any_of(tables, [](auto const& one) { return one.scenes.empty(); })) return;
   std::vector<std::map<std::string, KeyColumn>> all;
@@ -182,7 +183,7 @@ void tell_apart(std::vector<SweepTable>& tables) {
   }
 }
 
-/// The same state and seed twice is the same run, not two.
+/// Throws InputError for two points with the same state and seed: they are one run, not two.
 void refuse_twice(SweepTable const& table) {
   std::set<std::vector<std::string>> seen;
   for (std::size_t point = 0; point < table.points; ++point) {

@@ -23,7 +23,7 @@ struct Measured {
   std::vector<double> mean, error;
 };
 
-/// What a sweep measured: P points.
+/// Results of a sweep: P points.
 struct SweepTable {
   std::string origin;                           ///< the file, for messages
   std::size_t points = 0;                       ///< P
@@ -38,7 +38,7 @@ struct SweepTable {
   std::shared_ptr<std::map<std::string, std::vector<double>>> ratio_errors =
       std::make_shared<std::map<std::string, std::vector<double>>>();
 
-  /// Has a point a value of anything? One without has failed.
+  /// True if a point has no value of anything: it has failed.
   bool failed(std::size_t point) const;
 
   /// A key's values, one a point: varied or, where not, looked up in the scenes. Throws InputError

@@ -8,7 +8,7 @@
 
 namespace bagnold::analysis {
 
-/// Where the data sets of a figure lie.
+/// Folder with the data sets of a figure.
 struct DataFolder {
   std::filesystem::path folder;
   bool tables = false;  ///< NAME.csv and NAME.json instead of folders of sweeps
@@ -16,12 +16,12 @@ struct DataFolder {
   /// The folder of a data set's sweep.
   std::filesystem::path sweep(std::string const& name) const { return folder / name; }
 
-  /// What analyses read (read_sweep_table).
+  /// Input of an analysis (read_sweep_table).
   std::filesystem::path measured(std::string const& name) const {
     return folder / (tables ? name + ".csv" : name);
   }
 
-  /// What is drawn other than analyses: histograms, profiles, series.
+  /// Input of panels other than analyses: histograms, profiles, series.
   std::filesystem::path pictured(std::string const& name) const {
     return folder / (tables ? name + ".json" : name);
   }

@@ -41,7 +41,7 @@ json filled(json const& node, json const& values) {
 
 bool kept(json const& entry, bool quick) { return !quick || entry.value("quick", true); }
 
-/// The data sets of a panel, one or several; in the quick version what stands for them.
+/// Data sets of a panel, one or several; in the quick version their substitutes.
 std::vector<std::string> data_of(json const& entry, json const& figure, bool quick) {
   json const given = entry.value("data", figure.value("data", json::array()));
   std::vector<std::string> out;

@@ -8,7 +8,7 @@
 
 namespace bagnold::analysis {
 
-/// A figure of the papers, as inputs/figures/figures.toml has it, with its values filled in.
+/// A figure of the papers from inputs/figures/figures.toml, with its values filled in.
 struct Figure {
   std::string name;               ///< "P2-15"
   std::string title;              ///< what it shows

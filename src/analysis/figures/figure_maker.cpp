@@ -53,8 +53,8 @@ std::vector<Comparison> FigureMaker::compare_stated() {
   return all;
 }
 
-/// What an analysis finds, worked out once; an empty report, with a word why on stderr, where it
-/// finds nothing.
+/// Report of an analysis, worked out once. Where the analysis finds nothing, warns on stderr and
+/// returns an empty report.
 Report const& FigureMaker::report_of(std::string const& words, Names const& data) {
   auto const [known, is_new] = reports_.try_emplace({words, data});
   if (!is_new) return known->second;
@@ -71,7 +71,7 @@ Report const& FigureMaker::report_of(std::string const& words, Names const& data
   return known->second;
 }
 
-/// The tables of those data sets that are there.
+/// Joined tables of the data sets that exist.
 SweepTable const& FigureMaker::table_of(Names const& data) {
   if (auto const known = tables_.find(data); known != tables_.end()) return known->second;
   std::vector<SweepTable> parts;

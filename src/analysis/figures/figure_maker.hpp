@@ -20,9 +20,8 @@ namespace bagnold::analysis {
 /// in figure NAME (second argument). Throws InputError, naming the figure.
 using ReadWords = std::function<KindRequest(std::string const& words, std::string const& figure)>;
 
-/// Makes one figure in a folder, from data that are there: the tables and the recipe of its
-/// picture, and what the paper states beside what is found. What an analysis has to remark goes to
-/// stderr, each remark once.
+/// Makes one figure in a folder from existing data: the tables and the recipe of its picture, and
+/// the comparison with what the paper states. Remarks of the analyses go to stderr, each once.
 class FigureMaker {
  public:
   /// Makes the folder.

@@ -21,7 +21,7 @@ namespace {
       fmt::format("the file of figures: {} {}; see docs/figures.md", figure, error.what()));
 }
 
-/// A figure whose analyses and sweep files are there.
+/// Reads a figure and checks that its analyses and sweep files exist.
 Figure read_checked(FigureFile const& file, std::string const& name, bool quick,
                     ReadWords const& read) {
   auto figure = file.read(name, quick);

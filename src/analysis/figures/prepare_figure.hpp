@@ -13,7 +13,7 @@
 
 namespace bagnold::analysis {
 
-/// A figure that is asked for.
+/// A figure to be made.
 struct FigureRequest {
   std::string name;            ///< "P2-15"
   bool quick = false;          ///< its small version
@@ -33,8 +33,8 @@ struct PreparedFigure {
 };
 
 /// Runs the sweeps of a figure that are not done, analyses them, and writes the tables and the
-/// recipe of its picture into OUT/NAME. `file` is the file of figures, find_figure_file(). What is
-/// wrong with the figure is told before anything runs. Throws InputError, and as sweep::run() does.
+/// recipe of its picture into OUT/NAME. `file` is the file of figures, find_figure_file(). Mistakes
+/// in the figure are reported before anything runs. Throws InputError, and as sweep::run() does.
 PreparedFigure prepare_figure(std::filesystem::path const& file, FigureRequest const& request);
 
 /// Shows every figure of a file, and whether it has a quick version, each checked as

@@ -28,7 +28,7 @@ class Row {
     return cells_[static_cast<std::size_t>(found - table_.columns.begin())];
   }
 
-  /// NaN where there is none.
+  /// Number of a column; NaN if there is none.
   double number(std::string const& column) const {
     auto const cell = text(column).value_or("");
     char* end = nullptr;
@@ -54,7 +54,7 @@ std::string with_error(double value, double error) {
                               : fmt::format("{:.4g}", value);
 }
 
-/// ", phi = 0.7": scene keys that tell the chosen rows apart.
+/// Text such as ", phi = 0.7": scene keys that distinguish the chosen rows.
 std::string differences(Rows const& table, std::vector<std::size_t> const& chosen,
                         std::size_t row) {
   std::string out;

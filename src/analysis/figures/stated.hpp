@@ -9,7 +9,7 @@
 
 namespace bagnold::analysis {
 
-/// A number that a paper states in its text, beside ours.
+/// A number that a paper states in its text, with the measured one.
 struct Comparison {
   std::string what, source;
   std::string stated, ours;

@@ -48,7 +48,8 @@ class Search {
         weight_(weights(points)),
         y_(weighted_values(points)) {}
 
-  /// None where a branch, or what is between the kinks, has too few points.
+  /// Shape with kinks at given places; none where a branch, or the part between the kinks, has too
+  /// few points.
   std::optional<Shape> shape(std::vector<double> const& kinks) const {
     auto const& x = points_.x;
     auto const left = std::ranges::upper_bound(x, kinks.front()) - x.begin();
@@ -77,7 +78,7 @@ class Search {
     return found ? solve(*found).chi2 : INFINITY;
   }
 
-  /// Places on points and midway between them.
+  /// Candidates for places of kinks: on points and midway between them.
   std::vector<double> candidates() const {
     std::vector<double> out;
     for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -147,7 +148,7 @@ std::vector<double> values_of(Shape const& shape, Eigen::VectorXd const& solved)
   return out;
 }
 
-/// Of values_of, weighted.
+/// Jacobian of values_of, weighted.
 Eigen::MatrixXd jacobian(Points const& points, Shape const& shape, Eigen::VectorXd const& solved) {
   auto const weight = weights(points);
   auto const n = static_cast<Eigen::Index>(shape.kinks.size());

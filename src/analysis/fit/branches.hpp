@@ -22,7 +22,7 @@ struct Branches {
   double place(std::size_t k) const { return fit.value[3 + 2 * k]; }
   double place_error(std::size_t k) const { return fit.error[3 + 2 * k]; }
 
-  /// The curve at x.
+  /// Value of the curve at x.
   double operator()(double x) const;
 };
 
@@ -33,7 +33,7 @@ struct Branches {
 Branches fit_branches(Points const& points, std::size_t kinks, std::size_t left_degree,
                       std::size_t right_degree);
 
-/// The least-squares polynomial with so many parameters: of T_0, T_1, ... (Chebyshev) over the
+/// Least-squares polynomial with a number of parameters: of T_0, T_1, ... (Chebyshev) over the
 /// range of x.
 Fit fit_polynomial(Points const& points, std::size_t parameters);
 

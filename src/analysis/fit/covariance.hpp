@@ -9,7 +9,7 @@ namespace bagnold::analysis {
 
 /// (J^T W J)^-1 of the weighted Jacobian W^(1/2) J [n][parameters], by singular values. Directions
 /// whose singular value, columns scaled to length 1, is below 1e-8 of the largest are left out; the
-/// parameters that have a part in them get the variance `unknown`.
+/// parameters in these directions get the variance `unknown`.
 Eigen::MatrixXd covariance_of(Eigen::MatrixXd const& weighted_jacobian);
 
 /// Fills in covariance and errors; without errors of the points the covariance is scaled by

@@ -13,7 +13,8 @@ inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 /// Values of parameters that are not fitted.
 using Fixed = std::map<std::string, double>;
 
-/// What a least-squares fit found. Parameters that the data do not tell have the error `unknown`.
+/// Result of a least-squares fit. Parameters that the data do not determine have the error
+/// `unknown`.
 struct Fit {
   std::vector<double> value, error;  ///< [parameters]; error 0 where a parameter was fixed
   std::vector<double> covariance;    ///< [parameters][parameters]

@@ -10,7 +10,7 @@ namespace {
 /// An interval this many times less steep than the steepest one is outside the jump.
 constexpr double several = 3.0;
 
-/// Is the change between two points more than three of its errors?
+/// True if the change between two points is more than three of its errors.
 bool is_clear(Points const& points, std::size_t low, std::size_t high, double change) {
   constexpr double clear = 3.0;
   if (!points.weighted()) return true;
@@ -18,8 +18,8 @@ bool is_clear(Points const& points, std::size_t low, std::size_t high, double ch
          clear * std::hypot(points.error[low] / points.y[low], points.error[high] / points.y[high]);
 }
 
-/// Is the steepest interval `several` times as steep as the intervals outside the jump, by their
-/// median? A power law is steep everywhere, and has no jump. Of two points nothing tells.
+/// True if the steepest interval is `several` times as steep as the median of the intervals outside
+/// the jump. A power law is steep everywhere and has no jump. Two points cannot decide.
 template <class Steepness>
 bool stands_out(double steepest, std::size_t low, std::size_t high, std::size_t points,
                 Steepness const& steepness) {

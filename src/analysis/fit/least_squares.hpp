@@ -10,7 +10,7 @@ struct Solution {
   double chi2;            ///< |y - design value|^2
 };
 
-/// The value with the least |y - design value|^2, design [n][columns], by QR with pivots.
+/// Solution with the least |y - design value|^2, design [n][columns], by QR with pivots.
 Solution least_squares(Eigen::MatrixXd const& design, Eigen::VectorXd const& y);
 
 }  // namespace bagnold::analysis

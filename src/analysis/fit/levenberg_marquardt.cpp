@@ -54,7 +54,7 @@ struct Residuals {
   }
 
   int operator()(InputType const& inside, ValueType& residual) const {
-    constexpr double out_of_reach = 1e60;  // its square is still finite
+    constexpr double out_of_reach = 1e60;  // has a finite square
     auto const now = parameters(inside);
     auto const weight = weights(*points);
     for (std::size_t i = 0; i < points->size(); ++i) {

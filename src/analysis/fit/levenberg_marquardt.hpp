@@ -6,16 +6,17 @@
 
 namespace bagnold::analysis {
 
-/// Least squares, each point weighed by 1 / error^2, by Levenberg's and Marquardt's method
-/// (MINPACK, as Eigen has it). It starts from the three best combinations of the parameters'
-/// guesses, the linear ones solved for each, and keeps the best end. Parameters with a lower bound
-/// are fitted as ln(value - bound). Errors are those of the covariance (J^T W J)^-1 at the end.
+/// Least squares, each point weighted by 1 / error^2, by the method of Levenberg and Marquardt
+/// (MINPACK, in Eigen's version). It starts from the three best combinations of the parameters'
+/// guesses, with the linear ones solved for each, and keeps the best end. Parameters with a lower
+/// bound are fitted as ln(value - bound). Errors are those of the covariance (J^T W J)^-1 at the
+/// end.
 ///
 /// Throws InputError: fewer points than free parameters, points that check_points refuses, a name
-/// in `fixed` that the model has not or a value at or below its bound, or no convergence.
+/// in `fixed` that the model does not have or a value at or below its bound, or no convergence.
 Fit fit(Model const& model, Points const& points, Fixed const& fixed = {});
 
-/// The same from one start, all parameters given (fixed ones included).
+/// Fits from one start. start: all parameters, fixed ones included.
 Fit fit_from(Model const& model, Points const& points, Fixed const& fixed,
              std::vector<double> const& start);
 

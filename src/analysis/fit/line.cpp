@@ -71,8 +71,8 @@ Meeting line_at(Fit const& line, double x) {
   return {line.value[0] + line.value[1] * x, std::sqrt(slope.dot(covariance * slope))};
 }
 
-/// Are the lines more than three of their errors apart at x? Errors that nothing tells (of two
-/// points without errors) count as none.
+/// True if the lines are more than three of their errors apart at x. Unknown errors (of two points
+/// without errors) count as zero.
 bool are_apart(TwoLines const& lines, double x) {
   constexpr double clear = 3.0;
   auto const first = line_at(lines.first, x), second = line_at(lines.second, x);

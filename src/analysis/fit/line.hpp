@@ -10,7 +10,7 @@ namespace bagnold::analysis {
 /// the points the covariance comes from their scatter. Throws InputError as check_points does.
 Fit fit_line(Points const& points);
 
-/// Where two lines meet, and its error to first order from both covariances, taken as independent.
+/// Crossing of two lines, and its error to first order from both covariances, taken as independent.
 struct Meeting {
   double x, error;
 };

@@ -33,7 +33,7 @@ Model crossover_model(Points const& points);
 /// P2 Fig. 3 for Q_c(phi). phi_J lies above all phi of the points, x above 0.
 Model divergence_model(Points const& points);
 
-/// ln of a model, none of whose parameters is linear then: to be fitted from a known start.
+/// Logarithm of a model. None of its parameters is linear, so it is fitted from a known start.
 Model logarithm_of(Model model);
 
 /// mu_J + c I^b, with parameters mu_J, c, b. P1 Eq. (21) and Fig. 15. b above 0.

@@ -14,7 +14,7 @@
 namespace bagnold::analysis {
 namespace {
 
-/// Where a break may be: in the gap after a point, or on the point itself.
+/// Possible place of a break: in the gap after a point, or on the point itself.
 struct Place {
   std::size_t point;
   bool in_gap;
@@ -90,7 +90,7 @@ class Search {
   Fit best_;
 };
 
-/// Of {a, b, c_k, x_k}, weighted.
+/// Jacobian with respect to {a, b, c_k, x_k}, weighted.
 Eigen::MatrixXd jacobian(Points const& points, std::vector<double> const& value) {
   auto const weight = weights(points);
   auto const n = static_cast<Eigen::Index>(points.size());

@@ -21,7 +21,7 @@ namespace bagnold::analysis {
 /// 2 + 2 breaks points.
 Fit fit_piecewise_linear(Points const& points, std::size_t breaks);
 
-/// The curve at x.
+/// Value of the curve at x.
 double piecewise_linear(double x, std::vector<double> const& value);
 
 }  // namespace bagnold::analysis

@@ -6,8 +6,8 @@
 
 namespace bagnold::analysis {
 
-/// What a curve is fitted to: n points in any units. `error`: one standard deviation of each y, or
-/// empty where none is known; all points then weigh the same.
+/// Data of a fit: n points in any units. `error`: one standard deviation of each y; if empty, all
+/// points weigh the same.
 struct Points {
   std::vector<double> x, y, error;
 

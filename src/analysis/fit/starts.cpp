@@ -12,7 +12,7 @@ namespace {
 
 using Values = std::vector<double>;
 
-/// Puts in the linear parameters that fit best for the others' values; returns chi2.
+/// Sets the linear parameters to the best fit for the others' values; returns chi2.
 double solve_linear(Model const& model, Points const& points, Fixed const& fixed, Values& values) {
   std::vector<std::size_t> solved;
   for (std::size_t k = 0; k < values.size(); ++k)

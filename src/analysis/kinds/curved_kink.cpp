@@ -28,13 +28,13 @@ bool beyond_chance(Fit const& fit, bool weighted) {
   return analysis::beyond_chance(out);
 }
 
-/// Does a polynomial with as many parameters describe the points within chance?
+/// True if a polynomial with as many parameters describes the points within chance.
 bool is_smooth(Points const& points, std::size_t parameters) {
   return points.weighted() && !beyond_chance(fit_polynomial(points, parameters), true);
 }
 
-/// The curve with the misfit at which chi2 equals its degrees of freedom, where it is beyond
-/// chance.
+/// Fits the curve with the misfit at which chi2 equals its degrees of freedom; without a misfit if
+/// chi2 is within chance.
 Allowed fit_allowing(Points const& points, Request const& request, std::size_t left_degree) {
   auto const first = fit_branches(points, request.kinks, left_degree, 2);
   Allowed out{first, 0.0, first.fit.chi2, points.weighted()};
@@ -61,7 +61,7 @@ bool is_clear(Branches const& curve, std::size_t k) {
   return std::abs(curve.bend(k)) > clear * curve.bend_error(k);
 }
 
-/// The first kink bends as asked for, the next one the other way.
+/// True if the first kink bends as requested and the next one the other way.
 bool bends_as_asked(double bend, std::size_t k, std::string const& direction) {
   if (direction == "both") return true;
   return (bend > 0.0) == ((direction == "up") == (k % 2 == 0));

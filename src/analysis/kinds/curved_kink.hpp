@@ -24,8 +24,9 @@ class CurvedKinks {
  public:
   explicit CurvedKinks(Request const& request) : request_(request) {}
 
-  /// As `kink` without curved branches: value = {x_1, y_1, ...}, NaN where a kink does not stand.
-  /// Measured points first, then resampled ones: these have the misfit of those.
+  /// Finds kinks, in the format of `kink` without curved branches: value = {x_1, y_1, ...}, NaN
+  /// where a kink does not stand. Called for the measured points first; resampled points take their
+  /// misfit from that call.
   FitResult operator()(Points const& measured, std::uint32_t replica) const;
 
  private:

@@ -42,8 +42,8 @@ std::vector<Outcome> find_places(SweepTable const& table, Request const& request
   return find_jumps(table, first, series);
 }
 
-/// Weigh places alike? By themselves where the law that they come from is not exact: they are off
-/// by what it is then, and their errors, of what is fitted to few points or many, do not tell that.
+/// True if places weigh alike. By default they do if the law behind them is not exact: places are
+/// then off by the error of the law, which their own errors do not contain.
 bool weigh_alike(std::vector<Outcome> const& outcomes, Request const& request) {
   if (request.weigh == "alike") return true;
   if (request.weigh == "errors") return false;

@@ -10,7 +10,7 @@
 namespace bagnold::analysis {
 namespace {
 
-/// The slope of ln y over points first .. last - 1 (all: last = 0) against ln x; value = {x at the
+/// Slope of ln y against ln x over points first .. last - 1 (all: last = 0); value = {x at the
 /// middle of ln x, slope}.
 FitResult slope(Points const& measured, std::size_t first, std::size_t last) {
   auto const all = with_logarithms(measured, true, true);

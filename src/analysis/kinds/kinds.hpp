@@ -20,10 +20,10 @@ struct Kind {
   Report (*run)(SweepTable const&, Request const&);
 };
 
-/// All of them. Each run throws InputError where nothing can be found.
+/// All kinds. Each run throws InputError where nothing can be found.
 std::span<Kind const> kinds();
 
-/// The one of that name; throws InputError with the nearest name.
+/// Kind of that name; throws InputError with the nearest name.
 Kind const& kind_of(std::string_view name);
 
 Report crossover(SweepTable const& table, Request const& request);

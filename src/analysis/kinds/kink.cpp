@@ -34,7 +34,7 @@ FitResult kinks_of(Points const& measured, Request const& request) {
   return out;
 }
 
-/// Which kinks of curved branches are not given.
+/// Notes, for each kink, the curves without it: smooth branches describe their points as well.
 void note_none(Report& report, std::vector<Outcome> const& outcomes, Request const& request) {
   for (std::size_t k = 0; k < request.kinks; ++k) {
     std::string list;

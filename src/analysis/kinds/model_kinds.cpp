@@ -38,7 +38,7 @@ double misfit_of(Model const& model, Points const& points, Fixed const& fixed,
   return 0.0;
 }
 
-/// From where a series is fitted: found on the measured points.
+/// Start of the fits of a series: found on the measured points.
 struct Start {
   std::vector<double> value;
   double chi2 = 0.0, misfit = 0.0;
@@ -113,8 +113,9 @@ std::vector<Outcome> find_crossovers(SweepTable const& table, Request const& req
 
 namespace {
 
-/// A law that is not exact tells q from as far as x goes beyond Q*. Where that is not a decade, and
-/// chi2 of any curve is beyond chance, q is taken out, and that is said.
+/// Removes exponents q that an inexact law does not determine, and says so. q follows from x far
+/// beyond Q*: it is removed where x reaches less than a decade beyond and chi2 of any curve is
+/// beyond chance.
 void leave_out_exponents(Report& report, std::vector<Outcome>& outcomes,
                          std::vector<Series> const& series) {
   constexpr double decade = 10.0;

@@ -21,9 +21,10 @@ Vertex vertex(std::array<double, 3> const& x, std::array<double, 3> const& y) {
   return {at, y[0] + (at - x[0]) * (left + bend * (at - x[1]))};
 }
 
-/// What the place of a peak is not known to for its shape: the parabola through the points one
-/// further out, of a grid twice as wide, has its vertex elsewhere. Without these points the place
-/// may lie anywhere between two.
+/// Error of the place of a peak from the spacing of the points and the shape of the curve. The
+/// shape is tested by the parabola through the points one further out, of a grid twice as wide: its
+/// vertex lies elsewhere. Without these points the error is twice that of the grid: the peak may
+/// lie anywhere between two points.
 double shape_error(Points const& points, std::size_t at, double place) {
   double const grid = grid_error(points, place);
   if (at < 2 || at + 2 >= points.size()) return 2.0 * grid;
