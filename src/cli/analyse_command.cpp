@@ -16,7 +16,7 @@ using analysis::Rows;
 
 constexpr std::size_t most_columns = 26;  ///< wider tables are only written
 
-/// Numbers to four digits, all else as it is.
+/// Numbers to four digits, other text unchanged.
 std::string cell_text(std::string const& text) {
   char* end = nullptr;
   double const value = std::strtod(text.c_str(), &end);
@@ -47,7 +47,7 @@ void print(analysis::Analysis const& made) {
   fmt::print("{} rows in {}\n", rows.rows.size(), made.results.string());
 }
 
-/// How to do what the results, or remarks on them, advise.
+/// Prints the commands that follow the results or remarks on them.
 void say_commands(analysis::Analysis const& made, AnalyseOptions const& options) {
   auto const has = [](std::string const& text, char const* words) {
     return text.find(words) != std::string::npos;

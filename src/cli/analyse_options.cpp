@@ -53,7 +53,7 @@ void add_fit(Words command, analysis::Request& request) {
   command.option("--seed", request.seed, "of the bootstrap [1]");
 }
 
-/// What --help says of the kinds of analysis.
+/// Text of --help on the kinds of analysis.
 std::string analyse_kinds() {
   std::string out = "Kinds of analysis (docs/analysis.md):\n";
   for (auto const& kind : analysis::kinds()) {

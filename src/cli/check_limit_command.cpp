@@ -22,7 +22,7 @@ std::string text_of(analysis::WithError const& one) {
   return rounded(one.value, one.error);
 }
 
-/// What would tell, and how to go on to it.
+/// Advice for an undecided limit: the run that would decide, and its command.
 std::string advice(analysis::Limit const& limit, CheckLimitOptions const& options, double strain,
                    std::filesystem::path const& folder) {
   if (limit.verdict != analysis::Verdict::undecided) return {};
@@ -63,7 +63,7 @@ void print(analysis::LimitCheck const& check, CheckLimitOptions const& options, 
   fmt::print("verdict: {}\n", found.verdict());
 }
 
-/// 0 whatever the answer.
+/// Returns 0 whatever the answer.
 int check_limit_command(CheckLimitOptions const& options) {
   Scene const scene = read_scene(options.run);
   auto const folder =

@@ -92,7 +92,7 @@ CLI::Validator whole_number() {
           ""};
 }
 
-/// Of numbers with a fraction: strtod() would take "0x10" for 16.
+/// Validator of decimal numbers with a fraction. strtod() would read "0x10" as 16.
 CLI::Validator decimal_number() {
   return {[](std::string& text) -> std::string {
             double value = 0;
@@ -117,7 +117,7 @@ constexpr bool holds_doubles<std::optional<double>> = true;
 template <>
 constexpr bool holds_doubles<std::optional<std::pair<double, double>>> = true;
 
-/// An empty word is a variable of a shell that nobody set: it is not what was wanted.
+/// Refuses an empty word: it comes from a shell variable that is not set.
 CLI::Option& with_words(CLI::Option& option) {
   option.check([](std::string const& text) { return std::string(text.empty() ? is_empty : ""); });
   return option;
@@ -184,7 +184,7 @@ std::vector<std::string> CommandLine::commands() const {
 
 namespace {
 
-/// What an unknown option may have been meant to be: another one, or a key of the scene.
+/// Suggestion for an unknown option: another option, or a key of the scene.
 std::string hint_of_option(CLI::App const& command, std::string const& name,
                            std::vector<std::string> const& known) {
   if (auto const near = did_you_mean(name, known); !near.empty())
@@ -197,7 +197,7 @@ std::string hint_of_option(CLI::App const& command, std::string const& name,
               : fmt::format(" (a key of the scene: {}, in its file)", meant.key);
 }
 
-/// The first word that is no option of the command that was given.
+/// First word that is not an option of the command.
 std::string wrong_option(CLI::App& app, std::vector<std::string> const& words) {
   auto const given = app.get_subcommands();
   auto const& command = given.empty() ? app : *given.front();
@@ -215,7 +215,7 @@ std::string wrong_option(CLI::App& app, std::vector<std::string> const& words) {
   return {};
 }
 
-/// CLI11 would take the next word for the value.
+/// Refuses an option without its value. CLI11 would take the next word for it.
 void refuse_value_left_out(std::vector<std::string> const& words) {
   for (auto const& word : words)
     if (word.starts_with("--") && word.find('=') == word.size() - 1)

@@ -14,8 +14,8 @@ class App;
 class Option;
 }  // namespace CLI
 
-/// The command line: what there is to type, and where it is read into. A face of CLI11, which
-/// takes four seconds to compile and is seen by command_line.cpp alone.
+/// Command line: its words, and the variables that they are read into. An interface to CLI11, which
+/// takes four seconds to compile and is included by command_line.cpp alone.
 namespace bagnold {
 
 /// An argument, an option or a flag.
@@ -62,7 +62,7 @@ class Words {
   CLI::App* app_;
 };
 
-/// Words that are not as they must be.
+/// Error in the words of the command line.
 struct UnreadableWords : InputError {
   using InputError::InputError;
 };
@@ -74,14 +74,15 @@ class CommandLine {
 
   Words words();
 
-  /// One of the commands must be given; --version is told by `version`.
+  /// Requires one of the commands; --version prints `version`.
   void require_command(std::function<std::string()> version);
   std::vector<std::string> commands() const;
 
-  /// false: help or the version was asked for and is shown. Throws UnreadableWords.
+  /// Parses the words. Returns false if help or the version was asked for and printed. Throws
+  /// UnreadableWords.
   bool parse(std::vector<std::string> const& words);
 
-  /// A line of words, quoted as in a shell. Throws UnreadableWords, where help is asked for too.
+  /// Parses a line of words, quoted as in a shell. Throws UnreadableWords, also for help.
   void parse_line(std::string const& line);
 
  private:

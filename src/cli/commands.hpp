@@ -27,8 +27,8 @@ struct SceneOptions {
   bool allow_unstable = false;
 };
 
-/// The scene of the file, its overrides put over it. Words in it that are called otherwise now are
-/// told on stderr.
+/// Reads the scene of the file with its overrides. Words that have a new name are reported on
+/// stderr.
 Scene read_scene(SceneOptions const& options);
 
 struct ResumeOptions {
@@ -115,13 +115,13 @@ AddCommand add_init, add_schema, add_units, add_run, add_validate, add_resume, a
     add_watch, add_plot, add_sweep, add_analyse, add_check_limit, add_figure, add_movie, add_report,
     add_export, add_import, add_info;
 
-/// All of them, in the order of the help.
+/// All commands, in the order of the help.
 inline constexpr AddCommand* all_commands[] = {
     add_init,   add_run,    add_validate, add_resume,      add_status, add_watch,
     add_plot,   add_sweep,  add_analyse,  add_check_limit, add_figure, add_movie,
     add_report, add_export, add_import,   add_schema,      add_units,  add_info};
 
-/// Prints what a sweep file comes to: points, chains, steps, time.
+/// Prints points, chains, steps and time of a sweep file.
 int validate_sweep_command(SceneOptions const& options);
 
 }  // namespace bagnold

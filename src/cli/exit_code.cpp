@@ -15,7 +15,7 @@ namespace bagnold {
 
 namespace {
 
-/// Lines of which nobody reads the middle, as where a file has a word of a megabyte.
+/// Message with long lines cut in the middle, as where a file has a word of a megabyte.
 std::string with_short_lines(std::string const& message) {
   constexpr std::size_t head = 1000, tail = 300;
   std::string out;

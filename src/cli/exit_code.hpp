@@ -8,7 +8,7 @@
 
 namespace bagnold {
 
-/// How the program ends where it is not stopped by a signal; docs/scenes.md tells users.
+/// Exit codes of the program unless a signal stops it; docs/scenes.md tells users.
 enum ExitCode {
   done = 0,
   points_failed = 1,  ///< of a sweep
@@ -18,14 +18,15 @@ enum ExitCode {
   internal_error = 5
 };
 
-/// Says what went wrong, and with which code that ends the program.
+/// Prints a failure and returns the exit code of the program.
 ExitCode exit_code_of(std::exception_ptr const& failure);
 
 /// Code of a run or a sweep that ended without a failure thrown: 128 + the signal that stopped it.
 int exit_code_of(RunEnd end);
 int exit_code_of(sweep::SweepEnd end);
 
-/// That of the Python package, where it is one of ours; internal_error where it ended otherwise.
+/// Exit code for one of the Python package: the same code if the package defines it or a signal
+/// ended it, otherwise internal_error.
 int exit_code_of_package(int code);
 
 }  // namespace bagnold

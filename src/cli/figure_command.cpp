@@ -42,7 +42,7 @@ void print(analysis::PreparedFigure const& made) {
   if (!made.stated.empty()) fmt::print("\n{}", to_lines(made.stated));
 }
 
-/// Codes as of a sweep; 1 where there is no picture.
+/// Returns the codes of a sweep; 1 if there is no picture.
 int figure_command(FigureOptions const& options) {
   auto const file = analysis::find_figure_file(options.figures);
   if (options.name.empty()) {

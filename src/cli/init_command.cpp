@@ -74,7 +74,7 @@ std::string comment_of(Key const& key) {
   return text;
 }
 
-/// The scene with what its keys mean.
+/// Text of the scene with the meaning of its keys.
 std::string explained(Scene const& scene, std::string const& name) {
   std::map<std::string, std::string> comments;
   for_each_key(scene, [&](Key const& key, auto const&) {

@@ -22,8 +22,8 @@
 
 namespace {
 
-/// Large arrays go back to the system as soon as they are freed: what comes after them needs the
-/// room.
+/// Makes malloc return large arrays to the system as soon as they are freed: later ones need the
+/// memory.
 void give_back_large_arrays() {
 #ifdef __GLIBC__
   mallopt(M_MMAP_THRESHOLD, 4 << 20);
@@ -63,7 +63,7 @@ Elsewhere const elsewhere[] = {
     {"--version", {"version"}},
 };
 
-/// CLI11 would complain of the words behind it.
+/// Refuses an unknown command. CLI11 would complain of the words behind it.
 void refuse_unknown_command(std::vector<std::string> const& names,
                             std::vector<std::string> const& words) {
   if (words.empty() || words.front().starts_with("-")) return;

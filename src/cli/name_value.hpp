@@ -11,7 +11,7 @@ namespace bagnold {
 std::map<std::string, std::string> name_values(std::vector<std::string> const& pairs,
                                                std::string const& option);
 
-/// The same with numbers; throws InputError for a value that is none.
+/// Numbers by name. Throws InputError for a value that is no number.
 std::map<std::string, double> name_numbers(std::vector<std::string> const& pairs,
                                            std::string const& option);
 

@@ -3,10 +3,11 @@
 
 #include "src/cli/commands.hpp"
 
-/// Options that several commands have. What they are read into must outlive the parsing.
+/// Options shared by several commands. The variables that they are read into must outlive the
+/// parsing.
 namespace bagnold {
 
-/// What `bagnold --help`, and a command's, says of units and exit codes.
+/// Text on units and exit codes in `bagnold --help` and in the help of each command.
 extern char const* const units_and_exit_codes;
 
 /// A command with these words, and with units and exit codes below its help.

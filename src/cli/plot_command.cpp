@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The name of the picture, and what it is of where that is not all of a run.
+/// Prints the name of the picture, and the part of a run that it shows.
 void say_drawn(fs::path const& picture, std::string const& of) {
   if (fs::exists(picture)) fmt::print("{}{}\n", picture.string(), of);
 }
@@ -30,7 +30,7 @@ void refuse(std::string const& wrong) {
   if (!wrong.empty()) throw FileError(wrong);
 }
 
-/// The pictures of a run; of one that is not done, of its last checkpoint.
+/// Draws the pictures of a run, from its last checkpoint if it is not done.
 void plot_run(fs::path const& folder, std::string const& format) {
   auto const status = status_of(folder);
   auto const result = folder / "result.h5";
@@ -60,7 +60,7 @@ void plot_run(fs::path const& folder, std::string const& format) {
   say_drawn(picture("histograms"), of);
 }
 
-/// Of each rate that has been begun; once all are done the flow curve too.
+/// Draws each rate that has begun, and the flow curve once all are done.
 void plot_cascade(fs::path const& folder, Scene const& cascade, std::string const& format) {
   for (auto const& stage : stage_folders(cascade))
     if (fs::exists(folder / stage / "result.h5")) plot_run(folder / stage, format);
@@ -70,8 +70,8 @@ void plot_cascade(fs::path const& folder, Scene const& cascade, std::string cons
   say_drawn(picture, "");
 }
 
-/// What `analyse table` draws of the tables that are there, and the points at first sight, where
-/// they have averages.
+/// Draws the tables of a sweep as `analyse table` does, and the points at first sight, where they
+/// have averages.
 void plot_sweep(fs::path const& folder, std::string const& format) {
   if (!fs::exists(folder / "sweep.h5"))
     throw InputError(

@@ -9,9 +9,9 @@
 
 namespace bagnold {
 
-/// Where a run stands, as a line on stdout: rewritten twice a second on a terminal, a plain line
-/// every half minute elsewhere. Steps are those of all replicas together. A sweep that started the
-/// run is told too.
+/// Progress of a run as a line on stdout: rewritten twice a second on a terminal, a plain line
+/// every half minute elsewhere. Steps count all replicas together. It is also reported to a sweep
+/// that started the run.
 class Progress {
  public:
   Progress(Scene const& scene, Plan const& plan, std::int64_t first_steps, bool quiet);

@@ -28,7 +28,7 @@ Json number_of(Key const& key, char const* type) {
   return made;
 }
 
-// What a value may be, by the member that it is read into.
+// Values that a key accepts, by the type of the member that it is read into.
 Json form_of(Key const& key, std::string const&) {
   return key.words.empty() ? Json{{"type", "string"}} : words_of(key);
 }
@@ -51,7 +51,7 @@ Json form_of(Key const& key, std::map<std::string, double> const&) {
   return {{"type", "object"}, {"additionalProperties", number_of(key, "number")}};
 }
 
-// What a key is where a scene does not say.
+// Default value of a key.
 Json value_of(std::optional<double> const& value) { return value ? Json(*value) : Json(automatic); }
 Json value_of(NumberOrWord const& value) {
   return value.number ? Json(*value.number) : Json(value.word);

@@ -24,9 +24,9 @@ std::atomic<std::int64_t> asked_at = 0;        ///< SIGINT or SIGTERM came first
 std::atomic<std::int64_t> interrupted_at = 0;  ///< SIGINT came first, [ms]; 0: not yet
 static_assert(std::atomic<std::int64_t>::is_always_lock_free, "else no signal handler may use it");
 
-constexpr std::int64_t patience_ms = 1000;  ///< signals that come closer are one wish
+constexpr std::int64_t patience_ms = 1000;  ///< closer signals count as one
 constexpr std::int64_t one_press_ms =
-    50;  ///< `timeout -s INT` sends SIGINT twice; nobody is so quick
+    50;  ///< `timeout -s INT` sends SIGINT twice; a user is slower
 
 extern "C" void on_checkpoint_signal(int) { checkpoint_flag = 1; }
 
@@ -42,9 +42,9 @@ std::int64_t since_first(std::atomic<std::int64_t>& first, std::int64_t now) {
   return first.compare_exchange_strong(before, now) ? 0 : now - before;
 }
 
-/// Machines ask twice: Slurm's preemption sends SIGTERM to the step and to the job, milliseconds
-/// apart; `timeout` to the process and to its group; a terminal that closes sends SIGHUP twice, or
-/// SIGTERM behind it. A user presses Ctrl-C again, or asks again later.
+/// Batch systems ask twice: Slurm's preemption sends SIGTERM to the step and to the job,
+/// milliseconds apart; `timeout` to the process and to its group; a terminal that closes sends
+/// SIGHUP twice, or SIGTERM behind it. A user presses Ctrl-C again, or asks again later.
 extern "C" void on_stop_signal(int signal) {
   int none = 0, closed = SIGHUP;
   if (!stop_flag.compare_exchange_strong(none, signal) && signal != SIGHUP)
@@ -74,13 +74,13 @@ bool ignored(int signal) {
 void catch_checkpoint_signal() { handle(SIGUSR1, on_checkpoint_signal); }
 
 void catch_signals() {
-  // A terminal or batch system signals a sweep and its points, and the sweep passes its own on: a
-  // point must not take the second for impatience. If the sweep quits at once, its points die with
-  // it.
+  // A terminal or batch system signals a sweep and its points, and the sweep passes its own signal
+  // on: a point must not take the second signal for a second request. If the sweep quits at once,
+  // its points end with it.
   once_only = sweep::report_pipe() >= 0;
   for (int const signal : {SIGINT, SIGTERM}) handle(signal, on_stop_signal);
   if (!ignored(SIGHUP)) handle(SIGHUP, on_stop_signal);
-  // A closed pipe or a file size limit is no reason to lose a run: the write fails and says so.
+  // A closed pipe or a file size limit must not end a run: the write fails with a message.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
 }

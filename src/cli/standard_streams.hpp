@@ -5,15 +5,14 @@
 
 namespace bagnold {
 
-/// /dev/null on each of stdin, stdout and stderr that is closed: else the first files that are
-/// opened would take their numbers, and messages would be written into results.
+/// Opens /dev/null on each of stdin, stdout and stderr that is closed. Otherwise the first files
+/// that are opened would take their numbers, and messages would be written into results.
 void open_standard_streams();
 
-/// Text on stdout, as it is, to be read at once; never throws. What could not be written is found
-/// by finish_output().
+/// Prints text on stdout and flushes it; never throws. finish_output() reports failures.
 void put(std::string const& text);
 
-/// Flushes stdout; what went wrong with it since the program began, "" if nothing.
+/// Flushes stdout. Returns the failure of output since the program began, "" if there was none.
 std::string finish_output();
 
 }  // namespace bagnold

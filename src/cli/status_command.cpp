@@ -57,7 +57,7 @@ std::string line_of(RunStatus const& run) {
   return text;
 }
 
-/// What to type next.
+/// Command to continue a run; "" if it runs or is done.
 std::string advice(RunState state, std::string const& folder) {
   if (state == RunState::running || state == RunState::done) return {};
   return fmt::format("`bagnold resume {}` goes on\n", folder);
@@ -104,7 +104,7 @@ void print_names(sweep::SweepStatus const& status, char const* what,
   if (!text.empty()) fmt::print("{}: {}\n", what, text);
 }
 
-/// Codes as of the sweep itself: 1 where points have failed.
+/// Returns the exit code of the sweep itself: 1 where points have failed.
 int print_sweep(std::string const& folder, sweep::SweepStatus const& status) {
   auto const count = [&](RunState state) { return status.count(state); };
   fmt::print(
@@ -135,7 +135,7 @@ int print_sweep(std::string const& folder, sweep::SweepStatus const& status) {
 
 using Json = nlohmann::ordered_json;
 
-/// What is not known is null.
+/// Status as JSON; unknown numbers are null.
 Json json_of(RunStatus const& run) {
   auto const left = run.seconds_left();
   return {{"state", word(run.state)},
@@ -150,7 +150,8 @@ Json json_of(RunStatus const& run) {
           {"notes", run.notes}};
 }
 
-/// A run, or with `points` a cascade's rates or a sweep's points; the code is that of words.
+/// Prints a run, or with `points` a cascade's rates or a sweep's points. Returns the code that the
+/// text output returns.
 int print_json(std::filesystem::path const& folder) {
   Json all;
   bool failed = false;

@@ -27,7 +27,7 @@ class SweepTerminal final : public sweep::SweepMonitor {
   void waited() override;
   void end() override;
 
-  /// The name of the table, and on stderr which points are suspect.
+  /// Prints the name of the table and, on stderr, the suspect points.
   void collected(sweep::Sweep const& sweep, sweep::SweepFolder const& folder,
                  sweep::Results const& results) override;
 

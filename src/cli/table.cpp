@@ -23,8 +23,8 @@ std::string with_error(statistics::Estimate const& estimate) {
   return rounded(*estimate.mean, *estimate.error) + (estimate.rough ? " (rough)" : "");
 }
 
-/// What most people look at. B is constant in Bagnold's rheology, eta in Newton's, which CD_n has
-/// not.
+/// True for the observables of the short table. B is constant in Bagnold's rheology. eta is
+/// constant in Newton's, which CD_n does not have.
 bool is_short(Scene const& scene, std::string_view name) {
   constexpr std::string_view always[] = {"p",
                                          "sigma",
@@ -62,7 +62,7 @@ std::string typed(std::string const& command, std::string const& folder) {
   return fmt::format("; `{}`", with_folder(command, folder));
 }
 
-/// Where a run that looks at errors ended, and what "auto" discarded.
+/// Prints where a run with target errors ended, and how much "auto" discarded.
 void print_ends(Run const& run, std::string const& folder) {
   if (!run.scene.shear.discard)
     fmt::print("\nsteady {} (MSER-5): {} of {} windows discarded\n",
@@ -78,7 +78,7 @@ void print_ends(Run const& run, std::string const& folder) {
     fmt::print("not reached at two looks in a row{}\n", typed(until_target(run), folder));
 }
 
-/// What is without an error, or has a rough one, and what would do.
+/// Prints which names have no error or a rough one, and what to do about it.
 void print_remarks(FinishedRun const& finished, std::string const& folder) {
   std::set<std::string> remarks;
   int none = 0, rough = 0;

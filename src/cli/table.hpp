@@ -8,8 +8,8 @@
 
 namespace bagnold {
 
-/// What was measured, beside what the papers state, on stdout: what most people look at, or all of
-/// it. `folder` is what `bagnold resume` makes longer; "": nothing does.
+/// Prints measured values beside those of the papers on stdout: the most used ones, or all of them.
+/// `folder`: folder for `bagnold resume` to make the run longer; "" if it cannot be.
 void print_table(Run const& run, std::vector<NamedEstimate> const& list, std::string const& folder,
                  bool all);
 

@@ -15,13 +15,15 @@ namespace bagnold {
 
 namespace {
 
-/// What can be made longer: of a cascade its last rate.
+/// Folder of the run that can be made longer: for the last rate of a cascade the cascade's; "" for
+/// its earlier rates.
 std::string growing_folder(RunFolder const& folder, std::optional<StageFolder> const& stage) {
   if (!stage) return folder.path().string();
   return stage->is_last() ? stage->cascade.string() : "";
 }
 
-/// Of a rate of a cascade, what makes the run longer is said to the cascade.
+/// Warning with a command that is right for a rate of a cascade: the cascade is made longer, not
+/// the rate.
 Warning with_command(Warning warning, std::optional<StageFolder> const& stage) {
   if (!stage || !warning.command.starts_with("bagnold resume")) return warning;
   if (stage->is_last())

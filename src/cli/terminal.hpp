@@ -11,7 +11,7 @@ namespace bagnold {
 /// Shows a run to its user on stdout, unless quiet, and stops it on their signals.
 class Terminal final : public RunMonitor {
  public:
-  /// all: the whole table, not only what most people look at.
+  /// all: prints the whole table, not only the most used observables.
   Terminal(bool quiet, bool all) : quiet_(quiet), all_(all) {}
 
   bool stop_requested() override;
@@ -21,7 +21,7 @@ class Terminal final : public RunMonitor {
   void progress(std::int64_t steps) override { progress_->show(steps); }
   void end(std::int64_t steps) override { progress_->finish(steps); }
 
-  /// The table of what was measured, and on stderr what makes it suspect.
+  /// Prints the table of results and, on stderr, reasons to doubt them.
   void finished(RunFolder const& folder, FinishedRun const& run,
                 std::vector<Warning> const& suspect) override;
 

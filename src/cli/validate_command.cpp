@@ -50,7 +50,7 @@ std::string in_words(RunTime const& time, int threads) {
   return text;
 }
 
-/// What one run comes to.
+/// Prints the size, the time and the memory of one run.
 void print_plan(Scene const& scene, Plan const& plan, RunTime const& time, int threads) {
   if (plan.ramp) print_ramp(*plan.ramp);
   fmt::print("# strain         {:.6g}\n", plan.strain(plan.steps));
