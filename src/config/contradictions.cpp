@@ -165,7 +165,7 @@ void look_at_drive(Scene const& scene, Refusals const& refuse) {
                          straight, drive.kind));
 }
 
-/// A scheme that solves for all motions at once steps all disks at all times, and has no drives.
+/// Refuses what an implicit scheme cannot do: it steps all disks at all times, and has no drives.
 void look_at_scheme(Scene const& scene, Refusals const& refuse) {
   if (!is_implicit(scene.integration.scheme)) return;
   auto const& integration = scene.integration;

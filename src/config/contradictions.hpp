@@ -8,8 +8,8 @@
 
 namespace bagnold {
 
-/// Adds what the keys of a scene, each right by itself, get wrong together; `origin`: its file.
-/// Keys of which there is a mistake already are not looked at.
+/// Adds mistakes of several keys together, each valid by itself; `origin`: the file. Keys with a
+/// mistake already are not checked.
 void find_contradictions(Scene const& scene, std::string const& origin, Mistakes& mistakes);
 
 }  // namespace bagnold

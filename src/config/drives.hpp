@@ -7,16 +7,17 @@
 
 namespace bagnold {
 
-/// The word for none.
+/// Word for no drive.
 inline constexpr char no_drive[] = "none";
 
-/// What reading and checking a scene asks of a drive.
+/// Facts on a drive for reading and checking a scene.
 struct DriveFacts {
   std::string_view name;
   bool thermal;  ///< takes drive.temperature
 };
 
-/// Of all drives: those of the list in kernels/physics/drives/drives.hpp, then those registered.
+/// Facts on all drives: first those of the list in kernels/physics/drives/drives.hpp, then
+/// registered ones.
 NamedEntries<DriveFacts> const& known_drives();
 
 /// Adds a drive (src/engine/register_drive.hpp). Throws InputError where the name is taken.

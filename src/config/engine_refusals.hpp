@@ -14,7 +14,7 @@
 
 namespace bagnold {
 
-/// What one engine cannot do of a scene that asks for it by name.
+/// Keys of a scene that an engine, asked for by name, cannot satisfy.
 class EngineRefusals {
  public:
   explicit EngineRefusals(std::string_view engine) : engine_(engine) {}
@@ -31,7 +31,7 @@ class EngineRefusals {
     list_.push_back({std::move(keys), because(engine_, why, remedy)});
   }
 
-  /// Whether the law of the scene damps linearly in the velocity; where it does not it is refused.
+  /// True if the law of the scene is linear in the velocity. Refuses disks.model otherwise.
   bool unless_linear(Scene const& scene, std::string const& remedy) {
     auto const* law = known_laws().find(scene.disks.model);
     if (!law) return true;  // refused by its name

@@ -5,12 +5,12 @@
 
 namespace bagnold {
 
-/// Something the user gave is wrong; the message names key, value, reason and remedy. Exit code 2.
+/// A mistake in the user's input; the message names key, value, reason and remedy. Exit code 2.
 struct InputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The simulation left the range in which its numbers mean something. Exit code 3.
+/// Numbers of the simulation beyond the range in which they are meaningful. Exit code 3.
 struct NumericalError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -17,7 +17,8 @@ namespace bagnold {
 
 namespace {
 
-/// Largest k_n with which a contact oscillates, 2 sqrt(mu)/d_ij, of the pair that has the smallest.
+/// Largest k_n with which all contacts oscillate: 2 sqrt(mu)/d_ij of the pair that has the
+/// smallest.
 double most_damping(Scene const& scene) {
   auto const table = make_species_table(scene.mass_by_area());
   double least = 1e300;

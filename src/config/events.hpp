@@ -7,7 +7,7 @@
 #include "src/config/refusal.hpp"
 #include "src/config/scene.hpp"
 
-/// Contacts as events: an engine of its own, with a scheme of its own, for dilute flows.
+/// Contacts as events: an engine with its own scheme, for dilute flows.
 namespace bagnold {
 
 inline constexpr char event_engine[] = "events";  ///< integration.engine
@@ -16,16 +16,17 @@ inline constexpr char adaptive_engine[] = "adaptive";
 
 inline constexpr char exact_contacts[] = "exact-contacts";  ///< its integration.scheme
 
-/// Its "auto" step, a unit of time for windows and frames that acts on nothing else, [tau_e].
+/// "auto" time step of the event engine, [tau_e]. It is the unit of time for windows and frames and
+/// affects nothing else.
 inline constexpr double event_time_unit = 0.2;
 
 bool has_events(Scene const& scene);
 bool is_adaptive(Scene const& scene);
 
-/// Whether a scheme is that of one engine alone, which needs no time step to be stable.
+/// True if the scheme belongs to one engine, which needs no time step to be stable.
 bool is_scheme_of_an_engine(std::string_view scheme);
 
-/// Smallest Q at which every contact of two alone ends of itself, as an oscillation.
+/// Smallest Q at which every contact of two disks alone is underdamped, so that it ends.
 double least_underdamped_elasticity(Scene const& scene);
 
 /// What events cannot do of a scene that asks for them, by themselves or by turns with steps, and

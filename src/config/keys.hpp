@@ -13,11 +13,11 @@
 
 namespace bagnold {
 
-/// What names of keys, "table.key", are written with.
+/// Characters of names of keys, "table.key".
 inline constexpr std::string_view key_letters =
     "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.-";
 
-/// One key of the scene file: its name, unit and meaning, and what values it takes.
+/// One key of the scene file: its name, unit, meaning and range.
 struct Key {
   std::string_view name;  ///< "table.key"
   std::string_view unit;
@@ -30,7 +30,7 @@ struct Key {
   std::vector<std::string_view> protocols = {};  ///< that know the key; empty: all
 };
 
-/// Whether a protocol knows a key.
+/// True if a protocol has a key.
 inline bool belongs(Key const& key, std::string_view protocol) {
   return key.protocols.empty() ||
          std::find(key.protocols.begin(), key.protocols.end(), protocol) != key.protocols.end();

@@ -12,14 +12,14 @@ namespace bagnold {
 
 namespace {
 
-/// Words in small letters and digits, between blanks, and what they mean here.
+/// Words in small letters and digits, between blanks, with the key that they stand for.
 struct Elsewhere {
   std::string_view words;
   std::string_view key;       ///< "" where there is none
-  std::string_view why = "";  ///< there is none
+  std::string_view why = "";  ///< the key does not exist
 };
 
-/// What the quantities and settings of a scene are called in papers, LAMMPS, and other programs.
+/// Names of quantities and settings of a scene in papers, in LAMMPS and in other programs.
 constexpr Elsewhere keys_elsewhere[] = {
     {"dt timestep deltat stepsize tstep h", "integration.time_step"},
     {"n number particles nparticles numparticles numberofparticles particlenumber particlecount "

@@ -6,21 +6,22 @@
 
 namespace bagnold {
 
-/// What somebody who wrote a key that is not there may have meant.
+/// Suggestion for an unknown key.
 struct MeantKey {
   std::string key;  ///< "" where none is like it
   std::string
-      remark;  ///< to stand behind the complaint: "; did you mean KEY?", or why there is none
+      remark;  ///< appended to the error: "; did you mean KEY?", or why the key does not exist
 };
 
-/// Of a key, with its table or without, among the `keys` of a scene: by what other programs and
-/// papers call it (dt, N, phi, gammadot, steps, friction, ...), or by its letters.
+/// Suggestion for a key, with its table or without, among the `keys` of a scene. It is found by
+/// names in other programs and papers (dt, N, phi, gammadot, steps, friction, ...), or by its
+/// letters.
 MeantKey meant_key(std::string const& wrong, std::vector<std::string> const& keys);
 
-/// The same among all keys that there are.
+/// Suggestion for a key among all known keys.
 MeantKey meant_key(std::string const& wrong);
 
-/// Likewise of a table, among the tables.
+/// Suggestion for a table among `tables`.
 MeantKey meant_table(std::string const& wrong, std::vector<std::string> const& tables);
 
 }  // namespace bagnold

@@ -9,13 +9,13 @@
 
 namespace bagnold {
 
-/// What is wrong with one file, to be told in one go.
+/// Mistakes of one file, reported together.
 class Mistakes {
  public:
-  /// key: a key or table that is not to be judged further; "": none.
+  /// key: a key or table that needs no further checks; "": none.
   void add(std::string const& key, std::string const& message);
 
-  /// Runs a check; what it refuses is a mistake of the key.
+  /// Runs a check; an InputError is a mistake of the key.
   template <class Check>
   void collect(std::string const& key, Check const& check) {
     try {
@@ -25,7 +25,7 @@ class Mistakes {
     }
   }
 
-  /// Is there one of this key, or of the table that it is in?
+  /// True if there is a mistake of this key, or of its table.
   bool about(std::string_view key) const;
 
   /// Throws InputError with a line for each, the first twenty.

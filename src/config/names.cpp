@@ -20,7 +20,7 @@ namespace bagnold {
 
 namespace {
 
-/// Names of the laws of which something holds.
+/// Names of the laws that satisfy a condition.
 template <class Holds>
 Names laws_where(Holds const& holds) {
   Names names;

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-/// Names in the lists of laws, repulsions and schemes in kernels/physics, for those who need no
+/// Names in the lists of laws, repulsions and schemes in kernels/physics, for code that needs no
 /// formulas.
 namespace bagnold {
 
@@ -19,7 +19,7 @@ Names drive_words();      ///< "none", and these
 Names thermal_drives();   ///< of drives that have a temperature
 Names scheme_words();     ///< "auto", the names of all schemes, and those of single engines
 
-/// Whether a scheme solves an equation for the motions of all disks together.
+/// True if a scheme solves an equation for the motions of all disks together.
 bool is_implicit(std::string_view scheme);
 
 std::vector<double> force_exponents();  ///< of all repulsions, rising

@@ -29,9 +29,10 @@ std::size_t edits(std::string const& a, std::string const& b) {
   return row.back();
 }
 
-constexpr std::size_t longest = 100;  ///< the rest tells nothing, and takes long
+constexpr std::size_t longest = 100;  ///< longer words are cut: they cost time
 
-/// Is one the beginning of the other, or a word of it? "--output" is --out, "rate" a strain_rate.
+/// True if one word is the beginning or a part of the other: "--output" is --out, "rate" a
+/// strain_rate.
 bool is_part(std::string const& given, std::string const& candidate) {
   constexpr std::size_t fewest = 3;
   auto const one = bare(given), two = bare(candidate);

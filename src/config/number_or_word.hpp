@@ -6,7 +6,7 @@
 
 namespace bagnold {
 
-/// A number, or the word for a rule that gives one.
+/// A number, or the name of a rule that gives one.
 struct NumberOrWord {
   std::optional<double> number;
   std::string word;  ///< empty where there is a number

@@ -22,7 +22,7 @@ namespace {
 
 constexpr double most_windows = 1e6;
 
-/// What makes the box of a scene, and how large it is.
+/// Keys that determine the box of a scene, and its size, in words.
 std::string box_in_words(Scene const& scene) {
   auto const& disks = scene.disks;
   if (disks.box_aspect == 1)
@@ -34,9 +34,8 @@ std::string box_in_words(Scene const& scene) {
       disks.count, disks.box_aspect, scene.box_length(), scene.box_height());
 }
 
-/// Of the trajectory of one replica, [bytes]: the part that is not written yet, with a frame beyond
-/// its length and what is the same in all, copies of a frame on its way, HDF5's cache of each
-/// dataset.
+/// Memory for the trajectory of one replica, [bytes]: frames not yet written and one more, the data
+/// common to all frames, two copies of a frame in transit, and HDF5's cache of each dataset.
 double memory_of_trajectory(Scene const& scene, Plan const& plan) {
   auto const count = static_cast<double>(scene.disks.count);
   double const frame = count * (scene.rotates() ? 7 : 6) * 8;
@@ -47,8 +46,8 @@ double memory_of_trajectory(Scene const& scene, Plan const& plan) {
   return part + 2 * frame + count * (48 + 20) + 6 * 1024 * 1024;
 }
 
-/// Of what is kept of frames, [bytes]: of each slice 1.5 d_s thick about 20 sums, twice; of fields
-/// the last one. All of it also in a checkpoint and in its image.
+/// Memory for data of frames, [bytes]. Profiles keep about 20 sums, twice, for each slice 1.5 d_s
+/// thick; fields keep the last frame. A checkpoint and its image hold copies of all of it.
 double memory_of_frames(Scene const& scene, Plan const& plan) {
   double const measured = static_cast<double>((plan.windows - plan.discarded_windows)) *
                           static_cast<double>(plan.window_steps);
@@ -61,7 +60,7 @@ double memory_of_frames(Scene const& scene, Plan const& plan) {
   return bytes;
 }
 
-constexpr double default_discard = 0.5;  // until "auto" has looked at windows
+constexpr double default_discard = 0.5;  // until "auto" has found the steady state
 
 std::int64_t discarded_of(Scene const& scene, std::int64_t windows) {
   double const share = scene.shear.discard.value_or(default_discard);
@@ -104,7 +103,7 @@ Plan make_plan(Scene const& scene) {
   Plan plan;
   plan.strain_rate = scene.shear.strain_rate;
   plan.time_step = time_step(scene);
-  bool const each = is_quasi_static(scene) || has_events(scene);  // all is there
+  bool const each = is_quasi_static(scene) || has_events(scene);  // the engine knows all contacts
   plan.every = each ? 1 : scene.measure.every;
   double const step_strain = plan.time_step * scene.shear.strain_rate;
   double const steps = round_up(scene.shear.strain / step_strain);

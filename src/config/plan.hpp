@@ -10,7 +10,7 @@
 
 namespace bagnold {
 
-/// How a scene's strain becomes steps and windows.
+/// Steps and windows of a scene.
 struct Plan {
   double time_step = 0;                ///< dt, [tau_e]
   std::int64_t steps = 0;              ///< total
@@ -34,27 +34,27 @@ struct Plan {
 /// R: radius about a disk within which measure.fields averages, P2 Fig. 27, [d_s].
 inline constexpr double field_radius = 4.0;
 
-/// Least width of a box in which no disk is met twice within such a radius, [d_s].
+/// Least width of a box in which no disk has two images within field_radius, [d_s].
 double least_box_for_fields();
 
-/// Strain, window and discarded share, rounded up to whole steps and windows. Throws InputError
-/// where that is more than can be run or kept.
+/// Makes the plan of a scene: strain, window and discarded share, rounded up to whole steps and
+/// windows. Throws InputError where that is more than can be run or kept.
 Plan make_plan(Scene const& scene);
 
-/// The same, ending after so many windows.
+/// Plan that ends after `windows` windows.
 Plan shortened(Scene const& scene, Plan plan, std::int64_t windows);
 
-/// Room for frames of a trajectory that wait to be written, of all replicas together, [bytes].
+/// Memory for frames of a trajectory that wait to be written, all replicas together, [bytes].
 inline constexpr double trajectory_memory = 64 << 20;
 
-/// Memory a run needs, all in, [bytes].
+/// Memory that a run needs in all, [bytes].
 double memory_needed(Scene const& scene, Plan const& plan);
 
-/// What the input checks alone cannot see: stability of the time step (unless allowed), width of
-/// the box, memory of this machine. Throws InputError.
+/// Checks that need the plan: stability of the time step (unless allowed), width of the box, memory
+/// of this machine. Throws InputError.
 void check_feasible(Scene const& scene, Plan const& plan, bool allow_unstable);
 
-/// What a user should know before the run although it may go ahead; empty if nothing.
+/// Warning before a run that is allowed to start; "" if there is none.
 std::string plan_warning(Plan const& plan);
 
 }  // namespace bagnold

@@ -9,7 +9,7 @@
 #include "src/config/refusal.hpp"
 #include "src/config/scene.hpp"
 
-/// Quasi-static steps: an engine of its own, with a scheme of its own, for dense flows that creep.
+/// Quasi-static steps: an engine with its own scheme, for dense flows that creep.
 namespace bagnold {
 
 inline constexpr char quasi_static_engine[] = "quasi-static";  ///< integration.engine
@@ -20,14 +20,14 @@ inline constexpr double longest_explicit_step = 10;
 
 bool is_quasi_static(Scene const& scene);
 
-/// Its "auto" step, a strain of 1e-3: [tau_e]
+/// "auto" time step of the quasi-static engine, a strain of 1e-3, [tau_e].
 double quasi_static_time_step(Scene const& scene);
 
-/// What the engine cannot do of a scene that asks for it.
+/// Refusals of a scene that asks for the quasi-static engine and that the engine cannot run.
 std::vector<Refusal> not_quasi_static(Scene const& scene);
 
-/// What other engines do better (docs/accuracy.md, "Quasi-static steps"), and keys that belong to
-/// this engine in scenes of others.
+/// Refusals of scenes that other engines run better (docs/accuracy.md, "Quasi-static steps"), and
+/// of keys of this engine in scenes of others.
 std::vector<Refusal> misused_quasi_static(Scene const& scene);
 
 }  // namespace bagnold

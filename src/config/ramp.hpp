@@ -40,7 +40,7 @@ struct Ramp {
   std::int64_t leg_steps() const { return leg_pieces * piece_steps; }
   std::int64_t steps() const { return first_leg() + legs * leg_steps(); }
 
-  /// The piece that a step belongs to, 0 <= step < steps().
+  /// Piece of a step, 0 <= step < steps().
   Piece piece(std::int64_t step) const;
 
   /// Strain from step 0 to the start of `step`, summed in closed form: exact to rounding however

@@ -7,7 +7,7 @@
 
 namespace bagnold {
 
-/// Why a scene is refused, and by which keys.
+/// Reason to refuse a scene, and the keys that cause it.
 struct Refusal {
   std::vector<std::string_view> keys;
   std::string message;

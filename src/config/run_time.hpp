@@ -8,7 +8,7 @@
 
 namespace bagnold {
 
-/// What a run may take on one core, [s]: an estimate, and bounds that should hold it.
+/// Run time on one core, [s]: an estimate and bounds that should hold it.
 struct RunTime {
   double expected = 0;
   double least = 0;
@@ -20,8 +20,8 @@ struct RunTime {
 /// Disks times steps, of all replicas.
 double disk_steps(Scene const& scene, Plan const& plan);
 
-/// By the number of steps alone, for where none can be tried: good to a factor of 7 at rates of
-/// 1e-4 and above, too long below in a dilute state.
+/// Run time by the number of steps alone, if no trial is possible: good to a factor of 7 at rates
+/// of 1e-4 and above, too long below in a dilute state.
 RunTime time_by_steps(Scene const& scene, Plan const& plan);
 
 /// Seconds as "12 min", "3.5 h".

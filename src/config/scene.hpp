@@ -14,7 +14,7 @@
 
 namespace bagnold {
 
-/// A scene: what one run computes. Units are d_s, m (P2) or m_0 (P1), tau_e; so k_e = 1.
+/// A scene: the input of one run. Units are d_s, m (P2) or m_0 (P1), tau_e; so k_e = 1.
 ///
 /// Meaning, unit, range and allowed words of every member are in src/config/keys.hpp.
 struct Scene {

@@ -28,7 +28,7 @@ namespace {
 /// One scene text being read into a scene.
 class Reader {
  public:
-  /// `overrides`: which keys were put over the text, and where they were given.
+  /// `overrides`: keys put over the text, and where they were given.
   Reader(toml::table const& table, std::string origin,
          std::map<std::string, std::string> const& overrides, Mistakes& mistakes)
       : table_(table), origin_(std::move(origin)), overrides_(overrides), mistakes_(mistakes) {}
@@ -54,7 +54,7 @@ class Reader {
                                     fmt::join(missing, ", "), missing.size() == 1 ? "it" : "them"));
     bool const has_scheme = table_.at_path("integration.scheme").node() != nullptr;
     bool const has_own = is_quasi_static(scene) || has_events(scene);
-    if (has_own && !has_scheme) scene.integration.scheme = automatic;  // its own
+    if (has_own && !has_scheme) scene.integration.scheme = automatic;  // the engine's own
     return scene;
   }
 
@@ -71,7 +71,7 @@ class Reader {
     return fmt::format("{}:{}:{}: ", origin_, begin.line, begin.column);
   }
 
-  /// Whether a key or table is known, and all that is in it.
+  /// Adds a mistake for each unknown key or table, in `name` and in all tables inside it.
   void look_at(std::string const& name, toml::node const& node) {
     bool const is_table_name = std::any_of(known_.begin(), known_.end(), [&](std::string const& k) {
       return k.starts_with(name + ".");
@@ -87,7 +87,7 @@ class Reader {
     if (std::find(known_.begin(), known_.end(), name) != known_.end()) return;
     bool const table = node.is_table() && name.find('.') == std::string::npos;
     if (table && node.as_table()->size() == 1 && nearest_word(name, tables()).empty()) {
-      // run.seed: the key tells more than the table
+      // run.seed: the key says more than the table
       std::string const inner(node.as_table()->begin()->first.str());
       auto const last = [](std::string const& key) { return key.substr(key.rfind('.') + 1); };
       if (std::ranges::count(known_, inner, last) == 1)
@@ -100,7 +100,7 @@ class Reader {
                               node.is_table() ? "table" : "key", shown(name), meant.remark));
   }
 
-  /// Each once, in the order of the keys.
+  /// Names of all tables, in the order of the keys.
   std::vector<std::string> tables() const {
     std::vector<std::string> names;
     for (auto const& key : known_)
@@ -115,7 +115,7 @@ class Reader {
                                  describe(node), why, key.meaning));
   }
 
-  /// Of a value of another kind than the key's: what was meant by it.
+  /// Refuses a value of another type than the key's, with a suggestion.
   [[noreturn]] void refuse_kind(Key const& key, toml::node const& node, std::string why,
                                 bool whole = false) const {
     if (node.is_array() && key.name == "shear.strain_rate")
@@ -243,7 +243,8 @@ class Reader {
   std::vector<std::string> known_;
 };
 
-/// What is no TOML value, and does not begin like one, is a string: words, paths.
+/// Puts one override into a scene. A value that is not TOML, and does not begin like it, is a
+/// string: a word or a path.
 void put_override(toml::table& scene, Override const& put) {
   if (put.key.find_first_not_of(key_letters) != std::string::npos)
     throw InputError(

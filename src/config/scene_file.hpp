@@ -18,7 +18,8 @@ Scene read_scene(std::filesystem::path const& file, std::vector<std::string> con
 /// interest as comments.
 std::string write_scene(Scene const& scene);
 
-/// The same read from text; `origin` names it in messages, `folder` is where start.file is sought.
+/// Reads a scene from text. `origin` names the text in messages; start.file is relative to
+/// `folder`.
 Scene parse_scene(std::string_view text, std::string const& origin,
                   std::filesystem::path const& folder,
                   std::vector<std::string> const& overrides = {});

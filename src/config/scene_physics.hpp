@@ -7,8 +7,8 @@
 #include "kernels/physics/repulsion/repulsion.hpp"
 #include "src/config/scene.hpp"
 
-/// The repulsion that a scene names, as a type of kernels/physics, and what a law is made from. For
-/// .cpp files: what only reads scenes needs no formulas.
+/// Repulsion of a scene as a type of kernels/physics, and the input of its law. For .cpp files:
+/// code that only reads scenes needs no formulas.
 namespace bagnold {
 
 inline DampingInput damping_input(Scene::Disks const& disks) {
@@ -27,7 +27,7 @@ auto with_exponent(std::tuple<First, Other...> const*, double exponent, Use cons
 
 }  // namespace detail
 
-/// use(the repulsion of a scene); the last one where there is no such exponent.
+/// Calls use(the repulsion of a scene); the last one if there is no such exponent.
 template <class Use>
 auto with_repulsion(Scene::Disks const& disks, Use const& use) {
   return detail::with_exponent(static_cast<Repulsions const*>(nullptr), disks.force_exponent, use);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t most_bytes = 200;
 
-/// Whether a byte goes on with a character of UTF-8.
+/// True if a byte continues a character of UTF-8.
 bool inside_character(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
 
 }  // namespace

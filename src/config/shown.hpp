@@ -6,8 +6,7 @@
 
 namespace bagnold {
 
-/// Text from outside as a message repeats it: one line without control characters, the beginning of
-/// what is long.
+/// Text of a user for a message: one line without control characters, cut if it is long.
 std::string shown(std::string_view text);
 
 }  // namespace bagnold

@@ -7,9 +7,9 @@ namespace bagnold {
 
 inline constexpr double usual_skin = 0.35;  ///< [d_s]
 
-/// How far neighbour lists reach beyond contact, [d_s]: what the scene says, else the usual, or
-/// where lists are built often for the work between, if the box has room for it, 0.5 with implicit
-/// damping, 0.7 with contacts as events.
+/// Reach of neighbour lists beyond contact, [d_s]: as the scene says, otherwise usual_skin. It is
+/// 0.5 with implicit damping and 0.7 with contacts as events, if the box is large enough: there
+/// lists are built often for the work between.
 double skin(Scene const& scene);
 
 }  // namespace bagnold

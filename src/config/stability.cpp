@@ -52,7 +52,7 @@ double dense_flow_time_step(Scene const& scene, std::string_view scheme) {
   if (is_scheme_of_an_engine(scheme)) return std::numeric_limits<double>::infinity();
   ContactRates const r(scene);
   return with_named<Schemes>(scheme, [&]<class S>(std::type_identity<S>) -> double {
-    if constexpr (ImplicitScheme<S>)  // any damping alone
+    if constexpr (ImplicitScheme<S>)  // stable for any damping alone
       return largest_stable_time_step(scene, scheme);
     else
       return S::largest_rate / (r.dense_flow + drag_rate(scene));

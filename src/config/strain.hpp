@@ -6,7 +6,7 @@
 
 namespace bagnold {
 
-/// A strain; in a cascade perhaps one for each rate.
+/// A strain; for a cascade either one, or one for each rate.
 struct Strain {
   std::vector<double> each;  ///< [1], or one for each rate
 
@@ -16,7 +16,7 @@ struct Strain {
   bool is_list() const { return each.size() > 1; }
   double at(std::size_t stage) const { return is_list() ? each.at(stage) : each.front(); }
 
-  /// Where there is one.
+  /// The strain if there is one.
   operator double() const { return each.front(); }
 
   friend bool operator==(Strain const& a, Strain const& b) { return a.each == b.each; }

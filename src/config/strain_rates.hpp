@@ -10,8 +10,7 @@
 
 namespace bagnold {
 
-/// The strain rate over the steps of a run: one for all, or that of a ramp. It changes between
-/// steps.
+/// Strain rate over the steps of a run: constant, or that of a ramp, which changes between steps.
 class StrainRates {
  public:
   static constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
@@ -25,10 +24,10 @@ class StrainRates {
   StrainRates(double rate) : rate_(rate) {}
   StrainRates(Ramp const& ramp) : ramp_(ramp) {}
 
-  /// That a step belongs to. After the last step of a ramp nothing changes.
+  /// Stretch of a step. Nothing changes after the last step of a ramp.
   Stretch at(std::int64_t step) const;
 
-  /// From step 0 to the begin of a stretch.
+  /// Strain from step 0 to the beginning of a stretch.
   DoubleDouble strain_before(Stretch const& stretch) const;
 
  private:
@@ -36,7 +35,7 @@ class StrainRates {
   std::optional<Ramp> ramp_;
 };
 
-/// Of a scene with a protocol of one rate, or a ramp.
+/// Strain rates of a scene whose protocol has one rate, or is a ramp.
 StrainRates strain_rates(Scene const& scene);
 
 }  // namespace bagnold

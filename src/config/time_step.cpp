@@ -41,8 +41,9 @@ double paper_time_step(Scene::Disks const& disks) {
 
 namespace {
 
-/// Up to which a drag acts on a disk alone as in continuous time, within a percent even with the
-/// papers' scheme: a fifth of the shortest relaxation time, that of small disks, [tau_e].
+/// Largest time step at which a drag acts on a lone disk as in continuous time, within a percent
+/// even with the papers' scheme: a fifth of the shortest relaxation time, that of small disks,
+/// [tau_e].
 double drag_time_step(Scene const& scene) {
   double const rate = drag_rate(scene);
   return rate > 0 ? 0.2 / rate : std::numeric_limits<double>::infinity();
@@ -65,8 +66,8 @@ double time_step(Scene const& scene) {
 
 namespace {
 
-/// Steps of implicit damping that are shorter cost more than they save: its terms take as long as
-/// two steps of two stages.
+/// Least length of a step of implicit damping. Shorter ones cost more than they save: the
+/// iterations take as long as two steps of two stages.
 constexpr double least_gain = 3;
 
 bool damps_sliding(Scene::Disks const& disks) {

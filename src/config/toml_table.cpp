@@ -21,7 +21,7 @@ std::string_view line_of(std::string_view text, std::size_t line) {
   return text.substr(0, text.find('\n'));
 }
 
-/// What follows the first equals sign of a line.
+/// Text behind the first equals sign of a line.
 std::string_view value_in(std::string_view line) {
   auto const equals = line.find('=');
   if (equals == std::string_view::npos) return {};
@@ -39,7 +39,8 @@ std::string own_words(std::string_view text, toml::source_position const& at) {
   return fmt::format("{} = {} ({})", shown(key), shown(value.substr(0, value.find('#'))), advice);
 }
 
-/// A word where a value should be was meant as text; so was what a quote begins and none ends.
+/// Advice on quotes: a word in place of a value was meant as text, and so was an opening quote
+/// without a closing one.
 std::string quotes_advice(std::string_view text, toml::source_position const& at) {
   auto const line = line_of(text, at.line), value = value_in(line);
   auto const begins_word = [](std::string_view from) {

@@ -14,7 +14,7 @@ namespace bagnold {
 /// TOML text as a table; `origin` names it in messages. Throws InputError with line and column.
 toml::table parse_toml(std::string_view text, std::string const& origin);
 
-/// A value as messages show it.
+/// Text of a value for messages.
 std::string describe(toml::node const& node);
 
 }  // namespace bagnold

@@ -6,9 +6,9 @@
 
 namespace bagnold {
 
-/// What is wrong with a value that is written as other languages, or people, write it, and how it
-/// is written here: "a number has its decimals behind a point; write 40.0" of 40,0. "" where
-/// nothing is known of it. Text behind `#` and blanks at the ends do not count.
+/// Correction of a value written as in other languages: for 40,0 "a number has its decimals behind
+/// a point; write 40.0". "" if the mistake is not known. Ignores text behind `#` and blanks at the
+/// ends.
 std::string value_advice(std::string_view value);
 
 }  // namespace bagnold
