@@ -47,18 +47,18 @@ template <>
 inline constexpr std::string_view backend_name<Kokkos::Cuda> = "cuda";
 #endif
 
-/// Whether a backend works in memory that the host does not reach.
+/// True if a backend works in memory that the host cannot access.
 template <class Space>
 inline constexpr bool is_device =
     !Kokkos::SpaceAccessibility<Kokkos::HostSpace, typename Space::memory_space>::accessible;
 
-/// Every execution space this build has.
+/// All execution spaces of this build.
 using Backends = decltype(std::tuple_cat(detail::SerialBackend{}, detail::OpenMPBackend{},
                                          detail::CudaBackend{}));
 static_assert(std::tuple_size_v<Backends> > 0, "no backend: Kokkos has none of those asked for");
 
-/// make(std::type_identity<Space>) on the backend of that name; an empty Made if the build has
-/// none.
+/// make(std::type_identity<Space>) for the backend of that name; an empty Made if the build does
+/// not have it.
 template <class Made, class Make>
 Made on_backend(std::string_view backend, Make const& make) {
   Made made;

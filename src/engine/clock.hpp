@@ -11,9 +11,9 @@ namespace bagnold {
 
 /// Time and strain from an integer step count, so that rounding does not add up over a long run.
 ///
-/// The offset of the images is reduced modulo L_x only at list builds; in between it grows on.
-/// Where the strain rate changes between steps a clock is that of the steps at one rate, which
-/// knows the strain before; marks were set by it or by clocks of steps before.
+/// The offset of the images is reduced modulo L_x only at list builds; in between it keeps growing.
+/// Where the strain rate changes between steps, a clock belongs to the steps at one rate and holds
+/// the strain before them; marks were set by it or by clocks of earlier steps.
 struct Clock {
   double strain_rate;            ///< gammadot, [1 / tau_e]
   double time_step;              ///< dt, [tau_e]
@@ -60,7 +60,7 @@ struct Clock {
     return {box_length, (mark.turns * box_length).rounded(), strain_rate, box_aspect * box_length};
   }
 
-  /// Since a step at this rate.
+  /// Offset and box at `step`, counted from a step at the same rate.
   KOKKOS_FUNCTION double offset(std::int64_t step, std::int64_t build) const {
     return offset(step, mark(build));
   }
@@ -76,7 +76,7 @@ struct Clock {
     return {box_length, offset(step, mark), strain_rate, box_aspect * box_length};
   }
 
-  /// What a state tells of box, time and rate, at a step at this rate.
+  /// Writes box, time and rate at a step into a state. The step is at the present rate.
   void tell(State& state, std::int64_t step) const {
     state.box_length = box_length;
     state.box_aspect = box_aspect;

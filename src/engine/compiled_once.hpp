@@ -6,8 +6,8 @@
 #include "src/engine/backends.hpp"
 #include "src/engine/device_copy.hpp"
 
-/// What engines of all laws need of a backend, the same for each: compiled in compiled_once.cpp,
-/// not again with every law.
+/// Templates that engines of all laws need from a backend. They do not depend on the law, so
+/// compiled_once.cpp instantiates them once.
 namespace bagnold {
 
 #define BAGNOLD_COMPILED_ONCE_FOR(KEYWORD, SPACE, ROTATES)                                  \

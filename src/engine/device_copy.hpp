@@ -8,10 +8,10 @@
 #include "kernels/physics/species.hpp"
 #include "src/state/state.hpp"
 
-/// Between host vectors, in the order of the start, and Views.
+/// Copies between host vectors, in the order of the start, and Views.
 namespace bagnold {
 
-/// A vector as a View; it has to stay alive.
+/// A vector as a View; it must outlive the View.
 template <class T>
 auto view_of(std::vector<T>& host) {
   return Kokkos::View<T*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged>(host.data(), host.size());

@@ -6,7 +6,7 @@
 
 namespace bagnold {
 
-/// A system's disks as they were on the device, outside the box perhaps. All [N].
+/// Disks of a system in their state on the device, which may be outside the box. All [N].
 template <bool Rotates>
 State state_of(std::vector<Vec2<Real>> const& position, std::vector<Motion<Rotates>> const& motion,
                std::vector<double> const& diameter, Clock const& clock, std::int64_t step) {

@@ -8,8 +8,7 @@
 
 namespace bagnold {
 
-/// What is summed over the disks of a driven scene, behind the columns of SumColumns,
-/// [m d_s^2 / tau_e^3].
+/// Sums over the disks of a driven scene, behind the columns of SumColumns, [m d_s^2 / tau_e^3].
 struct DriveColumns {
   enum : int {
     drag,  ///< power that the drag takes

@@ -10,7 +10,7 @@
 
 namespace bagnold {
 
-/// Writes down each number that an engine names.
+/// Saves each number that an engine names.
 struct WriteDown {
   std::map<std::string, double>& to;
 
@@ -20,7 +20,7 @@ struct WriteDown {
   }
 };
 
-/// Restores what an engine's bits depend on. InputError where one is not among the saved ones.
+/// Restores numbers on which an engine's bits depend. InputError where one is missing.
 struct RestoreMemory {
   std::map<std::string, double> const& from;
 
@@ -36,7 +36,7 @@ struct RestoreMemory {
   }
 };
 
-/// Restores what an engine counts for reports; 0 what was not counted yet when it was saved.
+/// Restores counters of an engine's reports; 0 for those that did not exist when they were saved.
 struct RestoreCounter {
   std::map<std::string, double> const& from;
 

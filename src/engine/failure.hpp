@@ -11,7 +11,7 @@
 #include "src/engine/clock.hpp"
 #include "src/state/state.hpp"
 
-/// What engines say when they cannot go on, and what to do about it.
+/// Errors of engines that cannot continue, with what to do about them.
 namespace bagnold::failure {
 
 inline std::string where(Clock const& clock, std::int64_t step) {

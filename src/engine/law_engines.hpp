@@ -17,14 +17,14 @@
 
 namespace bagnold {
 
-/// Disks of a state on one thread of the host, as frames are measured.
+/// Search in a state on one thread of the host, as for frames.
 using HostSearch = NeighborSearch<Kokkos::Serial>;
 
-/// What is compiled for each law, in a source file of its own.
+/// Functions compiled for each law, in a source file of its own.
 struct LawEngines {
   std::string_view name;  ///< of the law
 
-  /// The step on blocks of the scene's scheme.
+  /// Step of the scene's scheme on blocks.
   MakeStepper stepper;
 
   /// The plain engine; nullptr if the build has no such backend.
@@ -36,18 +36,18 @@ struct LawEngines {
   std::shared_ptr<Ensemble> (*ensemble)(Scene const&, std::vector<Snapshot> const&,
                                         std::string const& backend);
 
-  /// What each disk adds to the sums over pairs in the step that begins at a state, see
-  /// src/measure/disk_stress.hpp. search: of all that touch.
+  /// Contribution of each disk to the sums over pairs, in the step that begins at a state, see
+  /// src/measure/disk_stress.hpp. search: finds all pairs that touch.
   std::vector<Sums<false>> (*disk_sums)(Scene const&, State const&, HostSearch const& search);
 
-  /// The contacts of a state, by i, then j, of unknown age. search: of all that touch.
+  /// Contacts of a state, by i, then j, of unknown age. search: finds all pairs that touch.
   FrameContacts (*contacts)(Scene const&, State const&, HostSearch const& search);
 };
 
 template <class Law>
 LawEngines engines_of();
 
-/// Of the law of a scene: one of the list in kernels/physics/laws/laws.hpp, or registered.
+/// Functions of the law of a scene: of the list in kernels/physics/laws/laws.hpp, or registered.
 LawEngines const& engines_for(Scene const& scene);
 
 /// Adds a law (register_law.hpp), under a name that is not taken.

@@ -17,10 +17,11 @@ namespace bagnold {
 
 namespace detail {
 
-/// Disks from which on it pays that they lie in memory by where they are: a cache holds fewer.
+/// Least number of disks whose memory is ordered by place: fewer fit into a cache.
 inline constexpr std::size_t sorted_from = 4096;
 
-/// A device goes on alone for some steps. Contacts and drives go by the order of the start.
+/// Plan of launches. On a device 32 steps run without the host. Disks are ordered by place, except
+/// with contacts or drives, which use the order of the start.
 template <class Space>
 LaunchPlan launch_plan(Scene const& scene, Snapshot const& snapshot) {
   return {is_device<Space> ? 32 : 1,

@@ -49,7 +49,7 @@ bool is_one_of(std::vector<std::string> const& names, std::string const& name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-/// Likewise where the scheme may change on the way.
+/// Engine of a scene whose scheme may change during the run.
 std::unique_ptr<Simulation> make_choosing(Scene const& scene, std::int64_t length,
                                           Snapshot&& snapshot, std::string const& backend) {
   return std::make_unique<AutoScheme>(scene, length, std::move(snapshot),
@@ -75,7 +75,7 @@ std::unique_ptr<Simulation> make_adaptive(Scene const& scene, Snapshot&& snapsho
 /// Disks up to which a team, so one multiprocessor, should be as quick as launches for each step.
 constexpr std::int64_t most_disks_of_a_team = 1024;
 
-/// Whether nothing is asked for that members of an ensemble do not do.
+/// True if members of an ensemble can run the scene.
 bool suits_ensembles(Scene const& scene) {
   return scene.integration.engine != "reference" && !is_quasi_static(scene) && !has_events(scene) &&
          !is_adaptive(scene) && !scene.measure.contacts && !scene.driven();

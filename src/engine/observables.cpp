@@ -37,8 +37,8 @@ double anisotropy(Averages a) { return (total(a, &Part::xx) - total(a, &Part::yy
 
 constexpr std::string_view stress_unit = "m/tau_e^2";
 
-/// How the velocity at the contact, V^C_T = V_T + V^R (P2 Eqs. 30-34), goes with the rotation in
-/// it. sum(averages, column): of ContactColumns.
+/// Correlation of the velocity at the contact, V^C_T = V_T + V^R (P2 Eqs. 30-34), with its
+/// rotational part. sum(averages, column): of ContactColumns.
 template <class Sum>
 void add_rotation_in_contact(std::vector<Observable>& list, Sum const& sum) {
   using M = ContactMotion;
@@ -65,7 +65,7 @@ void add_rotation_in_contact(std::vector<Observable>& list, Sum const& sum) {
        }});
 }
 
-/// Those of contacts, in whose names Z = 2 tau_dur nu_coll.
+/// Adds the observables of contacts. By their definition Z = 2 tau_dur nu_coll.
 void add_contacts(Scene const& scene, std::vector<Observable>& list) {
   using K = ContactColumns;
   using M = ContactMotion;

@@ -16,19 +16,19 @@ struct Observable {
   std::string_view name;
   std::string_view unit;
   std::string_view meaning;
-  /// From the averages to the value, NaN where it is undefined: of the columns of SumColumns, or of
-  /// those that an observer of frames keeps.
+  /// Value as a function of the averages, NaN where it is undefined: of the columns of SumColumns,
+  /// or of those that an observer of frames keeps.
   std::function<double(std::span<double const>)> value;
 };
 
-/// An observable, and what it is measured from: a table of each system, of windows or of frames.
+/// An observable and its data: a table of each system, of windows or of frames.
 struct SampledObservable {
   Observable observable;
   std::vector<statistics::Windows const*> samples;  ///< [R]
 };
 
 /// All observables of a scene in their order of output; `strain_rate` in [1/tau_e], `box_length` in
-/// [d_s]. Those of the spin only where the law rotates.
+/// [d_s]. Observables of the spin exist only where the law rotates.
 std::vector<Observable> observables(Scene const& scene, double box_length);
 
 }  // namespace bagnold

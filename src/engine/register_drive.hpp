@@ -6,9 +6,9 @@
 
 namespace bagnold {
 
-/// Makes a force on each disk alone, of a program's own, known under its name: scenes may name it
-/// as drive.kind, with any law, scheme and engine that the drives of the list go with. To be called
-/// before the first scene is read, by one thread. Throws InputError where the name is taken.
+/// Registers a one-body force of a user's program under its name. Scenes may then name it as
+/// drive.kind, with every law, scheme and engine that supports the drives of the list. To be called
+/// before the first scene is read, by one thread. Throws InputError if the name is taken.
 template <OneBodyDrive Drive>
 void register_drive() {
   know_drive({Drive::name, Drive::thermal});

@@ -6,9 +6,9 @@
 
 namespace bagnold {
 
-/// Makes a contact law of a program's own known under its name: scenes may name it, and every
-/// engine runs it by every scheme that can step it, as the laws of the list. To be called before
-/// the first scene is read, by one thread. Throws InputError where the name is taken.
+/// Registers a contact law of a user's program under its name. Scenes may then name it, and every
+/// engine runs it by every scheme that can step it, like the laws of the list. To be called before
+/// the first scene is read, by one thread. Throws InputError if the name is taken.
 template <ContactLaw Law>
 void register_law() {
   know_law(facts_of<Law>());

@@ -7,8 +7,8 @@
 
 namespace bagnold {
 
-/// The clock of the step that a run is at, and of others: what it shows depends on the step alone,
-/// so it does not matter where a run is interrupted.
+/// Clock of the present step of a run, and of other steps. It depends on the step alone, so
+/// interruptions of a run do not matter.
 struct RunClock : Clock {
   StrainRates rates;
   std::int64_t rate_end = StrainRates::never;  ///< step at which the rate changes
@@ -24,7 +24,7 @@ struct RunClock : Clock {
     move_to(snapshot.step);
   }
 
-  /// The clock of another step.
+  /// Clock of another step.
   Clock at(std::int64_t step) const {
     Clock clock = *this;
     auto const stretch = rates.at(step);
@@ -39,8 +39,8 @@ struct RunClock : Clock {
     rate_end = rates.at(step).end;
   }
 
-  /// Goes on to the next rate at rate_end; the factor by which velocities and spins grow there, P2
-  /// Eqs. (40)-(41).
+  /// Moves to the next rate at rate_end. Returns the factor by which velocities and spins grow
+  /// there, P2 Eqs. (40)-(41).
   double change_rate() {
     double const before = strain_rate;
     move_to(rate_end);

@@ -17,8 +17,8 @@ struct WindowSums {
   double weight = 0.0;       ///< number of evaluations
 };
 
-/// Which configurations of a run are evaluated, and for which measurement window: the first of each
-/// window, and from there every so many.
+/// Configurations of a run that are evaluated, and their measurement windows: the first
+/// configuration of each window, and from there every `every` steps.
 struct Sampling {
   std::int64_t window_steps = std::int64_t{1} << 60;
   std::int64_t every = std::int64_t{1} << 60;                         ///< [steps]
@@ -28,7 +28,7 @@ struct Sampling {
   KOKKOS_FUNCTION std::int64_t window(std::int64_t step) const { return step / window_steps; }
   KOKKOS_FUNCTION bool sampled(std::int64_t step) const { return step % window_steps % every == 0; }
 
-  /// The first sampled step from `step` on.
+  /// First sampled step from `step` on.
   KOKKOS_FUNCTION std::int64_t next(std::int64_t step) const {
     std::int64_t const begin = step / window_steps * window_steps;
     std::int64_t const after = (step - begin + every - 1) / every * every;
@@ -38,7 +38,7 @@ struct Sampling {
 
 class ContactRecord;
 
-/// The measurement windows that are not finished: an engine may be ahead by several.
+/// Measurement windows that are not finished; an engine may be ahead by several.
 struct OpenWindows {
   std::int64_t first = 0;  ///< number of the first one
   std::vector<WindowSums> sums;
@@ -59,7 +59,7 @@ struct OpenWindows {
     to.weight += weight;
   }
 
-  /// Takes the first one out.
+  /// Removes and returns the first window.
   WindowSums take_first() {
     WindowSums front = std::move(of(first));
     sums.erase(sums.begin());

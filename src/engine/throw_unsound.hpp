@@ -8,8 +8,8 @@
 
 namespace bagnold {
 
-/// Throws the NumericalError of a system with a number that is none or an overlap beyond its limit.
-/// forces: at `step`; state: there; original: place in it of the disk at a place of `forces`.
+/// Throws the NumericalError of a system with a NaN or an overlap beyond its limit. forces: at
+/// `step`; state: at that step; original: index in it of the disk at a place of `forces`.
 template <ContactLaw Law, class Repulsion, class Space, class Original = std::identity>
 [[noreturn]] void throw_unsound(Space const& space,
                                 ContactForces<Law, Repulsion, Space> const& forces,

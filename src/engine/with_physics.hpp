@@ -23,8 +23,8 @@ Names schemes_for() {
   return names;
 }
 
-/// use(law, repulsion, scheme) with the constants of a scene, under one law; scheme: a value of its
-/// type. Throws InputError where the scheme cannot step the law.
+/// Calls use(law, repulsion, scheme) with the constants of a scene, for one law; scheme: a value of
+/// its type. Throws InputError if the scheme cannot step the law.
 template <ContactLaw Law, class Use>
 auto with_physics_of(Scene const& scene, Use const& use) {
   auto const law = make_law<Law>(scene.disks);

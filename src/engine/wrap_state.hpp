@@ -6,8 +6,8 @@
 
 namespace bagnold {
 
-/// An engine's state with all disks taken into the box. Between list builds the offset may have
-/// passed L_x: its images are the same.
+/// State of an engine with all disks wrapped into the box. Between list builds the offset may have
+/// passed L_x: the images are the same.
 inline State wrap_state(State state) {
   ShearedBox const box{state.box_length, state.offset, state.strain_rate.value(),
                        state.box_height()};

@@ -14,7 +14,7 @@ namespace bagnold {
 
 namespace {
 
-/// A snapshot that another engine goes on from: without lists and memory, with steps of its own.
+/// Snapshot for another engine: without lists and memory, with steps of its own.
 Snapshot handed_over(Snapshot&& snapshot, std::int64_t step) {
   Snapshot to = std::move(snapshot);
   to.step = step;
@@ -24,12 +24,12 @@ Snapshot handed_over(Snapshot&& snapshot, std::int64_t step) {
   return to;
 }
 
-/// Leaves what the engine itself wrote down.
+/// Keeps only the engine's own memory.
 void forget_choice(Snapshot& snapshot) {
   std::erase_if(snapshot.memory, [](auto const& one) { return one.first.starts_with("auto_"); });
 }
 
-/// What a stretch has sampled, all windows together.
+/// Sums of a stretch, over all its windows.
 WindowSums sum_of(OpenWindows const& windows) {
   OpenWindows all;
   for (auto const& window : windows.sums)
@@ -74,7 +74,7 @@ void AutoScheme::advance(std::int64_t steps, Sampling const& sampling, OpenWindo
   }
 }
 
-/// Up to the next trial, or in a piece at the end of the run that is no whole stretch to its end.
+/// Steps up to the next trial or, in a last piece shorter than a stretch, to its end.
 void AutoScheme::step_by_two_stages(std::int64_t begin, std::int64_t end, Sampling const& sampling,
                                     OpenWindows& windows) {
   if (is_implicit_) change_to_two_stages();
@@ -104,8 +104,8 @@ void AutoScheme::try_stretch(Sampling const& sampling, OpenWindows& windows) {
   }
 }
 
-/// A stretch of implicit damping; whether it may be kept. It is given up where a quarter shows that
-/// motions are not overdamped.
+/// Steps a stretch of implicit damping. Returns whether it may be kept. It is given up after a
+/// quarter that shows that motions are not overdamped.
 bool AutoScheme::step_stretch(Sampling const& sampling, OpenWindows& held) {
   auto const begin = engine_->step(), length = stretch_ / length_;
   constexpr std::int64_t parts = 4;
@@ -144,7 +144,7 @@ void AutoScheme::change_to_two_stages() {
   is_implicit_ = false;
 }
 
-/// To the start of a stretch that is not kept, from where two stages go on.
+/// Returns to the start of a stretch that is not kept, from where two stages continue.
 void AutoScheme::go_back(Snapshot&& kept) {
   ++refused_;
   bool const was_implicit = kept.memory.at("auto_is_implicit") != 0;
@@ -155,7 +155,7 @@ void AutoScheme::go_back(Snapshot&& kept) {
 }
 
 Snapshot AutoScheme::snapshot() const {
-  auto& self = const_cast<AutoScheme&>(*this);  // visits do not change what they write down
+  auto& self = const_cast<AutoScheme&>(*this);  // saving changes nothing
   Snapshot snapshot = engine_->snapshot();
   if (is_implicit_) snapshot.step *= length_, snapshot.list_step *= length_;
   self.for_each_memory(WriteDown{snapshot.memory});
@@ -163,7 +163,7 @@ Snapshot AutoScheme::snapshot() const {
   return snapshot;
 }
 
-/// What must be known to go on bit for bit, beside what the engine must.
+/// Visits the numbers that a bit-for-bit restart needs besides those of the engine.
 template <class Visit>
 void AutoScheme::for_each_memory(Visit const& visit) {
   visit("auto_is_implicit", is_implicit_);

@@ -11,16 +11,16 @@
 
 namespace bagnold {
 
-/// What makes an engine of a scene's scheme go on from a snapshot.
+/// Makes an engine for a scene's scheme that continues from a snapshot.
 using MakeEngine = std::function<std::unique_ptr<Simulation>(Scene const&, Snapshot&&)>;
 
-/// scheme = "auto": two stages, and implicit damping where SchemeChoice finds that it does as well.
+/// scheme = "auto": two stages, and implicit damping where SchemeChoice finds it as accurate.
 ///
 /// Steps are those of two stages; a step of implicit damping is `length` of them long
-/// (implicit_step_length()). Schemes change at multiples of a stretch alone. A stretch of implicit
-/// damping is held back until its end: what it has measured is given on where it is kept, and
-/// where it is not two stages step it again from its start. A configuration that implicit damping
-/// evaluates stands for `length` of two stages' evaluations.
+/// (implicit_step_length()). Schemes change only at multiples of a stretch. The sums of a stretch
+/// of implicit damping are held back until its end and added if it is kept. Otherwise two stages
+/// step it again from its start. A configuration that implicit damping evaluates counts as `length`
+/// evaluations of two stages.
 class AutoScheme : public Simulation {
  public:
   AutoScheme(Scene const& scene, std::int64_t length, Snapshot&& snapshot, MakeEngine make);

@@ -10,14 +10,14 @@
 
 namespace bagnold {
 
-/// Energy that the shear puts in and that damping takes out, summed over evaluated configurations
+/// Energy put in by the shear and taken out by damping, summed over evaluated configurations
 /// (SumColumns).
 struct EnergyBalance {
   double driven = 0;      ///< sigma gammadot L_x L_y
   double dissipated = 0;  ///< D
 
-  /// 1 - D/(sigma gammadot L_x L_y): what goes into motion or elastic energy, or what a scheme
-  /// takes away unseen.
+  /// 1 - D/(sigma gammadot L_x L_y): the share that becomes motion or elastic energy, or is lost by
+  /// errors of a scheme.
   double gap() const { return 1 - dissipated / driven; }
 
   void add(std::vector<double> const& sums, double strain_rate) {
@@ -36,11 +36,12 @@ inline double kinetic_share(std::vector<double> const& sums) {
   return all > 0 ? kinetic / all : HUGE_VAL;
 }
 
-/// Whether the next stretch of a run is stepped with implicit damping. It is where motions are
-/// overdamped: p_kin/p of the stretch below most_kinetic, and the energy gap below most_gap over
-/// strains of gap_strain, where stored elastic energy no longer blurs it (docs/accuracy.md, "Which
-/// scheme auto takes"). Where a stretch fails, two stages take the next ones, twice as many as
-/// after the failure before.
+/// Choice of the scheme for the next stretch of a run: implicit damping where motions are
+/// overdamped, otherwise two stages. Motions are overdamped if p_kin/p of the stretch is below
+/// most_kinetic and the energy gap over strains of gap_strain is below most_gap; over such strains
+/// stored elastic energy no longer blurs the gap (docs/accuracy.md, "Which scheme auto takes").
+/// Where a stretch fails, two stages take the next stretches, twice as many as after the failure
+/// before.
 class SchemeChoice {
  public:
   static constexpr double most_kinetic = 1e-4;
@@ -48,20 +49,20 @@ class SchemeChoice {
   static constexpr double gap_strain = 2;
   static constexpr std::int64_t longest_pause = 1024;  ///< [stretches]
 
-  /// Whether p_kin/p is small enough; not where nothing was sampled.
+  /// True if p_kin/p is small enough; false if nothing was sampled.
   static bool is_overdamped(WindowSums const& sampled) {
     return sampled.weight > 0 && kinetic_share(sampled.sums) < most_kinetic;
   }
 
   bool implicit() const { return pause_left_ == 0; }
 
-  /// Stretches that two stages still take.
+  /// Number of stretches left for two stages.
   std::int64_t pause_left() const { return pause_left_; }
 
-  /// Two stages have stepped a stretch.
+  /// Counts a stretch of two stages.
   void explicit_stretch_done() { --pause_left_; }
 
-  /// Implicit damping has stepped a stretch; whether it may be kept.
+  /// Judges a stretch of implicit damping. Returns whether it may be kept.
   bool keeps(WindowSums const& sampled, double strain, double strain_rate) {
     if (!is_overdamped(sampled)) return refuse();
     balance_.add(sampled.sums, strain_rate);
@@ -73,7 +74,7 @@ class SchemeChoice {
     return std::abs(gap) < most_gap ? keep() : refuse();
   }
 
-  /// The stretch cannot be kept; false.
+  /// Records a stretch that cannot be kept. Returns false.
   bool refuse() {
     pause_left_ = pause_;
     pause_ = std::min(2 * pause_, longest_pause);
@@ -82,7 +83,7 @@ class SchemeChoice {
     return false;
   }
 
-  /// What the choice depends on.
+  /// Visits the numbers on which the choice depends.
   template <class Visit>
   void for_each_memory(Visit const& visit) {
     visit("auto_pause", pause_);
@@ -99,8 +100,8 @@ class SchemeChoice {
   }
 
   std::int64_t pause_ = 1;       ///< after the next failure, [stretches]
-  std::int64_t pause_left_ = 1;  ///< a start is no steady state
-  EnergyBalance balance_;        ///< since it was last looked at
+  std::int64_t pause_left_ = 1;  ///< a start is not steady
+  EnergyBalance balance_;        ///< since it was last evaluated
   double balance_strain_ = 0;
 };
 

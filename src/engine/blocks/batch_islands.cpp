@@ -56,7 +56,7 @@ void BatchIslands::add_units(LookaheadScratch& scratch) {
   }
 }
 
-/// Brings one batch through the lookahead, step by step or by leaps.
+/// Steps one batch through the lookahead, step by step or by leaps.
 void BatchIslands::run_batch(std::uint32_t b, BlockDisks const& disks, Lookahead const& lookahead,
                              LookaheadScratch& scratch, void* force) {
   auto const& system = batches_.system;
@@ -109,8 +109,8 @@ void BatchIslands::run_batch(std::uint32_t b, BlockDisks const& disks, Lookahead
   }
 }
 
-/// Flies batch b straight for as many steps as none of its pairs touches, which it returns; adds
-/// the configurations sampled on the way.
+/// Flies batch b straight for as many steps as none of its pairs touches, and returns their number.
+/// Adds the configurations sampled on the way.
 std::int64_t BatchIslands::leap(std::uint32_t b, Clock const& clock, std::int64_t from,
                                 std::int64_t most, std::size_t& sample, LookaheadScratch& scratch) {
   auto const& system = batches_.system;

@@ -13,8 +13,8 @@ class BatchIslands {
  public:
   Islands islands;
 
-  /// Brings all through the lookahead. False where one is too large, an overlap too deep or a
-  /// motion NaN.
+  /// Steps all islands through the lookahead. Returns false if one is too large, an overlap too
+  /// deep or a motion NaN.
   bool run(BlockDisks const& disks, Lookahead& lookahead, LookaheadScratch& scratch);
 
  private:

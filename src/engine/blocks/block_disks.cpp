@@ -79,7 +79,7 @@ void BlockDisks::fail() const {
   failure::too_deep(clock, system.step, disk, overlap);
 }
 
-/// The largest relative overlap that the forces were last worked out at, and a disk that has it.
+/// Largest relative overlap at which the forces were last evaluated, and a disk that has it.
 std::pair<Real, std::size_t> BlockDisks::deepest() const {
   std::pair<Real, std::uint32_t> found{-1, 0};
   auto const& blocks = system.blocks;

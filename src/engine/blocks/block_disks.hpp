@@ -13,13 +13,13 @@
 
 namespace bagnold {
 
-/// Disks in the order of the start, as they go into blocks and come out of them.
+/// Disks in the order of the start, as input and output of blocks.
 struct DiskList {
   std::vector<Vec2<Real>> position, velocity;  ///< [N], [d_s] and [d_s/tau_e]
   std::vector<double> spin;                    ///< [N], [1/tau_e]; empty if the law does not rotate
 };
 
-/// What all parts of the block engine share: the disks, and how they are stepped.
+/// Data that all parts of the block engine share: the disks and how they are stepped.
 struct BlockDisks {
   std::unique_ptr<BlockLoop> loop;
   std::unique_ptr<BlockStepper> stepper;
@@ -31,7 +31,7 @@ struct BlockDisks {
   std::size_t count() const { return diameter.size(); }
   ShearedBox box_at(std::int64_t at) const { return clock.box(at, list); }
 
-  /// Those of SumColumns that there are.
+  /// Columns of SumColumns that the law has: without spins those of spins are absent.
   std::span<Real const> columns_of(BlockSums const& sums) const {
     return {sums.value, static_cast<std::size_t>(engine_columns(system.rotates, false))};
   }
@@ -40,15 +40,15 @@ struct BlockDisks {
   Real fastest() const;
   std::size_t fastest_disk() const;
 
-  /// Goes on at the next strain rate.
+  /// Continues at the next strain rate.
   void change_rate();
 
   DiskList disks() const;
 
-  /// The disks as they are, outside the box perhaps.
+  /// Present state of the disks, which may be outside the box.
   State state() const;
 
-  /// Throws the NumericalError of a motion that is NaN or an overlap beyond its limit.
+  /// Throws the NumericalError for a motion that is NaN or an overlap beyond its limit.
   [[noreturn]] void fail() const;
 
  private:
@@ -59,7 +59,7 @@ struct BlockDisks {
               std::vector<double>& spin) const;
 };
 
-/// Takes a state's arrays.
+/// Moves a state's arrays into a list.
 DiskList take_disks(State& state);
 
 }  // namespace bagnold

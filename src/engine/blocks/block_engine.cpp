@@ -74,7 +74,7 @@ Snapshot BlockEngine::snapshot() const {
   s.initial_offset = disks_.clock.initial_offset;
   s.initial_time = disks_.clock.initial_time;
   s.list_builds = lists_.builds;
-  auto& self = const_cast<BlockEngine&>(*this);  // what is written down is not changed
+  auto& self = const_cast<BlockEngine&>(*this);  // saving changes nothing
   self.for_each_memory(WriteDown{s.memory});
   self.for_each_counter(WriteDown{s.counters});
   return s;
@@ -82,7 +82,7 @@ Snapshot BlockEngine::snapshot() const {
 
 State BlockEngine::state() const { return wrap_state(disks_.state()); }
 
-/// What must be known to go on bit for bit, beside the state and the list.
+/// Visits the numbers that a bit-for-bit restart needs besides the state and the list.
 template <class Visit>
 void BlockEngine::for_each_memory(Visit const& visit) {
   visit("fastest", lists_.fastest);  // with few contacts a bound that depends on the steps before
@@ -101,7 +101,7 @@ void BlockEngine::for_each_memory(Visit const& visit) {
   gain_.for_each_memory(visit);
 }
 
-/// What reports count; no bit depends on it.
+/// Visits the counters of the report; no bit depends on them.
 template <class Visit>
 void BlockEngine::for_each_counter(Visit const& visit) {
   visit("pairs_evaluated", single_.counters.pairs_evaluated);
@@ -133,8 +133,7 @@ void BlockEngine::advance_step(Sampling const& sampling, OpenWindows& windows) {
   looking_ahead_ = gain_.enter();
 }
 
-/// Lookaheads end at multiples of their length, so that it does not matter where a run is
-/// interrupted.
+/// End of a lookahead: a multiple of its length, so that interruptions of a run change no bit.
 std::int64_t BlockEngine::lookahead_end() const {
   auto const length = tuning_.steps();
   return (disks_.system.step / length + 1) * length;
@@ -166,7 +165,7 @@ void BlockEngine::advance_lookahead(Sampling const& sampling, OpenWindows& windo
   weigh(lookahead, 2 * lookahead.contacts / static_cast<Real>(disks_.count()), 0);
 }
 
-/// How far a disk may deviate grows with the length of the lookahead.
+/// Sets the allowance for deviations of a disk, which grows with the length of the lookahead.
 void BlockEngine::set_allowance(std::int64_t length) {
   Real const longer = static_cast<Real>(length) / static_cast<Real>(allowance_steps_);
   if (lookahead_.allowance == 0)
@@ -181,7 +180,7 @@ void BlockEngine::set_allowance(std::int64_t length) {
   allowance_steps_ = length;
 }
 
-/// Steps through a lookahead that cannot be done as one.
+/// Does the steps of a lookahead that failed one by one.
 void BlockEngine::step_through(Lookahead const& lookahead, Sampling const& sampling,
                                OpenWindows& windows) {
   ++lookaheads_refused_;
@@ -194,8 +193,8 @@ void BlockEngine::step_through(Lookahead const& lookahead, Sampling const& sampl
   if (!tuning_.refused()) weigh(lookahead, contacts, single_.cost(contacts));
 }
 
-/// Whether lookaheads go on, after one that was done (then `stepped_through` is 0), or was tried in
-/// vain and stepped through for so many cycles a disk-step.
+/// Decides whether lookaheads continue after one more. `stepped_through`: 0 if the lookahead was
+/// completed; if it failed, the cost of the ordinary steps that replaced it, [cycles a disk-step].
 void BlockEngine::weigh(Lookahead const& lookahead, Real contacts, Real stepped_through) {
   if (stepping_ != Stepping::automatic) return;
   auto const steps = static_cast<Real>(lookahead.steps());
@@ -207,7 +206,7 @@ void BlockEngine::weigh(Lookahead const& lookahead, Real contacts, Real stepped_
   single_.prune();
 }
 
-/// [cycles a disk].
+/// Cost of a lookahead, [cycles a disk].
 Real BlockEngine::cost_of(Lookahead const& lookahead) const {
   auto const disks = static_cast<Real>(disks_.count());
   return lookahead.work.cost(static_cast<Real>(lookahead.steps()), disks,

@@ -9,10 +9,10 @@
 namespace bagnold {
 
 /// A scheme on blocks of neighbouring disks, pairs and disks a pack at a time: step by step where
-/// contacts are many, in lookaheads where most disks fly free.
+/// contacts are many, in lookaheads where most disks fly freely.
 class BlockEngine final : public Simulation {
  public:
-  /// Takes the snapshot's arrays.
+  /// Moves the snapshot's arrays into the engine.
   BlockEngine(std::unique_ptr<BlockLoop> loop, std::unique_ptr<BlockStepper> stepper,
               Stepping stepping, SpeciesTable const& table, StrainRates const& rates,
               double time_step, double skin, Snapshot& snapshot);
@@ -35,7 +35,7 @@ class BlockEngine final : public Simulation {
 
   void advance_one(Sampling const& sampling, OpenWindows& windows);
   void advance_step(Sampling const& sampling, OpenWindows& windows);
-  std::int64_t lookahead_end() const;  ///< of the next one, were the run to go on
+  std::int64_t lookahead_end() const;  ///< of the next one, in a run without an end
   void advance_lookahead(Sampling const& sampling, OpenWindows& windows);
   void step_through(Lookahead const& lookahead, Sampling const& sampling, OpenWindows& windows);
   void set_allowance(std::int64_t length);

@@ -13,7 +13,8 @@ namespace bagnold {
 
 namespace {
 
-/// Of large blocks less is halo; of at least 32 no thread is long without one.
+/// Disks per block. Larger blocks have a smaller share of halo; with 32 blocks or more no thread is
+/// idle for long.
 std::uint32_t block_size(std::size_t disks) {
   return static_cast<std::uint32_t>(std::clamp<std::size_t>(disks / 32, 1024, 3072));
 }
@@ -65,7 +66,7 @@ void BlockLists::arrange(DiskList list, std::vector<Vec2<Real>> const* listed) {
   ++system.arrangement;
 }
 
-/// Of each block the one behind it in an order.
+/// Successor of each block in a cyclic order, [blocks].
 Blocks::Array<std::uint32_t> BlockLists::next_in(std::vector<std::uint32_t> const& order) {
   auto next = disks_.loop->zeros<std::uint32_t>("blocks::next", order.size());
   for (std::size_t k = 0; k < order.size(); ++k) next(order[k]) = order[(k + 1) % order.size()];
@@ -84,7 +85,7 @@ std::vector<std::array<double, 2>> BlockLists::at_build() const {
 bool BlockLists::holds_next(ShearMark const& since, Real nonaffine_bound, Real skin) const {
   Real const strain = std::abs(disks_.clock.strain_since(since, disks_.system.step + 1));
   if (strain > 0.5) return false;
-  // nonaffine_bound adds up |v - gammadot y x^|; w is taken about the flow at the place of the
+  // nonaffine_bound sums |v - gammadot y x^|, whereas w is relative to the flow at the place of the
   // build, which differs by gammadot w_y.
   Real const w =
       (nonaffine_bound + disks_.clock.time_step * fastest * step_strain_factor()) / (1 - strain);
@@ -160,7 +161,7 @@ void BlockLists::take_scratch() {
   fill_inner();
 }
 
-/// The trial state, and the slots in both states behind the own disks: at rest, far from everything
+/// Allocates the trial state, and sets the inert slots of both states: at rest, far from all disks
 /// and from each other.
 void BlockLists::make_trial() {
   auto& system = disks_.system;
@@ -193,7 +194,8 @@ void BlockLists::make_inert(Block const& block) {
   }
 }
 
-/// A row of blocks, or what keeps the threads busy; all where they fit into cache.
+/// Blocks in a stage: a row of blocks, or enough to keep the threads busy; all of them if they fit
+/// into cache.
 std::uint32_t BlockLists::blocks_at_once() const {
   auto const& blocks = disks_.system.blocks;
   if (!blocks.beyond_cache()) return blocks.count;

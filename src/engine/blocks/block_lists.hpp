@@ -7,8 +7,8 @@
 
 namespace bagnold {
 
-/// Which pairs of disks may touch: blocks along a curve with an outer list, and an inner one pruned
-/// from it; and how long they hold.
+/// Lists of pairs that may touch, and how long they are valid: blocks along a curve with an outer
+/// list, and an inner list pruned from it.
 class BlockLists {
  public:
   Real fastest = 0;                ///< largest peculiar speed now, or a bound, [d_s/tau_e]
@@ -22,44 +22,43 @@ class BlockLists {
   Real skin() const { return skin_; }
   Wavefront const& wavefront() const { return wavefront_; }
 
-  /// Takes the disks into the box and cuts them into blocks; the inner list is still missing.
+  /// Wraps the disks into the box and cuts them into blocks. Leaves the inner list empty.
   void build(DiskList list);
 
-  /// Blocks and outer list of disks at `listed`, by default where they are now, filled with the
-  /// disks as they are now.
+  /// Makes blocks and outer list for disks at `listed`, by default their present positions, and
+  /// fills them with the disks in their present state.
   void arrange(DiskList list, std::vector<Vec2<Real>> const* listed = nullptr);
 
-  /// Where the disks were at the build, in the order of the start, [d_s].
+  /// Positions of the disks at the build, in the order of the start, [d_s].
   std::vector<std::array<double, 2>> at_build() const;
 
-  /// Whether a list from a mark still holds for the next trial positions, if no disk has moved
-  /// more than `nonaffine_bound` beyond the mean flow.
+  /// True if a list from a mark is still valid at the next trial positions, given that no disk has
+  /// moved more than `nonaffine_bound` beyond the mean flow.
   bool holds_next(ShearMark const& since, Real nonaffine_bound, Real skin) const;
   bool outer_holds(Real nonaffine_bound) const {
     return holds_next(disks_.list, nonaffine_bound, skin_);
   }
   bool inner_holds() const { return holds_next(inner.mark, inner.nonaffine_bound, inner.margin); }
 
-  /// Takes the inner list anew, with the margin that suits its use best.
+  /// Prunes the inner list anew, with the margin that is best for its use.
   void prune(ListUse use);
   void fill_inner();
 
-  /// Largest |w| since the build now, and at a later step if all disks fly straight until then, for
-  /// so long, [d_s]. later: the clock there.
+  /// Largest |w| since the build, [d_s]: now; and after straight flight of all disks for a
+  /// duration. later: the clock at its end.
   Real farthest() const;
   Real farthest_at(std::int64_t step, Clock const& later, Real duration);
 
-  /// How far a disk may still deviate from straight flights to `step`, whose farthest |w| that is,
-  /// [d_s].
+  /// Distance by which a disk may deviate from straight flights to `step`, [d_s]. farthest: largest
+  /// |w| of these flights.
   Real room_at(std::int64_t step, Clock const& later, Real farthest) const;
 
-  /// |v - gammadot y x^| as it may be about the mean flow at another place a step on, over what it
-  /// is.
+  /// Bound of the growth of |v - gammadot y x^| in a step: the mean flow at another place differs.
   Real step_strain_factor() const {
     return 1 + std::abs(disks_.clock.strain_rate) * disks_.clock.time_step;
   }
 
-  /// What the next step can make anew: given back, and taken again.
+  /// Releases and allocates the arrays that the next step can make anew.
   void give_back_scratch();
   void take_scratch();
 

@@ -31,7 +31,7 @@ class LoopOn final : public BlockLoop {
           Kokkos::view_alloc(Kokkos::WithoutInitializing, std::string("simulation::scratch")),
           bytes);
     }
-    if (count == 1) return call(body, 0, scratch_.data());  // no thread is worth waking
+    if (count == 1) return call(body, 0, scratch_.data());  // not worth a parallel region
     side_by_side::parallel_for("simulation::BlockLoop", Policy(space_, 0, count),
                                [&](std::int64_t b) {
                                  int const token = stride == 0 ? 0 : tokens_.acquire();

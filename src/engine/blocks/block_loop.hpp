@@ -12,13 +12,14 @@
 
 namespace bagnold {
 
-/// Runs a body for each of some blocks on the threads of a host backend, with scratch of the
-/// thread. The backend is behind this face, so engines are compiled once for all of them.
+/// Runs a body for each of some blocks on the threads of a host backend, with scratch memory for
+/// each thread. The backend is behind this interface, so engines are compiled once for all
+/// backends.
 class BlockLoop {
  public:
   virtual ~BlockLoop() = default;
 
-  /// body(b)
+  /// Calls body(b) for each block b.
   template <class Body>
   void operator()(std::uint32_t count, Body const& body) {
     run(count, 0, &body, [](void const* body, std::uint32_t b, std::byte*) {
@@ -26,7 +27,7 @@ class BlockLoop {
     });
   }
 
-  /// body(b, scratch), scratch: [size] of T, as the last body left it.
+  /// Calls body(b, scratch) for each block b. scratch: [size] of T, as the last body left it.
   template <class T, class Body>
   void with_scratch(std::uint32_t count, std::size_t size, Body const& body) {
     run(count, size * sizeof(T), &body, [](void const* body, std::uint32_t b, std::byte* scratch) {
@@ -34,8 +35,8 @@ class BlockLoop {
     });
   }
 
-  /// Zero bytes, first touched by these threads. Views would ask Kokkos to fill them, which threads
-  /// of replicas cannot.
+  /// Zero bytes, first touched by these threads. Views would ask Kokkos to fill them, which is not
+  /// possible in threads of replicas.
   template <class T>
   Blocks::Array<T> zeros(char const* label, std::size_t size) {
     auto const array = Blocks::room<T>(label, size);
@@ -47,10 +48,10 @@ class BlockLoop {
     return array;
   }
 
-  /// That run at once.
+  /// Number of threads.
   virtual int threads() const = 0;
 
-  /// As in kernels/cpu/blocks/build_blocks.hpp. position: [N], in the box, [d_s].
+  /// Builds blocks as kernels/cpu/blocks/build_blocks.hpp says. position: [N], in the box, [d_s].
   virtual Blocks build(std::vector<Vec2<Real>> const& position, std::vector<Species> const& species,
                        SpeciesTable const& table, ShearedBox const& box, Real skin,
                        std::uint32_t size) = 0;
@@ -62,7 +63,7 @@ class BlockLoop {
   virtual void run(std::uint32_t count, std::size_t scratch_bytes, void const* body, Call call) = 0;
 };
 
-/// nullptr if the build has no such backend, or it is not one of the host.
+/// Loop of a backend; nullptr if the build does not have it, or it is not a host backend.
 std::unique_ptr<BlockLoop> make_block_loop(std::string const& backend);
 
 }  // namespace bagnold

@@ -12,7 +12,7 @@ namespace bagnold {
 
 namespace {
 
-/// Of a pair: to keep it in a list that is pruned, over to predict from it.
+/// Cost of keeping a pair in a pruned list over that of a prediction for it.
 constexpr Real pruning_cost = 0.25;
 
 }  // namespace
@@ -56,7 +56,7 @@ void ForecastList::prune(ShearedBox const& box) {
   listing_ = ++system.listing;
 }
 
-/// Largest |w| since the mark at both ends of the lookahead, between which it is smaller, [d_s].
+/// Largest |w| since the mark at both ends of the lookahead, between which it is not larger, [d_s].
 Real ForecastList::farthest(Lookahead const& lookahead, Real duration) {
   auto const& system = disks_.system;
   Real const begin = disks_.clock.strain_since(mark_, lookahead.begin),
@@ -72,7 +72,8 @@ Real ForecastList::farthest(Lookahead const& lookahead, Real duration) {
   return std::sqrt(*std::max_element(far2_.begin(), far2_.end()));
 }
 
-/// That a list needs in which disks come so far by the end of the lookahead, [d_s].
+/// Margin that a list needs if disks are at most `farthest` from the mark at the end of the
+/// lookahead, [d_s].
 Real ForecastList::margin_for(Lookahead const& lookahead, Real farthest) const {
   return list_margin(lookahead.after.strain_since(mark_, lookahead.end), farthest);
 }

@@ -9,15 +9,16 @@
 
 namespace bagnold {
 
-/// The pairs that lookaheads predict from: those of the outer list, or a shorter one pruned from it
-/// that holds for several lookaheads, in place of the inner list. Forecasts are the same from both.
+/// Pairs from which lookaheads predict contacts: those of the outer list, or a shorter list pruned
+/// from it, which is valid for several lookaheads and takes the place of the inner list. Forecasts
+/// are the same from both.
 class ForecastList {
  public:
   /// skin: of the outer list, [d_s].
   ForecastList(BlockDisks& disks, Real skin) : disks_(disks), skin_(skin) {}
 
-  /// Sees to it that no pair is missing that touches on the lookahead's straight flights, of
-  /// `duration`, or would if each disk deviated from these by up to `allowance`, [d_s].
+  /// Renews the list unless it holds every pair that touches on the lookahead's straight flights,
+  /// of `duration`, or would touch if each disk deviated from these by up to `allowance`, [d_s].
   void renew(Lookahead const& lookahead, ShearedBox const& box, Real duration, Real allowance);
 
   ListedPairs of(Block const& block) const {

@@ -8,7 +8,7 @@
 
 namespace bagnold {
 
-/// Steps that are done at one go.
+/// Steps that are done together.
 struct Lookahead {
   std::int64_t begin, end;  ///< [steps]
   Clock after;              ///< of the step `end`
@@ -21,7 +21,7 @@ struct Lookahead {
   std::int64_t steps() const { return end - begin; }
 };
 
-/// What the parts that do a lookahead share; kept from one to the next.
+/// Data that the parts of a lookahead share; kept from one lookahead to the next.
 struct LookaheadScratch {
   ShearedBox start;  ///< at the lookahead's first configuration
   FlightTimes flights;

@@ -7,7 +7,7 @@
 
 namespace bagnold {
 
-/// What a lookahead took, repetitions included.
+/// Work of a lookahead, repetitions included.
 struct LookaheadWork {
   Real binary = 0;        ///< islands of two disks
   Real binary_steps = 0;  ///< of a pair
@@ -15,29 +15,29 @@ struct LookaheadWork {
   Real batches = 0;       ///< that these were stepped in
   Real touching = 0;      ///< pairs in batches, mean over steps
 
-  /// [cycles at 2.6 GHz], counted, not timed, so that what is chosen by it is the same on every
-  /// machine. Fitted to times of lookaheads of 16 to 256 steps (CD_n 0.78 and CD_rot 0.76, Q = 1
-  /// and 50, rates from 1e-4 to 1e-6, N = 1024 and 65536, both schemes): 0.66 to 1.3 of these, in
-  /// four cases of five 0.8 to 1.1.
+  /// Cost of the lookahead, [cycles at 2.6 GHz]. It is counted, not timed, so that choices by it
+  /// are the same on every machine. Fitted to times of lookaheads of 16 to 256 steps (CD_n 0.78 and
+  /// CD_rot 0.76, Q = 1 and 50, rates from 1e-4 to 1e-6, N = 1024 and 65536, both schemes): 0.66 to
+  /// 1.3 of these, in four cases of five 0.8 to 1.1.
   Real cost(Real steps, Real disks, Real outer_pairs) const {
     return 3.3 * outer_pairs + 6 * disks + 850 * binary + 57 * binary_steps + 250 * others +
            (17 * others + 305 * batches + 32 * touching) * steps;
   }
 };
 
-/// Whether lookaheads cost less than to step all disks, of which Z decides most. Lookaheads are
-/// tried once Z, in the mean over some thousand steps as far as it is known, is low enough, and
-/// given up when they have lost too much.
+/// Decision between lookaheads and steps of all disks, by their cost, which depends mostly on Z.
+/// Lookaheads are tried once Z, averaged over some thousand steps, is low enough. They are given up
+/// when they have cost too much more than ordinary steps.
 class LookaheadGain {
  public:
-  /// Steps were done one by one.
+  /// Records ordinary steps.
   void steps_done(Real steps, Real contacts) { remember(steps, contacts); }
 
   bool enter() const { return contacts_ <= enter_below_; }
 
-  /// A lookahead of so many steps was done; costs are those of a disk, [cycles]. Whether lookaheads
-  /// go on. If not but had they paid in all, they will again once Z is lower; else at lower Z
-  /// still, if at all.
+  /// Records a lookahead of `steps` steps; costs are those of a disk, [cycles]. Returns whether
+  /// lookaheads continue. If they do not, they are tried again once Z has fallen to 0.8 of its
+  /// mean. If they did not pay since they began, the threshold falls below its former value too.
   bool lookahead_done(Real steps, Real contacts, Real cost, Real one_by_one) {
     remember(steps, contacts);
     lost_ = std::max<Real>(0, lost_ + cost - one_by_one);
@@ -49,7 +49,7 @@ class LookaheadGain {
     return false;
   }
 
-  /// What must be kept to go on as before.
+  /// Visits the numbers that a bit-for-bit restart needs.
   template <class Visit>
   void for_each_memory(Visit const& visit) {
     visit("enter_lookahead_below", enter_below_);

@@ -44,7 +44,7 @@ bool LookaheadSteps::run(Lookahead& lookahead, Sampling const& sampling, OpenWin
   return true;
 }
 
-/// Room by slot, which runs without lookaheads do not need.
+/// Allocates arrays by slot, which runs without lookaheads do not need.
 void LookaheadSteps::make_room() {
   if (arrangement_ == disks_.system.arrangement) return;
   auto const slots = disks_.system.blocks.slots;
@@ -109,7 +109,7 @@ void LookaheadSteps::add_near() {
   for (auto const slot : meeting) meets[slot] = 0;
 }
 
-/// Islands of two disks by themselves, the others together.
+/// Separates islands of two disks from larger ones.
 void LookaheadSteps::sort_islands() {
   auto& larger = batch_islands_.islands;
   pair_islands_.pairs.clear();
@@ -134,8 +134,8 @@ void LookaheadSteps::sort_islands() {
   }
 }
 
-/// Fills todo_ with the pairs that could have touched, unforeseen, for the deviations that were
-/// found, and with all pairs of the units that these disks are in.
+/// Fills todo_ with the pairs that were not predicted and could have touched, by the deviations
+/// measured, and with all pairs of the units of their disks.
 void LookaheadSteps::find_missed(Real duration) {
   auto const& results = scratch_.results;
   auto const& blocks = disks_.system.blocks;
@@ -191,7 +191,7 @@ void LookaheadSteps::add_if_missed(SlotPair const& pair, Real duration) {
   todo_.push_back(pair);
 }
 
-/// Its disks will be done again.
+/// Discards the unit that holds a disk; its pairs are worked out again.
 void LookaheadSteps::take_unit_of(std::uint32_t slot) {
   auto& results = scratch_.results;
   if (!results.has(slot)) return;
@@ -201,8 +201,8 @@ void LookaheadSteps::take_unit_of(std::uint32_t slot) {
   for (auto p = unit.first_pair; p < unit.end_pair; ++p) todo_.push_back(results.pairs[p]);
 }
 
-/// Adds the sampled configurations: batches as they were seen; all other disks as if in free
-/// flight, by closed forms, and what collisions changed.
+/// Adds the sampled configurations: batches as evaluated; all other disks by closed forms of free
+/// flight, plus the differences that collisions make.
 void LookaheadSteps::measure(Lookahead const& lookahead, Sampling const& sampling,
                              OpenWindows& windows) {
   auto const& times = scratch_.times;
@@ -229,7 +229,7 @@ void LookaheadSteps::measure(Lookahead const& lookahead, Sampling const& samplin
   }
 }
 
-/// Moves free disks to the end of the lookahead, and puts the others there.
+/// Moves free disks to the end of the lookahead, and stores the others there.
 void LookaheadSteps::commit(ShearedBox const& end, std::int64_t steps) {
   auto& all = disks_.system;
   auto const& flights = scratch_.flights;
@@ -249,8 +249,8 @@ void LookaheadSteps::commit(ShearedBox const& end, std::int64_t steps) {
   }
 }
 
-/// The allowance so large that a disk deviates by more in one lookahead out of twenty: more pairs
-/// near, or more blocks searched again.
+/// Adapts the allowance so that a disk deviates by more in one lookahead out of twenty. A larger
+/// one means more near pairs, a smaller one more blocks searched again.
 void LookaheadSteps::adapt_allowance() {
   auto const& disks = scratch_.results.disks;
   std::size_t beyond = 0;

@@ -12,16 +12,16 @@
 
 namespace bagnold {
 
-/// The step of a scheme where most disks fly straight: a lookahead of many steps at a time.
+/// Step of a scheme where most disks fly straight: a lookahead of many steps at a time.
 ///
-/// From straight flights it predicts which disks meet within the lookahead, steps only these,
+/// From straight flights it predicts which disks meet within the lookahead. It steps only these,
 /// island by island, and moves all others at once: for a disk that touches nothing the scheme is x
-/// += v dt. A disk that meets another deviates from its straight flight; how far is measured at
-/// every step. Pairs that could have touched for that, unforeseen, are added, and their islands are
-/// done again, until there are none.
+/// += v dt. A disk that meets another deviates from its straight flight, by a distance that is
+/// measured at every step. Pairs that were not predicted and could have touched because of it are
+/// added, and their islands are done again, until there are none.
 class LookaheadSteps {
  public:
-  /// What lookaheads cost and find; none of it is time, so it is the same on every machine.
+  /// Counts of the work of lookaheads. None is a time, so they are the same on every machine.
   struct Counters {
     std::int64_t lookaheads = 0, steps = 0;
     std::int64_t again = 0;         ///< pairs found to have been missed, and added
@@ -32,7 +32,7 @@ class LookaheadSteps {
   };
 
   Counters counters;
-  Real allowance = 0;     ///< deviations up to this are looked up quickly, [d_s]; 0: not known yet
+  Real allowance = 0;     ///< deviations that near pairs cover, [d_s]; 0: not known yet
   Real usual = 0;         ///< deviation that one disk in a hundred exceeds, [d_s]
   bool cautious = false;  ///< near pairs of disks that meet others are stepped from the first
 
@@ -40,13 +40,14 @@ class LookaheadSteps {
   LookaheadSteps(BlockDisks& disks, ContactDetector& detector, Real skin)
       : disks_(disks), detector_(detector), list_(disks, skin) {}
 
-  /// How long the flights of a lookahead from here to `end` are, at the rate it begins at, [tau_e]:
-  /// that of the next lookahead.
+  /// Sets the flight times for the next lookahead, from here to `end`. Returns its duration at the
+  /// rate at which it begins, [tau_e].
   Real time_flights(std::int64_t end);
 
-  /// Does the lookahead, adding its sampled configurations to `windows`. False, and nothing is
-  /// changed, if more than that share of the disks take part, one comes too far for the list, or a
-  /// number is NaN or an overlap too large: then step by step.
+  /// Does the lookahead and adds its sampled configurations to `windows`. Returns false, with
+  /// nothing changed, if more than the share `most_active` of the disks take part, a disk goes too
+  /// far for the list, a number is NaN or an overlap too large. The steps are then to be done one
+  /// by one.
   bool run(Lookahead& lookahead, Sampling const& sampling, OpenWindows& windows, Real most_active);
 
  private:

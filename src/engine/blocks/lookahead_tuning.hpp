@@ -8,10 +8,10 @@
 
 namespace bagnold {
 
-/// How long lookaheads are, and whether near pairs are stepped from the first (cautious) or only
-/// once they turn out to have been missed. Finds the cheapest by trying: most lookaheads are done
-/// in the best way known, now and then a few in one of its neighbours, which takes over if it costs
-/// less. Costs are counted, not timed, so that the choice is the same on every machine.
+/// Length of lookaheads, and whether near pairs are stepped from the first (cautious) or only once
+/// they turn out to have been missed. Finds the cheapest setting by trials: most lookaheads use the
+/// best one known, a few now and then one of its neighbours, which replaces it if it costs less.
+/// Costs are counted, not timed, so that the choice is the same on every machine.
 class LookaheadTuning {
  public:
   static constexpr int shortest = 4, longest = 14;  ///< log2 of steps
@@ -19,7 +19,7 @@ class LookaheadTuning {
   std::int64_t steps() const { return std::int64_t{1} << level(); }
   bool cautious() const { return trying() == 3 ? best_cautious_ == 0 : best_cautious_ != 0; }
 
-  /// A lookahead of full length was done at this cost, [cycles a step].
+  /// Records a lookahead of full length and its cost, [cycles a step].
   void done(Real cost) {
     if (trying() == 0) {
       cost_ = cost_ == 0 ? cost : 0.875 * cost_ + 0.125 * cost;
@@ -33,7 +33,7 @@ class LookaheadTuning {
     next();
   }
 
-  /// A lookahead could not be done. Whether there is a shorter one.
+  /// Records a lookahead that failed. Returns whether a shorter one is possible.
   bool refused() {
     bool const tried = trying() != 0;
     phase_ += period - phase_ % period;  // no more of that
@@ -45,7 +45,7 @@ class LookaheadTuning {
     return true;
   }
 
-  /// What must be kept to go on as before.
+  /// Visits the numbers that a bit-for-bit restart needs.
   template <class Visit>
   void for_each_memory(Visit const& visit) {
     visit("lookahead_level", best_level_);
@@ -58,7 +58,8 @@ class LookaheadTuning {
  private:
   static constexpr std::int64_t tries = 4, period = 36;
 
-  /// 0: the best known; 1: longer, 2: shorter, 3: the other way.
+  /// Setting to use next. 0: the best known; 1: longer, 2: shorter, 3: cautious or not, the other
+  /// way.
   int trying() const {
     if (phase_ % period < period - tries) return 0;
     auto const way = static_cast<int>(phase_ / period % 3) + 1;

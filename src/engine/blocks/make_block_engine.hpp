@@ -17,13 +17,13 @@ class BlockStepper;
 using MakeStepper = std::unique_ptr<BlockStepper> (*)(Scene const&,
                                                       std::optional<DriveSetup> const&);
 
-/// The step on blocks of a law, by the scene's repulsion and scheme (make_stepper.hpp).
+/// Step of a law on blocks, by the scene's repulsion and scheme (make_stepper.hpp).
 template <ContactLaw Law>
 std::unique_ptr<BlockStepper> make_stepper(Scene const& scene,
                                            std::optional<DriveSetup> const& drive);
 
-/// The engine on blocks of a scene, from a snapshot, whose arrays it takes; nullptr if the build
-/// has no such backend, or it is not one of the host. make: of the scene's law.
+/// Engine on blocks of a scene, from a snapshot, whose arrays it takes; nullptr if the build does
+/// not have the backend, or it is not a host backend. make: of the scene's law.
 std::unique_ptr<Simulation> make_block_engine(Scene const& scene, Snapshot& snapshot,
                                               std::optional<DriveSetup> const& drive,
                                               std::string const& backend, MakeStepper make);

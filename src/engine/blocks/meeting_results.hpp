@@ -9,11 +9,11 @@
 
 namespace bagnold {
 
-/// What has been worked out, in one lookahead, of the disks that meet others.
+/// Results of one lookahead for the disks that meet others.
 struct MeetingResults {
   static constexpr std::uint32_t none = ~std::uint32_t{0};
 
-  /// What is done at one go: a pair of disks, or a batch of larger islands.
+  /// Unit of work: a pair of disks, or a batch of larger islands.
   struct Unit {
     std::size_t first_pair, end_pair;  ///< in `pairs`
     std::size_t sums;                  ///< its first in `sums`
@@ -61,7 +61,7 @@ struct MeetingResults {
     return units.back();
   }
 
-  /// A disk of the last unit.
+  /// Adds a disk to the last unit.
   void add_disk(Islands::Disk const& disk) {
     if (disk_of[disk.slot] == none) {
       disk_of[disk.slot] = static_cast<std::uint32_t>(disks.size());
@@ -73,7 +73,7 @@ struct MeetingResults {
     result.unit = static_cast<std::uint32_t>(units.size() - 1);
   }
 
-  /// A pair of the last unit.
+  /// Adds a pair to the last unit.
   void add_pair(Islands const& islands, Islands::Pair const& pair) {
     auto const &a = islands.disks[pair.a], &b = islands.disks[pair.b];
     pairs.push_back(

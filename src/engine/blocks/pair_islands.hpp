@@ -11,7 +11,8 @@ class PairIslands {
  public:
   std::vector<Islands::Pair> pairs;  ///< places in the islands' disks
 
-  /// Brings all through the lookahead. False where an overlap is too large or a motion NaN.
+  /// Steps all islands through the lookahead. Returns false if an overlap is too large or a motion
+  /// NaN.
   bool run(BlockDisks const& disks, Islands const& islands, Lookahead& lookahead,
            LookaheadScratch& scratch);
 

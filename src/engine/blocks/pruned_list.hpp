@@ -9,15 +9,15 @@
 
 namespace bagnold {
 
-/// How long a list of near pairs holds: when it was taken from a wider one, and how far disks have
-/// come.
+/// Validity of a list of near pairs: when it was pruned from a wider one, and how far disks have
+/// moved.
 struct PrunedList {
   ShearMark mark;            ///< of the pruning
   Real nonaffine_bound = 0;  ///< at least the largest |w| since then, [d_s]
   Real margin = 0;           ///< pairs up to d_ij + margin are in it, [d_s]
 };
 
-/// What decides a list's margin.
+/// Use of a list, which determines its best margin.
 struct ListUse {
   std::uint64_t wider = 0;   ///< pairs of the list that it is taken from
   std::uint64_t kept = 0;    ///< pairs in it
@@ -28,9 +28,10 @@ struct ListUse {
   Real per_step = 0;         ///< by which the margin is used up at most, 2 dt u, [d_s]
 };
 
-/// Where a step costs least: a pruning costs c_o for each wider pair and lasts margin/(2 dt u)
-/// steps, u being the largest peculiar speed; a step costs c_i for each pair kept, of which a share
-/// proportional to the margin does not touch. So margin^2 = 2 dt u c_o n_wider margin/(c_i n_idle).
+/// Margin at which a step costs least. A pruning costs c_o for each wider pair and lasts margin/(2
+/// dt u) steps, u being the largest peculiar speed. A step costs c_i for each pair kept, of which a
+/// share proportional to the margin does not touch. So margin^2 = 2 dt u c_o n_wider margin/(c_i
+/// n_idle).
 inline Real best_margin(ListUse const& use, Real margin, Real skin) {
   constexpr Real first_margin = 0.015;
   if (use.kept == 0) return std::min(skin, margin == 0 ? first_margin : margin);

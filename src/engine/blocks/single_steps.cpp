@@ -37,7 +37,7 @@ void SingleSteps::advance(Sampling const& sampling, OpenWindows& windows) {
   count_step();
 }
 
-/// Renews what would not hold through the next step.
+/// Renews lists that would not be valid through the next step.
 void SingleSteps::keep_lists() {
   if (!lists_.outer_holds(lists_.outer_nonaffine_bound)) {
     lists_.outer_nonaffine_bound = lists_.farthest();
@@ -80,7 +80,7 @@ ListUse SingleSteps::use_of_inner() const {
   return use;
 }
 
-/// For new blocks, and for the disks that touch of a new inner list.
+/// Allocates arrays for new blocks, and lists the disks that touch in a new inner list.
 void SingleSteps::make_room() {
   auto& system = disks_.system;
   auto& loop = *disks_.loop;
@@ -101,8 +101,8 @@ void SingleSteps::make_room() {
   listing_ = system.listing;
 }
 
-/// The first half of the step for some blocks, in the order of the wavefront: changes what is not
-/// seen from outside.
+/// First half of the step for some blocks, in the order of the wavefront. It changes nothing that
+/// is visible outside.
 void SingleSteps::first_half(std::uint32_t begin, std::uint32_t end) {
   auto const& system = disks_.system;
   auto const& stepper = *disks_.stepper;
@@ -115,7 +115,7 @@ void SingleSteps::first_half(std::uint32_t begin, std::uint32_t end) {
   });
 }
 
-/// The iterations of the scheme; the last one is the second half's, unless it is sampled before.
+/// Iterations of the scheme. The last one belongs to the second half, unless the step is sampled.
 void SingleSteps::iterate(bool sampled) {
   auto& system = disks_.system;
   auto const& stepper = *disks_.stepper;
@@ -129,7 +129,7 @@ void SingleSteps::iterate(bool sampled) {
         [&](std::uint32_t b, std::byte* force) { stepper.iterate(system, b, k, force); });
 }
 
-/// The second half, and before it the sums of the configuration where the step began.
+/// Second half, and before it the sums of the configuration at which the step began.
 void SingleSteps::second_half(std::uint32_t begin, std::uint32_t end, bool sampled) {
   if (begin == end) return;
   auto const& system = disks_.system;
@@ -169,7 +169,7 @@ void SingleSteps::count_step() {
   lists_.fastest = std::sqrt(total.fastest2);
   if (few)  // of those in flight
     lists_.fastest = std::max(lists_.fastest, before * lists_.step_strain_factor());
-  // |dw| of a step; the last factor: the mean flow at the new place, not the old one.
+  // |dw| of a step; the last factor accounts for the mean flow at the new place.
   Real const moved =
       disks_.clock.time_step * (before + lists_.fastest) / 2 * lists_.step_strain_factor();
   lists_.outer_nonaffine_bound += moved;
@@ -178,7 +178,7 @@ void SingleSteps::count_step() {
       disks_.stepper->needs.evaluations * static_cast<std::int64_t>(lists_.near_pairs);
 }
 
-/// Powers of the drive, and which disk is in which slot.
+/// Allocates powers of the drive, and the disk of each slot.
 void SingleSteps::make_room_for_drive() {
   auto& system = disks_.system;
   drive_powers_ = disks_.loop->zeros<DrivePower>("observables::drive_powers", system.blocks.count);
@@ -186,7 +186,7 @@ void SingleSteps::make_room_for_drive() {
   for (std::uint32_t i = 0; i < disks_.count(); ++i) system.disk_of(system.blocks.slot_of(i)) = i;
 }
 
-/// The columns of the configuration that was measured.
+/// Columns of the configuration that was measured.
 void SingleSteps::add_up() {
   auto const count = disks_.system.blocks.count;
   BlockSums total;

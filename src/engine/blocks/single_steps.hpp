@@ -9,13 +9,13 @@
 
 namespace bagnold {
 
-/// How an engine goes from step to step.
+/// Way in which the block engine steps.
 enum class Stepping { automatic, few_contacts, many_contacts, lookahead };
 
-/// Steps of all disks, one after the other, with lists that are renewed before they are outrun.
+/// Steps of all disks, one after the other, with lists that are renewed before they become invalid.
 ///
-/// Blocks are cut by place and not by thread, and each adds up its own disks' forces, so the bits
-/// do not depend on threads.
+/// Blocks are cut by place and not by thread, and each sums the forces on its own disks, so the
+/// bits do not depend on threads.
 class SingleSteps {
  public:
   struct Counters {
@@ -37,16 +37,16 @@ class SingleSteps {
     return 2 * static_cast<Real>(touching) / static_cast<Real>(disks_.count());
   }
 
-  /// [cycles a disk-step].
+  /// Cost of a step, [cycles a disk-step].
   Real cost(Real contacts) const {
     auto const& costs = disks_.stepper->needs.costs;
     return costs.by_itself + costs.contact * contacts;
   }
 
-  /// Takes the inner list anew, and chooses between steps for few and for many contacts.
+  /// Prunes the inner list anew, and chooses between steps for few and for many contacts.
   void prune();
 
-  /// Cuts the disks into blocks anew, where they are now.
+  /// Cuts the disks into blocks anew, at their present positions.
   void rebuild();
 
  private:

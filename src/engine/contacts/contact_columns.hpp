@@ -5,7 +5,7 @@
 
 namespace bagnold {
 
-/// What is summed over the contacts of a measurement window, behind the columns of SumColumns.
+/// Sums over the contacts of a measurement window, behind the columns of SumColumns.
 struct ContactColumns {
   enum : int {
     motion = 0,  ///< columns of ContactMotion, over contacts in the evaluated configurations

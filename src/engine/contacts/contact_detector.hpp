@@ -11,24 +11,26 @@
 
 namespace bagnold {
 
-/// Sees the contacts of disks in blocks begin and end.
+/// Detects beginnings and ends of contacts of disks in blocks.
 ///
-/// Which pairs were in contact a step before is kept for each place of the inner lists; where these
-/// were taken anew, the record's table of open contacts says it, which knows nothing of lists.
+/// For each place of the inner lists it keeps whether the pair was in contact a step before. When
+/// these lists are pruned anew, it reads that from the record's table of open contacts, which does
+/// not depend on lists.
 class ContactDetector {
  public:
-  /// What has begun or ended in the configuration at `step`, and its sums if it is sampled.
+  /// Detects contacts that begin or end in the configuration at `step`, and adds its sums if it is
+  /// sampled.
   void detect(BlockLoop& loop, BlockSystem const& all, ShearedBox const& box, std::int64_t step,
               Sampling const& sampling, OpenWindows& windows);
 
-  /// Ends the contacts that are none any more in the configuration at `step`, wherever lists stand.
+  /// Ends contacts that no longer exist in the configuration at `step`, whatever the lists.
   void close_parted(BlockSystem const& all, ShearedBox const& box, std::int64_t step,
                     Sampling const& sampling, OpenWindows& windows);
 
-  /// The index at the start of the disk in a slot.
+  /// Index at the start of the disk in a slot.
   std::uint32_t disk(std::uint32_t slot) const { return disk_of_[slot]; }
 
-  /// Takes events to be told, and tells them.
+  /// Collects events, and passes them on.
   void take(std::vector<ContactEvent>& events);
   void take(std::vector<ContactSample>& samples);
   void tell(Sampling const& sampling, OpenWindows& windows);

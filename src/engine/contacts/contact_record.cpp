@@ -35,7 +35,7 @@ void ContactRecord::add(std::vector<ContactEvent>& events, std::vector<ContactSa
 }
 
 void ContactRecord::open(ContactEvent const& event) {
-  // What is in contact at the start has no beginning, so no step of it can be chosen.
+  // No step is chosen for a contact of the first configuration: its beginning is unknown.
   auto const due = event.step == 0 ? SampleChoice::never : choice.first(event.step);
   table.open(event.a, event.b, event.step, due);
   if (due != SampleChoice::never) due_[due].push_back({event.a, event.b});

@@ -11,22 +11,24 @@
 
 namespace bagnold {
 
-/// Is told of every contact of one system that begins or ends while it is measured.
+/// Listener of contacts of one system that begin or end while it is measured.
 class ContactListener {
  public:
   virtual ~ContactListener() = default;
 
-  /// cluster: disks of the connected cluster right then, at most ContactRecord::largest_cluster.
+  /// Called when a contact begins. cluster: disks of the connected cluster at that time, at most
+  /// ContactRecord::largest_cluster.
   virtual void begins(ContactEvent const& event, std::size_t cluster) = 0;
 
-  /// Only of contacts that were seen to begin. duration: whole, [steps].
+  /// Called when a contact ends whose beginning was seen. duration: of the whole contact, [steps].
   virtual void ends(ContactEvent const& event, std::int64_t duration) = 0;
 
-  /// Of one that ends and was sampled, see SampleChoice: its velocities at a random step.
+  /// Called for a sampled contact that ends, with its velocities at a random step, see
+  /// SampleChoice.
   virtual void sampled(OpenContact const&) {}
 
-  /// Of contacts in evaluated configurations: sums over all of them, and those with a rank below
-  /// `limit()`, see ContactPicker, in no particular order.
+  /// Called for contacts in evaluated configurations, in no particular order: with the sums over
+  /// all of them, and with each contact whose rank is below `limit()`, see ContactPicker.
   virtual void evaluated(ContactMotion const&) {}
   virtual void picked(ContactPick const&) {}
   virtual Real limit() const { return 0; }
@@ -35,14 +37,14 @@ class ContactListener {
 /// Turns the events of one system into sums of measurement windows.
 ///
 /// A contact lasts from the first configuration in contact to the first one out of it, so that
-/// durations add up to the contacts of all configurations. It counts, whole, in the window in which
-/// it ends; its beginning in the window in which it begins. What was in contact at the start has no
-/// duration.
+/// durations add up to the contacts of all configurations. It counts as a whole in the window in
+/// which it ends; its beginning counts in the window in which it begins. A contact that exists at
+/// the start has no duration.
 class ContactRecord {
  public:
   static constexpr std::size_t largest_cluster = 64;
 
-  /// first_column: of ContactColumns in the windows. The listener hears of events from first_step
+  /// first_column: of ContactColumns in the windows. The listener receives events from first_step
   /// on. choice: when velocities are sampled, if at all.
   ContactRecord(std::size_t disks, int first_column, std::int64_t first_step,
                 std::shared_ptr<ContactListener> listener, SampleChoice choice = {})
@@ -55,35 +57,35 @@ class ContactRecord {
   ContactTable table;
   SampleChoice const choice;
 
-  /// Contacts that were open in a run that goes on.
+  /// Restores contacts that were open in a run that continues.
   void restore(std::vector<OpenContact> const& contacts);
 
-  /// Contacts to be sampled in the configuration at `step`, whose events have been told.
+  /// Contacts to be sampled in the configuration at `step`, whose events have been added.
   std::vector<OpenContact> due(std::int64_t step) const;
 
-  /// A sample, told after the beginning of the contact and before its end.
+  /// Adds a sample, after the beginning of the contact and before its end.
   void add(ContactSample const& sample);
 
-  /// Events of configurations that have not been told of, in any order, which are used up.
+  /// Adds events of new configurations, in any order; clears them.
   void add(std::vector<ContactEvent>& events, Sampling const& sampling, OpenWindows& windows);
 
-  /// The same with the samples of contacts among them.
+  /// Adds events, and the samples of contacts among them.
   void add(std::vector<ContactEvent>& events, std::vector<ContactSample>& samples,
            Sampling const& sampling, OpenWindows& windows);
 
   /// Adds to a column of a window.
   void add(int column, double value, std::int64_t window, OpenWindows& windows) const;
 
-  /// Configurations begin .. end - 1 have been evaluated.
+  /// Counts the evaluated configurations begin .. end - 1.
   void evaluated(std::int64_t begin, std::int64_t end, Sampling const& sampling,
                  OpenWindows& windows);
 
-  /// Sums over one evaluated configuration, or several, of a window; step: of any of them.
+  /// Adds sums over one evaluated configuration, or several, of a window; step: of any of them.
   void add(ContactMotion const& motion, std::int64_t step, Sampling const& sampling,
            OpenWindows& windows) const;
 
-  /// Who picks contacts of evaluated configurations, from now on; and those that it picked, which
-  /// are used up.
+  /// Picker of contacts of evaluated configurations, from now on; and the contacts that it picked,
+  /// which are cleared.
   ContactPicker picker() const;
   void add(std::vector<ContactPick>& picks) const;
 

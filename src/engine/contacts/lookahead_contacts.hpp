@@ -8,12 +8,11 @@
 
 namespace bagnold {
 
-/// The contacts of a lookahead, kept by unit (what is done at one go) until it is known
-/// which units count.
+/// Contacts of a lookahead, kept by unit of work until it is known which units count.
 class LookaheadContacts {
  public:
-  /// Before a lookahead, when all contacts of the configurations before it have been told; first
-  /// closes those that have parted in its own first one, which no unit may see.
+  /// Begins a lookahead, after all contacts of the configurations before it have been recorded.
+  /// Closes those that have parted in its first configuration, which no unit may see.
   void begin(ContactDetector& detector, BlockSystem const& all, ShearedBox const& box,
              std::int64_t step, Sampling const& sampling, OpenWindows& windows) {
     on_ = windows.contacts != nullptr;
@@ -46,7 +45,7 @@ class LookaheadContacts {
     motion_.resize(units_ * bins);
   }
 
-  /// A pair of slots, as a unit, is to be lane k.
+  /// Assigns a pair of slots, as a unit, to lane k.
   void set_lane(BlockSystem const& all, LaneDetector& lanes, int k, std::size_t unit,
                 std::uint32_t slot_a, std::uint32_t slot_b) {
     lanes.begin = begin_;
@@ -67,7 +66,7 @@ class LookaheadContacts {
     }
   }
 
-  /// Batches as blocks; slot(b, local): where a disk of one is among all.
+  /// Takes batches as blocks; slot(b, local): slot, in the system, of a disk of a batch.
   template <class Slot>
   void list_batches(Blocks const& blocks, Slot const& slot) {
     touched_.assign(blocks.block(blocks.count - 1).pairs[pair_classes] / simd::width, 0);
@@ -83,7 +82,8 @@ class LookaheadContacts {
     }
   }
 
-  /// What begins or ends in batch b of `step` after `steps` steps of the lookahead, and velocities.
+  /// Detects contacts that begin or end in batch b of `step` after `steps` steps of the lookahead,
+  /// and samples their velocities.
   template <class Slot>
   void detect(BlockSystem const& step, std::uint32_t b, std::size_t unit, std::int64_t steps,
               Slot const& slot) {
@@ -127,7 +127,7 @@ class LookaheadContacts {
         });
   }
 
-  /// After a lookahead that counts: tells of the units for which counts(unit) holds.
+  /// Ends a lookahead that counts: records the contacts of the units for which counts(unit) holds.
   template <class Counts>
   void tell(std::int64_t end, SampleTimes const& times, Sampling const& sampling,
             OpenWindows& windows, Counts const& counts) {

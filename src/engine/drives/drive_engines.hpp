@@ -48,7 +48,7 @@ void set(MakeDeviceDrive<Rotates, Space>& make) {
 
 }  // namespace detail
 
-/// What is compiled for each drive, whatever the law.
+/// Functions compiled for each drive, whatever the law.
 struct DriveEngines {
   std::string_view name;
   detail::DriveMakers<Backends>::All makers;
@@ -61,7 +61,8 @@ DriveEngines engines_of_drive() {
   return engines;
 }
 
-/// Of a drive by its name: one of the list in kernels/physics/drives/drives.hpp, or registered.
+/// Functions of a drive by its name: of the list in kernels/physics/drives/drives.hpp, or
+/// registered.
 DriveEngines const& drive_engines(std::string_view name);
 
 /// Adds a drive (register_drive.hpp), under a name that is not taken.

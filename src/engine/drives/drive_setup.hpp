@@ -10,15 +10,15 @@
 
 namespace bagnold {
 
-/// The one-body force of a scene: what it is made of, and its random numbers.
+/// One-body force of a scene: its parameters and its random numbers.
 struct DriveSetup {
   std::string kind;
   DriveInput input;
   RandomStream stream;
 };
 
-/// Nothing where no drive acts. initial_time: of the run, [tau_e], so that a run that goes on from
-/// another one with its seed has numbers of its own.
+/// Setup of the drive; nothing if there is no drive. initial_time: of the run, [tau_e]. It enters
+/// the random numbers, so that a run that continues another one with its seed has different ones.
 std::optional<DriveSetup> drive_setup(Scene const& scene, double initial_time);
 
 }  // namespace bagnold

@@ -5,8 +5,8 @@
 
 namespace bagnold {
 
-/// Many systems in one launch, a team a system. Positions, which a disk reads of all its
-/// neighbours, lie in team scratch where they fit; velocities are read in contacts only and stay in
+/// Many systems in one launch, a team for each system. Positions, which a disk reads of all its
+/// neighbours, are in team scratch if they fit; velocities are read only in contacts and stay in
 /// memory.
 template <ContactLaw Law, class Repulsion, class Space, class Scheme>
 struct AdvanceSystems {

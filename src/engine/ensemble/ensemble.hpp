@@ -8,7 +8,7 @@
 
 namespace bagnold {
 
-/// Systems that share launches: all are stepped at once.
+/// Systems that share launches: all are stepped at the same time.
 class Ensemble {
  public:
   virtual ~Ensemble() = default;
@@ -17,21 +17,21 @@ class Ensemble {
   virtual int columns() const = 0;
   virtual std::int64_t step(std::size_t system) const = 0;
 
-  /// Steps all systems that have not got there on to step `end`, but for those that cannot go on.
-  /// The sampling is that of all calls.
+  /// Steps all systems that are not there yet to step `end`, except those that cannot continue. The
+  /// sampling is the same in all calls.
   virtual void advance(std::int64_t end, Sampling const& sampling) = 0;
 
-  /// Adds what was measured of a system since the last call. Throws NumericalError where the system
-  /// cannot go on.
+  /// Adds the samples of a system since the last call. Throws NumericalError if the system cannot
+  /// continue.
   virtual void take_samples(std::size_t system, OpenWindows& windows) = 0;
 
   virtual Snapshot snapshot(std::size_t system) const = 0;
   virtual State state(std::size_t system) const = 0;
 };
 
-/// The systems of an ensemble, [S], as simulations of their own. The first that is told to advance
-/// takes all others along, which only hand out what was measured when they are told the same: so
-/// they are to be advanced in turn, as run_measured does. They report no contacts.
+/// Systems of an ensemble, [S], as simulations of their own. The first that is told to advance
+/// steps all others too, which only return their samples when they are told the same. They are
+/// therefore to be advanced in turn, as run_measured does. They report no contacts.
 std::vector<std::unique_ptr<Simulation>> members_of(std::shared_ptr<Ensemble> const& ensemble);
 
 }  // namespace bagnold

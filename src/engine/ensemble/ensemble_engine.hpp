@@ -14,9 +14,9 @@
 
 namespace bagnold {
 
-/// Many small systems, stepped by launches that hold the time loop, lists and samples included: the
-/// host is needed where a launch ends, where its room for samples is used up, or a list has
-/// outgrown its own. The bits of each are those of ReferenceEngine on the same backend.
+/// Many small systems, stepped by launches that contain the time loop, lists and samples included.
+/// The host is needed only where a launch ends, where its memory for samples is full, or a list has
+/// outgrown its memory. The bits of each system are those of ReferenceEngine on the same backend.
 template <ContactLaw Law, class Repulsion, class Space, class Scheme>
 class EnsembleEngine final : public Ensemble {
  public:
@@ -94,7 +94,7 @@ class EnsembleEngine final : public Ensemble {
   using Wait = SystemProgress::Wait;
   using List = SystemProgress::List;
 
-  /// Sums of a sampled configuration that its system has not been asked for yet.
+  /// Sums of a sampled configuration that its system has not returned yet.
   struct Sample {
     std::int64_t window;
     Sums<rotates> sums;
@@ -140,7 +140,8 @@ class EnsembleEngine final : public Ensemble {
     space_.fence();
   }
 
-  /// On a device as many as it takes, of those a team can have, for each to do equally many disks.
+  /// Team size on a device: the number, of those possible, for which each thread has equally many
+  /// disks.
   template <class Policy>
   int threads_of_team(Policy const& policy, Kernel const& kernel) const {
     if (threads_ > 0) return threads_;
@@ -167,7 +168,7 @@ class EnsembleEngine final : public Ensemble {
     }
   }
 
-  /// For longer lists, which then are all built again.
+  /// Allocates longer lists; all lists are then built again.
   void make_room() {
     std::size_t most = 0;
     for (auto& p : progress_)
@@ -181,7 +182,7 @@ class EnsembleEngine final : public Ensemble {
       if (p.list == List::stands) p.list = List::missing;
   }
 
-  /// Where steps at one strain rate are done the next launch begins with the next rate.
+  /// Moves systems whose steps at one strain rate are done to the next rate.
   void change_rates() {
     bool any = false;
     for (std::size_t s = 0; s < systems(); ++s) {

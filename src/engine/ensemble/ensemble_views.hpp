@@ -9,7 +9,7 @@
 
 namespace bagnold {
 
-/// The Views of one system of an ensemble, as kernels for one system want them.
+/// Views of one system of an ensemble, for kernels written for one system.
 template <bool Rotates, class Space, class Scheme>
 struct SystemViews {
   template <class T>
@@ -21,7 +21,7 @@ struct SystemViews {
   Row<Sums<Rotates>> samples;                ///< those measured since the host took them
 };
 
-/// What many systems of N disks consist of: Views with the system as the leading index.
+/// Arrays of many systems of N disks: Views with the system as the leading index.
 template <bool Rotates, class Space, class Scheme>
 struct EnsembleViews {
   template <class T>
@@ -54,14 +54,14 @@ struct EnsembleViews {
                    static_cast<std::size_t>(groups_of_sums(static_cast<std::int64_t>(disks)))),
         samples("observables::samples", systems, room_for_samples) {}
 
-  /// Room for grids of up to so many cells.
+  /// Allocates grids of up to `cells` cells.
   void make_cells(std::size_t cells) {
     auto const systems = position.extent(0);
     cell_first = Table<std::uint32_t>("neighbors::first", systems, cells + 1);
     cell_filled = Table<std::uint32_t>("neighbors::filled", systems, cells + 1);
   }
 
-  /// Room for so many neighbours of a system's disks; lists that were there are lost.
+  /// Allocates lists of up to `most` neighbours of a system's disks; existing lists are lost.
   void make_entries(std::size_t most) {
     entries = {};  // free before asking for more
     entries = Table<Neighbor>(Kokkos::view_alloc(Kokkos::WithoutInitializing, "neighbors::entries"),

@@ -8,30 +8,30 @@
 #include "kernels/physics/species.hpp"
 #include "src/engine/clock.hpp"
 
-/// What host and device tell each other about the systems of an ensemble.
+/// Messages between host and device about the systems of an ensemble.
 namespace bagnold {
 
-/// What one system of an ensemble is made of, apart from its disks.
+/// Constants of one system of an ensemble.
 struct SystemConstants {
   Clock clock;
-  std::int64_t rate_end;  ///< step up to which it is right
+  std::int64_t rate_end;  ///< step up to which it is valid
   int columns, rows;      ///< of its cells
 };
 
-/// Where a system stands, and what it waits for.
+/// Progress of a system, and what it waits for.
 struct SystemProgress {
-  enum class List { lost, missing, stands };                              ///< lost: to be built now
-  enum class Wait { none, for_samples, for_entries, too_fast, unsound };  ///< last two: for ever
+  enum class List { lost, missing, stands };                              ///< lost: to be built
+  enum class Wait { none, for_samples, for_entries, too_fast, unsound };  ///< last two: final
 
   std::int64_t step = 0;
   ShearMark list_mark;  ///< of the list's build
   std::int64_t list_builds = 0;
-  Real factor = 1;  ///< of the strain rate, by which motions are still to grow
+  Real factor = 1;  ///< of the strain rate, by which motions are to be scaled
   List list = List::lost;
   Wait wait = Wait::none;
   std::int32_t samples = 0;                             ///< measured since the host took them
   std::uint32_t entries = 0;                            ///< neighbours in its list, or wanted
-  Kokkos::ValLocScalar<Real, std::int64_t> farthest{};  ///< |w|^2 of who was too fast, [d_s^2]
+  Kokkos::ValLocScalar<Real, std::int64_t> farthest{};  ///< |w|^2 of a disk too fast, [d_s^2]
 };
 
 /// Forces, masses and lists of all systems.

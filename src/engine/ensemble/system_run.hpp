@@ -12,8 +12,8 @@
 
 namespace bagnold {
 
-/// The time loop of one system, run by the threads of a team, each with the same copy of this: the
-/// steps of ReferenceEngine, where that has launches.
+/// Time loop of one system, run by the threads of a team, each with the same copy of this struct:
+/// the steps of ReferenceEngine, where that uses launches.
 template <ContactLaw Law, class Repulsion, class Space, class Scheme>
 class SystemRun {
  public:
@@ -35,12 +35,12 @@ class SystemRun {
         box_(box_at(progress.step)) {}
 
   KOKKOS_FUNCTION SystemProgress const& progress() const { return progress_; }
-  /// Where the disks are: in the Views' positions or trial positions.
+  /// Present positions of the disks: the Views' positions or trial positions.
   KOKKOS_FUNCTION Kokkos::View<Vec2<Real>*, Space> position() const {
     return system_.disks.position;
   }
 
-  /// Steps on to `end`, or to where the host is needed: a change of the strain rate, say.
+  /// Steps to `end`, or to where the host is needed, for example at a change of the strain rate.
   KOKKOS_FUNCTION void advance(std::int64_t end, Sampling const& sampling) {
     if (constants_.rate_end < end) end = constants_.rate_end;
     if (progress_.factor != 1) change_rate();
@@ -86,7 +86,7 @@ class SystemRun {
     if (!list_holds(widest, largest2, rules_.skin)) progress_.list = SystemProgress::List::lost;
   }
 
-  /// At a strain rate that is new to the disks; the list stays, if it still holds for a step.
+  /// Changes the strain rate; the list stays if it is still valid for a step.
   KOKKOS_FUNCTION void change_rate() {
     auto const& disks = system_.disks;
     loops_.for_all("dynamics::ScaleMotion", disks.count(),

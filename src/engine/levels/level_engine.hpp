@@ -9,8 +9,8 @@
 #include "src/engine/drives/drive_setup.hpp"
 #include "src/engine/simulation.hpp"
 
-/// What one level shows: everything else of it keeps to itself, so that no function compiled for
-/// one kind of processor is called on another (src/engine/levels/level.cmake).
+/// Function that a level exports. All its other functions are local, so that none compiled for one
+/// kind of processor is called on another (src/engine/levels/level.cmake).
 #define BAGNOLD_LEVEL_ENGINE(level)                                               \
   namespace bagnold::level {                                                      \
   std::unique_ptr<Simulation> make_block_engine(Scene const&, Snapshot&,          \

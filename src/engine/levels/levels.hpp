@@ -23,15 +23,16 @@ struct Level {
                                       std::string const& backend);
 };
 
-/// Those of this build, the most able first. One is what everything else is compiled for.
+/// Levels of this build, the most capable first. One of them is the level of all other code.
 std::vector<Level> const& levels();
 
-/// That which runs: the first of the list that this processor has, or the one that BAGNOLD_SIMD in
-/// the environment names. Throws InputError where that is not in this build, or not for this
-/// processor.
+/// Level that runs: the first of the list that this processor supports, or the one that
+/// BAGNOLD_SIMD in the environment names. Throws InputError if that is not in this build, or not
+/// supported by this processor.
 Level const& chosen_level();
 
-/// That of a scene. Laws and drives that a program registered are compiled as everything else.
+/// Level that runs a scene. Laws and drives that a program registers have the level of all other
+/// code.
 Level const& level_of(Scene const& scene);
 
 }  // namespace bagnold

@@ -45,8 +45,8 @@ void BlockCholesky<unknowns>::factorize(FactorPattern const& pattern) {
   }
 }
 
-/// Takes off the column at work what columns of a group before it do, whose last `rows` rows begin
-/// with its own.
+/// Subtracts from the present column the contributions of the columns of an earlier group, whose
+/// last `rows` rows begin with the present one.
 template <int unknowns>
 void BlockCholesky<unknowns>::take_off(FactorPattern const& pattern, std::size_t begin,
                                        std::size_t end, std::size_t rows) {
@@ -77,7 +77,7 @@ void BlockCholesky<unknowns>::take_off(FactorPattern const& pattern, std::size_t
   }
 }
 
-/// The block on the diagonal and those below, from the column at work.
+/// Computes the block on the diagonal and those below it from the present column.
 template <int unknowns>
 void BlockCholesky<unknowns>::eliminate(FactorPattern const& pattern, std::size_t column) {
   auto const begin = at(pattern.first[column]), end = at(pattern.first[column + 1]);
@@ -102,7 +102,7 @@ void BlockCholesky<unknowns>::eliminate(FactorPattern const& pattern, std::size_
   }
 }
 
-/// A group is next looked at for the first of its last `rows` rows.
+/// Queues a group for the column of the first of its last `rows` rows.
 template <int unknowns>
 void BlockCholesky<unknowns>::queue(FactorPattern const& pattern, std::size_t group,
                                     std::size_t rows) {

@@ -8,10 +8,10 @@
 
 namespace bagnold::quasi_static {
 
-/// The factor L of a positive definite matrix L L^T of `unknowns` x `unknowns` blocks, one for each
-/// disk and each pair that acts: column after column, each from those before it that reach into
-/// its row, three of a group at a time, so that what they are taken off is read and written once
-/// for all of them. Blocks of 3 have a row of zeros below, so that a column fills a register.
+/// Factor L of a positive definite matrix L L^T of `unknowns` x `unknowns` blocks, one for each
+/// disk and each pair that acts. It is computed column by column, each from the earlier ones that
+/// reach into its row, three of a group at a time, so that the column is read and written once for
+/// the three. Blocks of 3 have a row of zeros below, so that a column fills a register.
 template <int unknowns>
 class BlockCholesky {
  public:
@@ -19,18 +19,18 @@ class BlockCholesky {
   using Block = Eigen::Matrix<double, rows, unknowns>;
   using Square = Eigen::Matrix<double, unknowns, unknowns>;
 
-  /// Makes room for a matrix of this pattern, of zeros.
+  /// Allocates a zero matrix of this pattern.
   void clear(FactorPattern const& pattern);
 
-  /// A block of the matrix, by its place in pattern.row.
+  /// Adds a block of the matrix, by its place in pattern.row.
   void add(std::size_t place, Square const& block) {
     factor_[place].template topRows<unknowns>() += block;
   }
 
-  /// Puts L in the place of the matrix.
+  /// Replaces the matrix by L.
   void factorize(FactorPattern const& pattern);
 
-  /// Puts the x of L x = b, or of L^T x = b, in the place of b.
+  /// Replaces b by the solution x of L x = b, or of L^T x = b.
   void solve_lower(FactorPattern const& pattern, Eigen::VectorXd& b) const;
   void solve_upper(FactorPattern const& pattern, Eigen::VectorXd& b) const;
 

@@ -23,8 +23,8 @@ struct Rows {
   }
 };
 
-/// visit(k, i) for every block (i, k) of L below the diagonal, row by row: from each block of the
-/// matrix up the elimination tree, which grows on the way where `parent` has none.
+/// Calls visit(k, i) for every block (i, k) of L below the diagonal, row by row: from each block of
+/// the matrix up the elimination tree, which is extended on the way where `parent` has no entry.
 template <class Visit>
 void each_block(Rows const& rows, std::vector<std::int32_t>& parent, Visit const& visit) {
   std::vector<std::int32_t> seen(parent.size(), none);

@@ -13,9 +13,9 @@ struct Entry {
   friend bool operator==(Entry const&, Entry const&) = default;
 };
 
-/// Which blocks of the Cholesky factor L of a symmetric matrix are not zero: those of the matrix
-/// and those that elimination fills in, by the elimination tree (Davis, Direct Methods for Sparse
-/// Linear Systems, Secs. 4.1-4.4).
+/// Nonzero blocks of the Cholesky factor L of a symmetric matrix: those of the matrix and those
+/// that elimination fills in, by the elimination tree (Davis, Direct Methods for Sparse Linear
+/// Systems, Secs. 4.1-4.4).
 struct FactorPattern {
   std::vector<std::int32_t> first;  ///< [N + 1] of each column in `row`
   std::vector<std::int32_t> row;    ///< of column k: k, then those below, rising
@@ -30,7 +30,7 @@ struct FactorPattern {
     return column + 1;
   }
 
-  /// Where a block is in `row`; it has to be there.
+  /// Place of a block in `row`; it must exist.
   std::size_t find(Entry const& entry) const;
 };
 

@@ -9,9 +9,9 @@
 
 namespace bagnold {
 
-/// The engine of quasi-static steps, for any law that is linear in the velocity. Throws InputError
-/// where the scene asks for what it cannot do, or for a backend that is a device; nullptr if the
-/// build has no such backend.
+/// Engine of quasi-static steps, for any law that is linear in the velocity. Throws InputError for
+/// a scene that it cannot run, or for a backend that is a device; nullptr if the build does not
+/// have the backend.
 std::unique_ptr<Simulation> make_quasi_static(Scene const& scene, Snapshot const& snapshot,
                                               std::string const& backend);
 

@@ -13,16 +13,17 @@ namespace {
 
 constexpr int most_iterations = 80, most_trials = 12;
 
-/// Farthest that disks go while normals stay those of the factor, [d_s]: softest motions are
-/// resisted by inertia alone, 1e-8 of what resists overlaps at a rate of 1e-7.
+/// Largest distance by which disks move while the factor keeps its normals, [d_s]: the softest
+/// motions are resisted by inertia alone, which at a rate of 1e-7 is 1e-8 of the resistance to
+/// overlaps.
 constexpr Real near = 1e-5;
 
-/// A whole step is taken as it is where it leaves no more than `good_share` of the residual; else
-/// the slope along it is brought down to `flat_share`. With a half for the first, CD_rot at 1e-7
-/// takes nearly twice as many iterations (docs/performance_log.md).
+/// A whole step is accepted if it leaves at most `good_share` of the residual; otherwise the slope
+/// along it is reduced to `flat_share`. With good_share = 0.5, CD_rot at 1e-7 takes nearly twice as
+/// many iterations (docs/performance_log.md).
 constexpr Real good_share = 0.1, flat_share = 0.2;
 
-/// Trials along one direction of Newton.
+/// Trials along one Newton direction.
 template <bool Rotates>
 class Line {
  public:
@@ -35,7 +36,7 @@ class Line {
         direction_(std::move(direction)),
         start_{0, equations.residual().dot(direction_), equations.overlap()} {}
 
-  /// Goes to `from + share direction`; the slope there.
+  /// Moves to `from + share direction` and returns the slope there.
   Real go(Real share) {
     u_ = from_ + share * direction_;
     equations_.keep_momentum(u_);
@@ -44,8 +45,9 @@ class Line {
     return equations_.residual().dot(direction_);
   }
 
-  /// From a whole step, with that slope, to where it is flat: flat_share of that at the start. Most
-  /// ways end where contacts close, which are known from the overlaps at both ends.
+  /// Searches from a whole step, with that slope, for a point where the slope is at most flat_share
+  /// of that at the start. Most searches end where contacts close, which follows from the overlaps
+  /// at both ends.
   void search(Real at_end) {
     Trial low = start_, high{1, at_end, equations_.overlap()};
     Real slope = at_end;

@@ -10,12 +10,12 @@ namespace bagnold::quasi_static {
 
 namespace {
 
-/// Each costs a solution; 8 and 32 take as long (docs/performance_log.md).
+/// Each change costs a solution; 8 and 32 take equally long (docs/performance_log.md).
 constexpr std::size_t most_changes = 16;
 
-/// What the motion of each disk of a pair adds to the velocity at their contact, and its matrix:
-/// of disk i G_i = (1, q d_i/(d_i + d_j)), of j (-1, q d_j/(d_i + d_j)), q = -z^ x r_ij of the
-/// spins, along the tangent.
+/// Blocks of a pair: the derivatives G_i, G_j of the velocity at the contact with respect to the
+/// motion of each disk, and the matrix of the contact. With q = -z^ x r_ij along the tangent, for
+/// the spins, G_i = (1, q d_i/(d_i + d_j)) and G_j = (-1, q d_j/(d_i + d_j)).
 template <int unknowns>
 struct PairBlocks {
   Eigen::Matrix<double, 2, unknowns> of_i, of_j;
@@ -36,7 +36,7 @@ struct PairBlocks {
   }
 };
 
-/// visit(then, now) for each pair of two lists, by number; null where one has it not.
+/// Calls visit(then, now) for each pair of two lists, by number; null where one list lacks it.
 template <class Visit>
 void each_of_both(std::vector<ActivePair> const& then, std::vector<ActivePair> const& now,
                   Visit const& visit) {
@@ -71,7 +71,7 @@ void NewtonMatrix<Rotates>::order(std::uint32_t disks, std::vector<NearPair> con
   pattern_ = {};
 }
 
-/// Where the pairs have their blocks; the pattern of before, if these are those of before.
+/// Places the blocks of the pairs; keeps the previous pattern if the pairs are the same.
 template <bool Rotates>
 void NewtonMatrix<Rotates>::lay_out(std::vector<ActivePair> const& active) {
   std::vector<Entry> entries;

@@ -10,9 +10,9 @@
 
 namespace bagnold::quasi_static {
 
-/// The matrix of Newton's iteration, M + h C + h^2 K, and its factor: C the damping of the pairs
-/// that act, K the stiffness of those that touch along their normals. Without the turning of the
-/// normals (prestress), with which it would not be positive definite at first guesses.
+/// Matrix of Newton's iteration, M + h C + h^2 K, and its factor: C the damping of the pairs that
+/// act, K the stiffness of those that touch along their normals. The rotation of the normals
+/// (prestress) is left out: with it the matrix would not be positive definite at first guesses.
 template <bool Rotates>
 class NewtonMatrix {
  public:
@@ -24,15 +24,15 @@ class NewtonMatrix {
 
   void factorize(Eigen::VectorXd const& inertia, std::vector<ActivePair> const& active);
 
-  /// Takes in the contacts that opened and closed in the step since then, without a new factor; all
-  /// else stays as it was, normals too. A contact ij changes the matrix by
+  /// Includes contacts that have opened or closed in the step since the factorization, without a
+  /// new factor; all else stays unchanged, normals too. A contact ij changes the matrix by
   ///
   ///     +-(h^2 k + h k_n) w w^T,   w = n of disk i, -n of disk j
   ///
-  /// Returns whether they are few enough for that; else nothing is done.
+  /// Returns whether they are few enough; otherwise nothing is done.
   bool update(std::vector<ActivePair> const& active);
 
-  /// The u of matrix u = right.
+  /// Solution u of matrix u = right.
   Eigen::VectorXd solve(Eigen::VectorXd const& right) const;
 
  private:

@@ -64,7 +64,7 @@ std::vector<NearPair> PairList::contacts() const {
   return contacts;
 }
 
-/// Within a step the offset may have passed L_x: its images are the same.
+/// Within a step the offset may have passed L_x: the images are the same.
 void PairList::search(Material const& material) {
   ShearedBox reduced = box_;
   bool const beyond = box_.offset >= box_.length;

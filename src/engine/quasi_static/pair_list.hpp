@@ -14,8 +14,8 @@ struct Moment {
   double part = 0;  ///< of the step, 0 to 1
 };
 
-/// The pairs that may touch, and where the disks were when they were searched for: where a step
-/// begins, or where disks fly far within one.
+/// Pairs that may touch, and the positions of the disks at the search: at the beginning of a step,
+/// or within a step in which disks move far.
 class PairList {
  public:
   explicit PairList(double skin) : skin_(skin) {}  ///< [d_s]
@@ -23,23 +23,23 @@ class PairList {
   /// Searches for the pairs of disks in the box at a moment.
   void build(Material const& material, std::vector<Vec2<Real>> position, Moment const& now);
 
-  /// That of a saved list, of a step's begin.
+  /// Builds the list again from saved positions, at the beginning of a step.
   void rebuild(Material const& material, std::vector<Vec2<Real>> position, Clock const& clock,
                std::int64_t step);
 
-  /// The box of a moment, its offset counted from the begin of the step of the list, or from that
-  /// of another list.
+  /// Box at a moment, with its offset counted from the beginning of the step of this list, or of
+  /// another one.
   ShearedBox box(Moment const& now) const { return box(now, mark_); }
   static ShearedBox box(Moment const& now, ShearMark const& mark);
 
-  /// The disk that is farthest from where the mean flow alone would have taken it.
+  /// Disk with the largest non-affine displacement.
   struct Farthest {
     double moved2 = 0;  ///< [d_s^2]
     std::size_t disk = 0;
   };
   Farthest farthest(std::vector<Vec2<Real>> const& position, Moment const& now) const;
 
-  /// Whether no pair can touch that is not in the list, with a share of the skin.
+  /// True if the list holds every pair that can touch, where disks may use `share` of the skin.
   bool holds(std::vector<Vec2<Real>> const& position, Moment const& now, double share = 1) const;
 
   bool is_of(Moment const& now) const { return mark_.step == now.step && part_ == now.part; }

@@ -83,8 +83,8 @@ void QuasiStaticEngine<Rotates>::do_step() {
   if (list_.is_within_a_step()) renew_list(0);  // snapshots have lists of whole steps
 }
 
-/// One step, in parts where Newton's iterations do not converge or a disk outruns a new list: each
-/// half as long, then twice as long again.
+/// Does one step, in parts if Newton's iterations do not converge or a disk outruns a new list:
+/// each part is half as long as the one before; later ones double again.
 template <bool Rotates>
 void QuasiStaticEngine<Rotates>::do_parts() {
   Eigen::VectorXd solved;

@@ -11,8 +11,8 @@
 
 namespace bagnold {
 
-/// Steps of backward Euler, as long as a strain of 1e-3, on one thread of the host: a dense flow
-/// that creeps costs nearly the same per strain at any rate.
+/// Backward Euler steps as long as a strain of 1e-3, on one thread of the host. The cost of a dense
+/// creeping flow per strain is nearly independent of the rate.
 ///
 ///     M (u_n+1 - u_n) = h F(r_n+1, u_n+1),   r_n+1 = r_n + h u_n+1
 ///
@@ -21,8 +21,8 @@ namespace bagnold {
 template <bool Rotates>
 class QuasiStaticEngine final : public Simulation {
  public:
-  /// A start: `snapshot.list_position` empty means no list yet. The bits of a step depend on the
-  /// state and the list alone, so a snapshot needs no memory.
+  /// Starts from a snapshot; an empty `snapshot.list_position` means no list yet. The bits of a
+  /// step depend on the state and the list alone, so a snapshot needs no memory.
   QuasiStaticEngine(quasi_static::Material material, StrainRates const& rates, double time_step,
                     double skin, Snapshot const& snapshot,
                     Real tolerance = quasi_static::default_tolerance);
@@ -36,7 +36,7 @@ class QuasiStaticEngine final : public Simulation {
  private:
   static constexpr int unknowns = quasi_static::StepEquations<Rotates>::unknowns;
 
-  /// Counted for reports, in every checkpoint.
+  /// Counters of reports, in every checkpoint.
   template <class Self, class Visit>
   static void visit_counters(Self& self, Visit const& visit) {
     visit("newton_iterations", self.counts_.iterations);
@@ -45,7 +45,7 @@ class QuasiStaticEngine final : public Simulation {
     visit("halved_steps", self.halved_);
   }
 
-  /// Of the step under way.
+  /// Moment at a part of the present step.
   quasi_static::Moment moment(double part) const { return {clock_, step_, part}; }
   std::uint32_t count() const { return static_cast<std::uint32_t>(position_.size()); }
 

@@ -26,7 +26,7 @@ class RankChanges {
 
   std::vector<RankChange>& changes() { return changes_; }
 
-  /// Once they are all there.
+  /// Factorizes the inner matrix, after all changes have been added.
   void factorize() {
     auto const count = static_cast<Eigen::Index>(changes_.size());
     Eigen::MatrixXd inner(count, count);
@@ -37,7 +37,7 @@ class RankChanges {
     if (count > 0) inner_.compute(inner);
   }
 
-  /// Applies what is between L^-T and L^-1.
+  /// Applies the factor between L^-T and L^-1 to x.
   void correct(Eigen::VectorXd& x) const {
     if (changes_.empty()) return;
     auto const count = static_cast<Eigen::Index>(changes_.size());

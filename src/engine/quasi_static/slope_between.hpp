@@ -15,8 +15,8 @@ struct Trial {
   std::vector<Real> overlap;  ///< d_ij - r_ij, [d_s]
 };
 
-/// The slope between two trials, if overlaps go linearly from one to the other: that of the springs
-/// of pairs that come into contact or out of it, and a rest that is linear,
+/// Slope between two trials, with overlaps linear from one to the other: the springs of pairs that
+/// come into contact or out of it, and a linear rest,
 ///
 ///     R.d (s) = A + B s + sum_ij (k_e/d_ij^2) max(0, delta_ij(s)) d delta_ij/ds
 class SlopeBetween {
@@ -34,7 +34,7 @@ class SlopeBetween {
     }
   }
 
-  /// Where it is zero, as a part of the way between; it rises.
+  /// Zero of the slope, as a share of the way between the trials; the slope increases.
   Real zero() const {
     Real low = 0, high = 1;
     for (int halvings = 0; halvings < 60; ++halvings) {

@@ -26,7 +26,7 @@ struct StepDamping {
 };
 static_assert(PairLaw<StepDamping<true>>);
 
-/// s, from the overlaps d_ij - r_ij before and after the step; 0 where both are apart.
+/// s, from the overlaps d_ij - r_ij before and after the step; 0 if the disks are apart at both.
 inline Real path_in_contact(Real before, Real after) {
   if (before > 0 && after > 0) return 1;
   if (after > 0) return after / (after - before);

@@ -9,7 +9,7 @@
 
 namespace bagnold::quasi_static {
 
-/// What a system is made of.
+/// Constants of the equations: species of each disk and damping.
 struct Material {
   std::vector<Species> species;  ///< [N]
   SpeciesTable table;
@@ -18,7 +18,7 @@ struct Material {
   Real diameter(std::uint32_t i) const { return table.diameter[species[i]]; }
 };
 
-/// Where a step begins, and how long it is.
+/// Beginning and duration of a step.
 struct StepStart {
   std::vector<Vec2<Real>> position;  ///< [N], [d_s]
   Eigen::VectorXd motion;            ///< {v_x, v_y} or {v_x, v_y, thetadot} of each disk
@@ -37,12 +37,12 @@ struct ActivePair {
   Real tangential;        ///< h s_t k_t, [m]
 };
 
-/// The equations of one step of backward Euler, forces at the new positions:
+/// Equations of one step of backward Euler, with forces at the new positions:
 ///
 ///     R(u) = M (u - v) - h F(r + h u, u) = 0
 ///
 /// u: velocities, and spins where disks rotate, at its end; damping: StepDamping. R is the gradient
-/// of a convex function of u, but for the turning of contacts in the step.
+/// of a convex function of u, except for the rotation of contacts in the step.
 template <bool Rotates>
 class StepEquations {
  public:
@@ -50,11 +50,11 @@ class StepEquations {
 
   explicit StepEquations(Material material);
 
-  /// pairs: all that may touch in the step; they have to stay.
+  /// Begins a step. pairs: all that may touch in it; they must outlive the step.
   void begin(StepStart start, std::vector<NearPair> const& pairs);
 
-  /// R(u), [m d_s / tau_e]. glued: pairs that touched when the step began are held by their springs
-  /// also where these are stretched: a first guess that keeps the network together.
+  /// Evaluates R(u), [m d_s / tau_e]. glued: springs of pairs that touched at the beginning of the
+  /// step also pull if they are stretched; a first guess that keeps the network together.
   void evaluate(Eigen::VectorXd const& u, bool glued);
 
   StepStart const& start() const { return start_; }
@@ -64,16 +64,17 @@ class StepEquations {
 
   std::vector<NearPair> const& pairs() const { return *pairs_; }
 
-  /// Of each pair d_ij - r_ij where the step ends; where they are apart, to first order in that.
+  /// Overlap d_ij - r_ij of each pair at the end of the step, [d_s]; (d_ij^2 - r_ij^2)/(2 d_ij),
+  /// equal to first order, for pairs that are apart before and after.
   std::vector<Real> const& overlap() const { return overlap_; }
 
-  /// What a solution is judged by: max |R|/h of forces and torques over the mean elastic force in
-  /// contacts, or where that is less, over (k_n + k_t) gammadot d_s.
+  /// Error of a solution: max |R|/h of forces and torques over the mean elastic force in contacts,
+  /// or over (k_n + k_t) gammadot d_s where the mean force is smaller.
   Real relative_residual() const;
 
   Eigen::VectorXd const& inertia() const { return inertia_; }  ///< M: m, m, I of each disk
 
-  /// Takes off the motion of all that the equations do not allow: sum m (u - v) = 0.
+  /// Removes from u the mean motion that the equations do not allow: sum m (u - v) = 0.
   void keep_momentum(Eigen::VectorXd& u) const;
 
  private:

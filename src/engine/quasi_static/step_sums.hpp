@@ -6,8 +6,8 @@
 
 namespace bagnold::quasi_static {
 
-/// The sums over a configuration where a step ends: pairs with the forces of the step, disks with
-/// their motion. Pairs that came apart in it damp, but are no contacts.
+/// Sums over the configuration at the end of a step: pairs with the forces of the step, disks with
+/// their motion. Pairs that separated in the step have a dissipative force, but are not contacts.
 template <bool Rotates>
 Sums<Rotates> step_sums(Material const& material, std::vector<ActivePair> const& active,
                         std::vector<Vec2<Real>> const& position, Eigen::VectorXd const& motion,
