@@ -10,7 +10,7 @@
 namespace bagnold {
 namespace {
 
-/// Over the eighth of the period that begins at bin b.
+/// Mean over an eighth of the period, beginning at bin b.
 double mean_from(std::span<double const> profile, std::size_t b) {
   std::size_t const width = std::max<std::size_t>(1, profile.size() / 8);
   double sum = 0;

@@ -13,7 +13,7 @@ double wrapped(double theta) { return theta >= first_angle + 360 ? theta - 360 :
 
 std::vector<double> angles() { return even_edges(first_angle, first_angle + 360, 100); }
 
-/// Twenty bins a decade.
+/// Edges of durations, twenty bins a decade.
 std::vector<double> durations() {
   std::vector<double> edges;
   for (double const power : even_edges(-2, 8, 200)) edges.push_back(std::pow(10.0, power));

@@ -7,7 +7,7 @@
 
 namespace bagnold {
 
-/// Counts the contacts of one system by their angles at begin and end, durations and clusters.
+/// Histograms of contacts of one system: angles at their beginning and end, durations and clusters.
 class ContactHistograms {
  public:
   /// time_step: dt, [tau_e].
@@ -19,7 +19,7 @@ class ContactHistograms {
   void save(ObserverState& numbers) const;
   void load(ObserverState const& numbers);
 
-  /// Adds those of the same kind.
+  /// Adds histograms of the same kind.
   void add(ContactHistograms const& other);
 
   std::vector<statistics::Histogram> histograms() const;

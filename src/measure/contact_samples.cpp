@@ -19,7 +19,7 @@ statistics::Samples table(std::string name, std::string description,
           {rows.data(), rows.data() + rows.size()}};
 }
 
-/// From (V_T, V_R, V_N) to the columns that are reported.
+/// Matrix from (V_T, V_R, V_N) to the reported columns.
 Rows columns_of(bool rotates) {
   Rows of(rotates ? 4 : 2, 3);
   if (rotates)
@@ -32,8 +32,8 @@ Rows columns_of(bool rotates) {
   return of;
 }
 
-/// Of each two columns: which they are, their means, and the two eigenvalues of their covariance,
-/// the larger one first, each with its unit vector.
+/// Principal axes of each two columns, a row each: the two columns, their means, and the two
+/// eigenvalues of their covariance, the larger one first, each with its unit vector.
 Rows axes_of(Rows const& mean, Rows const& covariance) {
   auto const n = covariance.rows();
   Rows axes(n * (n - 1) / 2, 10);

@@ -11,18 +11,18 @@
 
 namespace bagnold {
 
-/// An even choice of velocities in contact: of all that are offered those of the least ranks, see
-/// SampleChoice, so that it does not depend on their order.
+/// A uniform choice of velocities in contact: of all that are added it keeps those of the smallest
+/// ranks, see SampleChoice, so that it does not depend on their order.
 class ContactSamples {
  public:
   static constexpr std::size_t most = 5000;  ///< as in P2 Fig. 21
 
   void add(ContactPick const& pick);
 
-  /// Adds those of another system.
+  /// Adds the choice of another system.
   void add(ContactSamples const& other);
 
-  /// Ranks from here on are not kept.
+  /// Smallest rank that is not kept.
   Real limit() const;
 
   std::vector<double> numbers() const;
@@ -37,7 +37,7 @@ class ContactSamples {
 /// Sums of such velocities over gammadot d_s, each of weight 1.
 ContactMotion sums_of(std::vector<ContactVelocities> const& velocities);
 
-/// What a set of velocities in contact is reported as.
+/// Tables of a set of velocities in contact.
 struct VelocityTables {
   std::string name;         ///< `contact_velocities`
   std::string description;  ///< of the rows

@@ -26,7 +26,7 @@ struct FoundVelocities {
   }
 };
 
-/// What is found of the contacts of one system.
+/// Results on the contacts of one system.
 struct FoundContacts final : ContactListener {
   ContactHistograms histograms;
   SampleChoice choice;
@@ -49,7 +49,7 @@ struct FoundContacts final : ContactListener {
   Real limit() const override { return velocities ? velocities->contacts.limit() : 0; }
 };
 
-/// Sums over [d_s / tau_e] as sums over gammadot d_s.
+/// Sums in [d_s / tau_e] converted to sums over gammadot d_s.
 ContactMotion over_rate(ContactMotion motion, double strain_rate) {
   using M = ContactMotion;
   for (int c = M::normal2; c <= M::rotational_normal; ++c)
@@ -144,7 +144,7 @@ class Contacts final : public FrameObserver {
   }
 
  private:
-  // Steps that a double holds; -1 for a contact that is never sampled.
+  // Step number as a double; -1 for a contact that is never sampled.
   static double due_number(std::int64_t due) {
     return due == SampleChoice::never ? -1.0 : static_cast<double>(due);
   }

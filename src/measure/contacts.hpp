@@ -10,8 +10,8 @@
 
 namespace bagnold {
 
-/// A record of contacts for the windows of a system, counting from the end of the discarded strain
-/// on. What it knows is saved and reported with `frames`, though no frame is shown to it. columns:
+/// Record of contacts for the windows of a system, from the end of the discarded strain on. Its
+/// results are saved and reported with `frames`, though it is shown no frame. columns:
 /// Simulation::columns(); seed: of this system.
 std::shared_ptr<ContactRecord> watch_contacts(Scene const& scene, Plan const& plan, int columns,
                                               std::int64_t seed, Frames& frames);

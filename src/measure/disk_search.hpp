@@ -9,7 +9,7 @@
 
 namespace bagnold {
 
-/// Frames are rare: they are measured on one thread of the host, in the order of the disks.
+/// Frames are rare, so they are measured on one thread of the host, in the order of the disks.
 using FrameSpace = Kokkos::Serial;
 
 /// Search of all disks within d_ij + reach of a disk, [d_s]. The state's disks are in the box,

@@ -9,10 +9,10 @@
 
 namespace bagnold {
 
-/// What each disk contributes to the sums over pairs of SumColumns (the elastic and dissipative
-/// ones and `contacts`) in the step that begins at `state`, by the scene's scheme: half of each of
-/// its pairs, so that the sum over disks is what an engine adds to those of the box.
-/// [N], in units of SumColumns; its columns of single disks are 0. state: in the box.
+/// Contribution of each disk to the sums over pairs of SumColumns (the elastic and dissipative ones
+/// and `contacts`), in the step that begins at `state`, by the scene's scheme. A disk has half of
+/// each of its pairs, so that the sum over disks is the engine's sum. [N], in units of SumColumns;
+/// columns of single disks are 0. state: in the box.
 std::vector<Sums<false>> disk_stress(Scene const& scene, State const& state);
 
 }  // namespace bagnold

@@ -56,7 +56,7 @@ void EachFrame::load(ObserverState const& numbers) {
 
 void EachFrame::report(std::vector<FrameObserver const*> const& systems,
                        FrameResults& results) const {
-  std::size_t frames = this->frames();  // that all systems have seen
+  std::size_t frames = this->frames();  // shown to all systems
   for (auto const* system : systems)
     frames = std::min(frames, dynamic_cast<EachFrame const&>(*system).frames());
   if (frames == 0) return;

@@ -11,13 +11,13 @@
 
 namespace bagnold {
 
-/// What an observer finds on each frame by itself, where the strain rate changes from frame to
-/// frame: histograms and profiles with a leading axis for frames, and the table
-/// `ramp_frames` of what these are. Samples of the observer are left out. What an observer gathers
-/// between frames, as contacts that end, is of the time since the frame before.
+/// Results of an observer on each frame separately, where the strain rate changes from frame to
+/// frame: histograms and profiles with a leading axis for frames, and the table `ramp_frames` of
+/// the frames. Samples of the observer are left out. Data gathered between frames, such as contacts
+/// that end, belong to the time since the previous frame.
 class EachFrame final : public FrameObserver {
  public:
-  /// name: of the observer among what is saved. plan: of a ramp.
+  /// name: of the observer in saved numbers. plan: of a ramp.
   EachFrame(std::string name, std::unique_ptr<FrameObserver> observer, Plan const& plan)
       : name_(std::move(name)), observer_(std::move(observer)), plan_(plan) {}
 

@@ -6,8 +6,8 @@
 
 namespace bagnold {
 
-/// Local packing fraction and strain rate of the disks: histograms over all frames, and the fields
-/// of the last one, for a picture; of several systems, of the first.
+/// Local packing fraction and strain rate of the disks: histograms over all frames, and for a
+/// picture the fields of the last frame; of several systems, those of the first.
 class Fields final : public FrameObserver {
  public:
   /// The box is least_box_for_fields() wide at least.

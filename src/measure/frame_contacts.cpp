@@ -13,7 +13,7 @@ FrameContacts frame_contacts(Scene const& scene, Frame const& frame, ContactReco
   for (auto& contact : contacts) {
     auto const* const open = record->table.find(contact.i, contact.j);
     if (open != nullptr && open->begin == 0) continue;  // since the start, or longer
-    // not told yet: it begins in this configuration
+    // not recorded yet: it begins in this configuration
     auto const steps = open == nullptr ? 0 : frame.step - open->begin;
     contact.age = time_step * static_cast<double>(steps);
   }

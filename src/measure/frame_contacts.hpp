@@ -8,8 +8,8 @@
 
 namespace bagnold {
 
-/// The contacts of a frame with their forces by the scene's law, by i, then j. record: of its run,
-/// which knows since when they last; none: ages are NaN. time_step: dt, [tau_e].
+/// Contacts of a frame with their forces by the scene's law, by i, then j. record: of its run, from
+/// which ages follow; null: ages are NaN. time_step: dt, [tau_e].
 FrameContacts frame_contacts(Scene const& scene, Frame const& frame, ContactRecord const* record,
                              double time_step);
 

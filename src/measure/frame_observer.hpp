@@ -14,58 +14,59 @@
 
 namespace bagnold {
 
-/// A configuration that observers are shown.
+/// A configuration that is shown to observers.
 struct Frame {
   State const& state;     ///< disks in the box, with its strain rate
   std::int64_t step = 0;  ///< true one, at or after the one asked for
   double strain = 0.0;    ///< since step 0
 };
 
-/// What observers know, by name, as a checkpoint keeps it.
+/// Numbers of observers by name, as a checkpoint keeps them.
 using ObserverState = std::map<std::string, std::vector<double>>;
 
-/// What observers found, beside observables.
+/// Results of observers besides observables.
 struct FrameResults {
   std::vector<statistics::Histogram> histograms;
   std::vector<statistics::Profile> profiles;
   std::vector<statistics::Samples> samples;
 };
 
-/// Measures something on a frame now and then.
+/// Measures a quantity on frames.
 class FrameObserver {
  public:
   virtual ~FrameObserver() = default;
 
   virtual void add(Frame const& frame) = 0;
 
-  /// Adds all it needs to go on bit for bit. Called right before each checkpoint: what lies in
-  /// files of its own must be on the disk when it returns.
+  /// Adds all numbers that a bit-for-bit restart needs. Called right before each checkpoint: data
+  /// in files of its own must be on the disk when it returns.
   virtual void save(ObserverState& numbers) = 0;
 
-  /// The inverse, before the first frame of a resumed run.
+  /// Inverse of save(), before the first frame of a resumed run.
   virtual void load(ObserverState const& numbers) = 0;
 
-  /// Forgets the frames before this strain, as if it had not been shown them: of a run that was
-  /// made longer more is discarded. Those that cannot tell their frames apart forget all, and are
-  /// asked only where no other frame was shown.
+  /// Forgets the frames before this strain, as more of a run that was made longer is discarded.
+  /// Observers that cannot separate their frames forget all, and are called only if no later frame
+  /// was shown.
   virtual void forget_before(double /*strain*/) {}
 
-  /// What of its files is no longer as it was saved, and what to do; empty: nothing. The run goes
-  /// on.
+  /// Message on files of the observer that are no longer as they were saved, and what to do; empty
+  /// if there are none. The run continues.
   virtual std::string lost() const { return {}; }
 
-  /// Adds what has been found so far. systems: observers of its kind, [R], of each system one,
-  /// itself the first; errors are those of statistics/replicas.hpp.
+  /// Adds the results so far. systems: observers of its kind, [R], one of each system, itself the
+  /// first; errors are those of statistics/replicas.hpp.
   virtual void report(std::vector<FrameObserver const*> const& systems,
                       FrameResults& results) const = 0;
 
-  /// Numbers that it measures, from a table whose rows are its frames.
+  /// Observables that it measures, from a table whose rows are its frames.
   virtual std::vector<SampledObservable> observables() const { return {}; }
 
-  /// The record of contacts of its system, if there is one, before the first frame.
+  /// Passes the record of contacts of its system, if there is one, before the first frame.
   virtual void know_contacts(std::shared_ptr<ContactRecord const> const& /*record*/) {}
 
-  /// A run begins that is not resumed; its last frame has been shown; all its results are written.
+  /// Called when a run begins that is not resumed; after its last frame; and after all its results
+  /// are written.
   virtual void begin() {}
   virtual void finish() {}
   virtual void tidy() {}

@@ -11,28 +11,28 @@
 
 namespace bagnold {
 
-/// Which observers are shown which configurations of one simulation.
+/// Observers of one simulation, and the configurations that each of them sees.
 ///
 /// An observer sees the first configuration at or after each multiple of its spacing at which the
-/// engine can stop; where windows are longer than the spacing, multiples share a frame. That does
-/// not depend on how the run is cut into calls, if each goes no further than next().
+/// engine can stop; where windows are longer than the spacing, multiples share a frame. The frames
+/// do not depend on how the run is cut into calls, if no call goes beyond next().
 class Frames {
  public:
-  /// plan: of the run, which tells the strain of a step.
+  /// plan: of the run, for the strain of a step.
   explicit Frames(Plan const& plan = {}) : plan_(plan) {}
 
   /// spacing: [steps], 1 at least. Frames before first_step are not shown.
   void add_observer(std::unique_ptr<FrameObserver> observer, std::int64_t spacing,
                     std::int64_t first_step = 0);
 
-  /// The first step after `step` that an observer waits for.
+  /// First step after `step` at which an observer is due.
   std::int64_t next(std::int64_t step) const;
 
-  /// Shows the configuration to all that have waited for one since step `from`, which they have
-  /// seen; -1: since before step 0.
+  /// Shows the configuration to all observers that became due after step `from`, at which the last
+  /// one was shown; -1: before step 0.
   void show(Simulation const& simulation, std::int64_t from);
 
-  /// To all observers, see FrameObserver.
+  /// Calls all observers, see FrameObserver.
   void know_contacts(std::shared_ptr<ContactRecord const> const& record);
   void begin();
   ObserverState save();
@@ -42,7 +42,7 @@ class Frames {
   void finish();
   void tidy();
 
-  /// What the same observers found on the frames of several systems, [R], one at least.
+  /// Joins the results of the same observers over the frames of several systems, [R], at least one.
   static FrameResults join(std::vector<Frames const*> const& systems);
   static std::vector<SampledObservable> observables(std::vector<Frames const*> const& systems);
 
@@ -61,7 +61,7 @@ class Frames {
   std::vector<Observed> observed_;
 };
 
-/// What observers of one kind measure, [R], of each system one.
+/// Observables of observers of one kind, [R], one of each system.
 std::vector<SampledObservable> joined_observables(std::vector<FrameObserver const*> const& systems);
 
 }  // namespace bagnold

@@ -14,7 +14,7 @@ namespace bagnold {
 
 namespace {
 
-/// Every disk that reaches into a circle about a small one is within d_ij + this.
+/// Reach of the search: every disk that overlaps a circle about a small disk is within d_ij + this.
 constexpr double search_reach = field_radius - small_diameter / 2;
 
 /// Weighted sums for the plane w = a + b x + c y.
@@ -35,7 +35,7 @@ struct PlaneFit {
     yw += weight * at.y * value;
   }
 
-  /// c; NaN where it is open.
+  /// c; NaN if it is not determined.
   double slope_y() const {
     double const XX = xx - x * x / n, XY = xy - x * y / n, YY = yy - y * y / n;
     double const XW = xw - x * w / n, YW = yw - y * w / n;

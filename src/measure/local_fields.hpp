@@ -14,8 +14,8 @@ struct LocalFields {
   /// twice.
   std::vector<double> packing_fraction;
   /// [N], [1/tau_e]: slope in y of the plane that fits v_x best (least squares, in x and y) of all
-  /// disks that reach into the circle, each weighted with its area in it; NaN where fewer than
-  /// three disks, or disks on a line, leave it open.
+  /// disks that overlap the circle, each weighted by its area in it; NaN if fewer than three disks,
+  /// or disks on a line, do not determine it.
   std::vector<double> strain_rate;
 };
 

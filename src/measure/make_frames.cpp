@@ -16,8 +16,8 @@ namespace bagnold {
 
 namespace {
 
-/// What of a scene the motion of one system goes by: not how long it is, nor what is measured, so
-/// that a run that is made longer writes it as before.
+/// Text of the keys on which the motion of one system depends. It leaves out the length of the run
+/// and what is measured, so that a run that is made longer has the same text.
 std::string motion_of(Scene scene) {
   scene.disks.replicas = 1;
   std::istringstream lines(write_scene(scene));

@@ -10,9 +10,9 @@
 
 namespace bagnold {
 
-/// The observers that a scene switches on, for a system that starts from this state: of those in
-/// `measure` from the end of the discarded strain on, of the trajectory from step 0 on. trajectory:
-/// its file, NAME.h5md. version: of Bagnold.
+/// Observers of a scene, for a system that starts from this state: those in `measure` from the end
+/// of the discarded strain on, the trajectory from step 0 on. trajectory: its file, NAME.h5md.
+/// version: of Bagnold.
 Frames make_frames(Scene const& scene, Plan const& plan, State const& start,
                    std::filesystem::path const& trajectory, std::string const& version);
 

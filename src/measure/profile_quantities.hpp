@@ -23,8 +23,8 @@ struct ProfileQuantity {
 /// All quantities of a run at one strain rate, [1/tau_e]; that of the spin only where disks rotate.
 ///
 /// The mean flow of a slice, (w + gammadot y, v_y), is that of its mass, a straight line in y
-/// fitted to all frames together; the kinetic stress is about it, so neither shear within a slice
-/// nor the few disks a frame has there count as heat or take from it.
+/// fitted to all frames together. The kinetic stress is relative to this flow, so neither shear
+/// within a slice nor the small number of disks of a frame in it biases the granular temperature.
 std::vector<ProfileQuantity> profile_quantities(Slices const& slices, double strain_rate,
                                                 bool rotates);
 

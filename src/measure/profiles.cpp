@@ -18,7 +18,7 @@ using C = SliceColumns;
 using Averages = std::span<double const>;
 constexpr std::size_t columns = C::count;
 
-/// w = v_x - gammadot y in each slice of one frame; an empty one does not pull.
+/// w = v_x - gammadot y in each slice of one frame; 0 in an empty slice.
 std::vector<double> excess(Slices const& slices, std::vector<double> const& sums) {
   std::vector<double> w;
   for (std::size_t b = 0; b < slices.n; ++b) {
@@ -28,7 +28,7 @@ std::vector<double> excess(Slices const& slices, std::vector<double> const& sums
   return w;
 }
 
-/// The columns of a slice between those of the slices beside it, around the period.
+/// Columns of a slice between those of the adjacent slices, in the periodic order.
 void take_three(Slices const& slices, std::size_t b, Averages all, std::vector<double>& three) {
   three.clear();
   for (std::size_t const k : {b + slices.n - 1, b, b + 1}) {
@@ -47,7 +47,8 @@ std::vector<double> profile(Slices const& slices, ProfileQuantity const& quantit
   return values;
 }
 
-/// The frames as seen by three slices, so that a jackknife does not carry all the others along.
+/// Frames with the columns of three slices, so that a jackknife does not carry all the others
+/// along.
 statistics::Windows frames_of_three(Slices const& slices, std::size_t b,
                                     statistics::Windows const& frames) {
   statistics::Windows three{3 * columns, {}, {}};

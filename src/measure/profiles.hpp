@@ -13,10 +13,10 @@ namespace bagnold {
 
 /// Profiles over y of flow, packing and stress, and the shares of the bands (P2 Fig. 28, App. B).
 ///
-/// Bands drift. So every profile is kept twice: as the box has it, and, under NAME_aligned, with
-/// each frame moved so that the centre of the band that shears fastest is at y = L/2. Moving each
-/// frame by its own noise makes a weak band out of none: where there are no bands, look at the
-/// first.
+/// Bands drift. Every profile is therefore kept twice: in the frame of the box and, as
+/// NAME_aligned, with each frame shifted so that the centre of the band that shears fastest is at y
+/// = L/2. This shift follows noise too and makes a weak band where there is none: check the
+/// unshifted profile first.
 class Profiles final : public FrameObserver {
  public:
   Profiles(Scene const& scene, Slices const& slices);

@@ -9,8 +9,8 @@
 
 namespace bagnold {
 
-/// What is summed over the disks whose centre lies in a slice of y; only `area` is cut at its
-/// edges. w = v_x - gammadot y does not change when a disk crosses the edge of the box in y; h is
+/// Sums over the disks whose centre lies in a slice of y; only `area` is cut at the edges of the
+/// slice. w = v_x - gammadot y does not change when a disk crosses the edge of the box in y; h is
 /// the distance from the middle of the slice.
 struct SliceColumns {
   enum : int {
@@ -39,7 +39,7 @@ struct SliceColumns {
   };
 };
 
-/// Equal slices of the box in y: as many as are 1.5 d_s thick at least, and 8 at least.
+/// Equal slices of the box in y: as many as are at least 1.5 d_s thick, and at least 8.
 struct Slices {
   double width;   ///< L_x, [d_s]
   double height;  ///< L_y, [d_s]
@@ -53,8 +53,8 @@ struct Slices {
   }
 };
 
-/// The columns of every slice, [n][SliceColumns::count]; slice 0 begins at y = origin, in 0 .. L_y.
-/// mass: [N]; stress: what disk_stress() gives, [N].
+/// Columns of every slice, [n][SliceColumns::count]; slice 0 begins at y = origin, in 0 .. L_y.
+/// mass: [N]; stress: from disk_stress(), [N].
 std::vector<double> slice_sums(Slices const& slices, State const& state,
                                std::vector<double> const& mass,
                                std::vector<Sums<false>> const& stress, double origin);

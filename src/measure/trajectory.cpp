@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Held where HDF5 is used while systems are worked on: not every build of it bears two threads.
+/// Locked where HDF5 is used while systems are stepped: not every build of it is thread-safe.
 std::mutex one_at_a_time;
 
 constexpr std::size_t increment = std::size_t{1} << 16;  ///< of a part in memory, [bytes]
@@ -68,7 +68,8 @@ void Trajectory::add(Frame const& frame) {
   if (open_->bytes() >= part_bytes_) write_part();
 }
 
-/// Of a resumed run. Where the last part is lost, which is told, images begin anew.
+/// Continues the trajectory of a resumed run. If the last part is lost, which lost() reports,
+/// images begin anew.
 void Trajectory::go_on_from_parts() {
   try {
     auto image = read_part(hashes_.size() - 1);
@@ -130,7 +131,7 @@ void Trajectory::load(ObserverState const& numbers) {
   outdated_ = joined() && !hashes_.empty() && parts_are_whole();
 }
 
-/// Frames beyond the checkpoint's are left out: a longer run may have stopped for them elsewhere.
+/// Frames beyond the checkpoint's are left out: a longer run may have its frames elsewhere.
 void Trajectory::take_apart() {
   auto const last = last_step_;
   hashes_.clear();

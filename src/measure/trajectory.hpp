@@ -14,17 +14,17 @@
 
 namespace bagnold {
 
-/// Frames on the disk: in parts while a run goes on, NAME.parts/000000_HASH.h5md and so on, and one
-/// file NAME.h5md in the end.
+/// Frames on the disk: in parts during a run, NAME.parts/000000_HASH.h5md and so on, and one file
+/// NAME.h5md in the end.
 ///
 /// A part is built in memory and written as a whole, sealed, before each checkpoint and when it has
-/// grown to `part_bytes`. A checkpoint tells the hash of every part that it counts. No part takes
-/// the place of one that an older checkpoint, or one that could not be read for once, counts; those
-/// of other lineages are removed when no checkpoint can count them any more. Every part is a
-/// trajectory of its own. Nothing is copied but once, at the end.
+/// grown to `part_bytes`. A checkpoint holds the hash of every part that it counts. No part
+/// replaces one that an older checkpoint counts, or one that could not be read; parts of other
+/// lineages are removed when no checkpoint can count them any more. Every part is a trajectory of
+/// its own. Data are copied once, at the end.
 ///
-/// Where a finished run is made longer, NAME.h5md becomes parts again at the first new frame, those
-/// frames of it that the checkpoint counts; it is removed when a checkpoint counts these parts.
+/// If a finished run is made longer, NAME.h5md becomes parts again at the first new frame: those
+/// frames of it that the checkpoint counts. It is removed when a checkpoint counts these parts.
 class Trajectory final : public FrameObserver {
  public:
   using Contacts = std::function<FrameContacts(Frame const&, ContactRecord const*)>;
@@ -34,21 +34,21 @@ class Trajectory final : public FrameObserver {
   Trajectory(std::filesystem::path file, io::TrajectoryHeader header, std::size_t part_bytes,
              Contacts contacts = {});
 
-  /// Those of several systems may be called by threads of their own.
+  /// Adds a frame. Trajectories of several systems may be called from different threads.
   void add(Frame const& frame) override;
   void know_contacts(std::shared_ptr<ContactRecord const> const& record) override;
   void save(ObserverState& numbers) override;
   void load(ObserverState const& numbers) override;
   void report(std::vector<FrameObserver const*> const&, FrameResults&) const override {}
 
-  /// The first part that the checkpoint counts and that is not there as it was, and what to do.
+  /// First part that the checkpoint counts and that is missing or changed, and what to do.
   std::string lost() const override;
 
-  /// Drops what an earlier run left.
+  /// Removes files of an earlier run.
   void begin() override;
 
   /// Joins the parts into NAME.h5md, and writes NAME.vtkhdf beside it, unless that has been done.
-  /// FileError where a part is lost, or the disk fails: the parts are left as they are.
+  /// FileError if a part is lost, or the disk fails: the parts are then left unchanged.
   void finish() override;
 
   /// Removes the parts.

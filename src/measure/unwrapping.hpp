@@ -10,19 +10,19 @@
 
 namespace bagnold {
 
-/// Images of disks along frames, as H5MD has them: position + image . (cell vectors) follows a disk
-/// through the boundaries. Frames hold disks in the box, so each disk is taken to go, from one
-/// frame to the next, the way nearest to the mean flow:
+/// Images of disks along frames, as in H5MD: position + image . (cell vectors) follows a disk
+/// through the boundaries. Frames hold disks in the box, so each disk is assumed to move, from one
+/// frame to the next, by the displacement nearest to the mean flow:
 ///
 ///     y += nearest image,    x += dgamma (y_before + y_after) / 2 + nearest image
 ///
-/// right as long as its displacement against the mean flow stays below half the box.
+/// This is right as long as its displacement relative to the mean flow stays below half the box.
 class Unwrapping {
  public:
   /// Images of the next frame, zero in the first. strain: gamma of the frame.
   io::Images next(State const& state, double strain);
 
-  /// Goes on behind a frame whose images are known.
+  /// Continues after a frame whose images are known.
   void go_on_from(State const& state, double strain, io::Images images);
 
   bool begun() const { return begun_; }
