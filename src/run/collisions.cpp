@@ -10,8 +10,8 @@ namespace bagnold {
 
 namespace {
 
-/// How long two small disks touch in a head-on collision, [tau_e]: half a period of the damped
-/// oscillator; where it is overdamped the time to relax. No contact is much shorter.
+/// Duration of a head-on collision of two small disks, [tau_e]: half a period of the damped
+/// oscillator, or the relaxation time where it is overdamped. No contact is much shorter.
 double head_on_duration(Scene const& scene) {
   ContactRates const r(scene);
   double const rate = r.normal / 2;  // of the velocity's decay

@@ -5,12 +5,13 @@
 
 namespace bagnold {
 
-/// Collisions of a disk after which its velocity is that of the flow and not of the start.
+/// Number of collisions after which the velocity of a disk is that of the flow and not of the
+/// start.
 inline constexpr double fewest_collisions = 10;
 
-/// How often a disk collides at most in a strain, with so many contacts Z at a time: Z = 2 tau_dur
-/// nu_coll, a disk has part in 2 nu_coll, and tau_dur is a head-on collision's of two small disks
-/// at least.
+/// Largest number of collisions of a disk in a strain, at a contact number Z: Z = 2 tau_dur
+/// nu_coll, a disk takes part in 2 nu_coll, and tau_dur is at least that of a head-on collision of
+/// two small disks.
 double collisions_per_disk(Scene const& scene, double contacts, double strain);
 
 }  // namespace bagnold

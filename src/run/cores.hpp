@@ -3,14 +3,14 @@
 
 namespace bagnold {
 
-/// Cores that this process may use, at least 1: those of the affinity mask that it was started with
-/// (taskset, Slurm, cpusets), or the whole cores that the CPU quota of its control groups pays for,
-/// where these are fewer.
+/// Number of cores that this process may use, at least 1: those of its initial affinity mask
+/// (taskset, Slurm, cpusets), or the whole cores within the CPU quota of its control groups, if
+/// these are fewer.
 int cores();
 
 /// Gives the calling thread the affinity mask that the process was started with. OpenMP binds the
-/// first thread of a program to one core before main() where OMP_PROC_BIND, OMP_PLACES or
-/// GOMP_CPU_AFFINITY say so, and threads and processes that are made later inherit that.
+/// first thread of a program to one core before main() if OMP_PROC_BIND, OMP_PLACES or
+/// GOMP_CPU_AFFINITY are set, and threads and processes that are made later inherit that.
 void use_all_cores();
 
 /// The same for a new thread of a program's own, for as long as it lives. OpenMP binds such a

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr double no_quota = std::numeric_limits<double>::infinity();
 
-/// A hierarchy of groups that may have quotas, and the group of this process in it.
+/// A hierarchy of control groups that may have quotas, and the group of this process in it.
 struct Hierarchy {
   int version;
   fs::path mount;  ///< where `top` is seen
@@ -79,7 +79,7 @@ double quota_v1(fs::path const& folder) {
   return first >> quota && second >> period && quota > 0 && period > 0 ? quota / period : no_quota;
 }
 
-/// The group below what is mounted; in a container both may be named from the host's root.
+/// Group below the mounted one; in a container both may be named from the host's root.
 fs::path below(std::string const& top, std::string const& group) {
   if (top == "/") return fs::path(group).relative_path();
   return group.starts_with(top) ? fs::path(group.substr(top.size())).relative_path() : fs::path();

@@ -5,9 +5,9 @@
 
 namespace bagnold {
 
-/// Cores worth of time that the control groups of this process allow: the least quota of its groups
-/// and their parents, of version 1 and 2; infinity where there is none. `root` is "/", or a tree
-/// that stands for it.
+/// Number of cores within the CPU quota of this process: the least quota of its control groups and
+/// their parents, of version 1 and 2; infinity if there is none. `root` is "/", or a tree that
+/// stands for it.
 double cpu_quota(std::filesystem::path const& root = "/");
 
 }  // namespace bagnold

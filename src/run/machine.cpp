@@ -36,7 +36,7 @@ int most_openmp_threads() {
 #endif
 }
 
-/// False where all are there.
+/// Reduces `threads` to those that can be made. Returns false if all can.
 bool leave_out_threads(int& threads) {
   int const most = most_openmp_threads();
   if (threads <= most) return false;
@@ -71,7 +71,7 @@ Machine choose_for_replicas(Machine machine, Scene const& scene) {
   return machine;
 }
 
-/// What of the environment would give Kokkos other threads than these is put aside.
+/// Removes settings from the environment that would give Kokkos another number of threads.
 void free_from_environment([[maybe_unused]] int threads) {
   for (auto const* name : {"KOKKOS_NUM_THREADS", "KOKKOS_DISABLE_WARNINGS"}) unsetenv(name);
 #ifdef _OPENMP
@@ -81,8 +81,8 @@ void free_from_environment([[maybe_unused]] int threads) {
 #endif
 }
 
-/// OpenMP ends the program with exit(1) where the system makes no more threads. While this lives
-/// that end has words and a code of ours.
+/// OpenMP ends the program with exit(1) if the system makes no more threads. While this object
+/// lives that exit has a message and an exit code of this program.
 class StartingThreads {
  public:
   explicit StartingThreads(int threads) {

@@ -24,13 +24,13 @@ double& last_strain(Scene& scene) {
   return strain.back();
 }
 
-/// A list only where it says more than a number.
+/// Replaces a list of equal strains by a number.
 void make_plain(Strain& strain) {
   if (std::ranges::count(strain.each, strain.each.front()) == std::ssize(strain.each))
     strain = strain.each.front();
 }
 
-/// What measures on frames, or on contacts, and keeps sums of all of them.
+/// Names of the measurements on frames or contacts that keep sums over all frames.
 std::string sums_of_frames(Scene const& scene) {
   std::vector<std::string> names;
   if (scene.measure.contacts) names.emplace_back("measure.contacts");
@@ -156,7 +156,7 @@ void refuse_longer(RunFolder const& folder, Scene const& after) {
 
 void make_longer(RunFolder const& folder, Scene const& after) {
   refuse_longer(folder, after);
-  io::remove_file(folder.summary());  // first: without it the run is one to go on with
+  io::remove_file(folder.summary());  // first: without it the run counts as unfinished
   io::replace_text(folder.scene(), write_scene(after));
 }
 

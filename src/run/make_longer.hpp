@@ -10,26 +10,25 @@
 #include "src/io/checkpoint.hpp"
 #include "src/run/run_folder.hpp"
 
-/// A run that goes on beyond its strain: with the bits of one that was as long from its start.
+/// A run that continues beyond its strain, with the bits of one that was as long from its start.
 ///
-/// Its last checkpoint lies before a lookahead that the end of the run cut short (LegEnd::whole),
-/// so that what was stepped through on the way to that end is stepped through anew, and the window
-/// that the end made shorter is open again.
+/// Its last checkpoint is before a lookahead that the end of the run cut short (LegEnd::whole). The
+/// steps to that end are done again, and the window that the end cut short is open again.
 namespace bagnold {
 
-/// The scene with so much strain; of a cascade at its last rate. The scene itself where it has that
-/// already. InputError where it has more, or is a ramp's. `folder` is for messages.
+/// Scene with this strain; of a cascade at its last rate. Unchanged if it has that strain already.
+/// InputError if it has more, or is a ramp's. `folder` is for messages.
 Scene with_strain(Scene scene, double strain, std::string const& folder);
 
-/// Whether `after` is `before` with more shear.strain, and else the same.
+/// True if `after` is `before` with more shear.strain and no other change.
 bool is_longer(Scene const& before, Scene const& after);
 
-/// What is known of a run that is to be made longer, and what it will be.
+/// A run that is to be made longer, before and after.
 struct Longer {
   Scene before, after;
   Plan plan_before, plan_after;
 
-  /// The plans of two scenes of one run. InputError where `after` is more than can be run.
+  /// Makes the plans of two scenes of one run. InputError if `after` is more than can be run.
   Longer(Scene before, Scene after);
 
   bool discards_more() const { return first_step(plan_before) != first_step(plan_after); }
@@ -38,10 +37,10 @@ struct Longer {
   /// that it would keep.
   void refuse_mixed_frames(io::Checkpoint const& from) const;
 
-  /// The window that the end cut short is opened again.
+  /// Opens the window again that the end cut short.
   void reopen_last_window(io::SystemCheckpoint& system) const;
 
-  /// What of the results depends on the length, a line each.
+  /// Remarks on results that depend on the length, a line each.
   std::vector<std::string> remarks(io::Checkpoint const& from) const;
 
  private:
@@ -53,12 +52,12 @@ struct Longer {
 /// Throws InputError where the run in a folder cannot be made longer.
 void refuse_longer(RunFolder const& folder, Scene const& after);
 
-/// Prepares a folder of one run for go_on_in() with the longer scene: checks, then drops what only
-/// a finished run has and writes scene.toml. A kill on the way leaves the run as it was,
-/// unfinished, or longer. Throws InputError.
+/// Prepares a folder of one run for go_on_in() with the longer scene: checks, then removes the
+/// files that only a finished run has, and writes scene.toml. A kill during this leaves the run as
+/// it was, unfinished, or longer. Throws InputError.
 void make_longer(RunFolder const& folder, Scene const& after);
 
-/// What a finished run has and one that goes on has not: summary, last state, pictures.
+/// Removes the files that only a finished run has: summary, last state, pictures.
 void drop_results(RunFolder const& folder);
 
 }  // namespace bagnold

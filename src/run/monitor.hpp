@@ -12,11 +12,12 @@
 
 namespace bagnold {
 
-/// How a call to run a scene ends; a failure is thrown.
+/// End of a call to run a scene; failures are thrown.
 enum class RunEnd { done, stopped };
 
-/// What a run tells whoever called it, and asks about twenty times a second, all by the thread that
-/// called it. Steps are those of all replicas together. As it is, nobody listens or stops the run.
+/// Interface from a run to its caller. The run reports progress and asks about twenty times a
+/// second, always from the calling thread. Steps count all replicas together. The default does
+/// nothing and never stops the run.
 class RunMonitor {
  public:
   virtual ~RunMonitor() = default;
@@ -24,10 +25,10 @@ class RunMonitor {
   virtual bool stop_requested() { return false; }        ///< with a checkpoint
   virtual bool checkpoint_requested() { return false; }  ///< since this was last asked
 
-  /// What the run does now, a line.
+  /// Present activity of the run, one line.
   virtual void status(std::string const&) {}
 
-  /// A run, or a stage of a cascade, begins to step or goes on from some step.
+  /// Called when a run, or a stage of a cascade, begins to step or continues from a step.
   virtual void begin(Scene const&, Plan const&, std::int64_t) {}
   virtual void progress(std::int64_t) {}
   virtual void end(std::int64_t) {}

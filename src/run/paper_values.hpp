@@ -17,7 +17,7 @@ struct PaperValue {
   std::function<double(std::span<double const>)> value;  ///< ours, of the averages
 };
 
-/// What the papers state for a scene; numbers read off pictures are not among them.
+/// Values of the papers for a scene; numbers read off figures are not among them.
 std::vector<PaperValue> paper_values(Scene const& scene, std::vector<Observable> const& list);
 
 }  // namespace bagnold

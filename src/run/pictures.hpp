@@ -6,14 +6,14 @@
 
 namespace bagnold {
 
-/// Draws the pictures of a finished run that its scene asks for and its folder lacks; a warning
-/// where one cannot be drawn.
+/// Draws the pictures of a finished run that its scene requests and its folder lacks; warns if one
+/// cannot be drawn.
 void draw_missing_pictures(RunFolder const& folder, Scene const& scene);
 
-/// Whether the scene measures what histograms.png shows.
+/// True if the scene measures something that histograms.png shows.
 bool makes_histograms(Scene const& scene);
 
-/// Removes these pictures, whether the scene asks for them or not.
+/// Removes these pictures, whether the scene requests them or not.
 void drop_pictures(RunFolder const& folder);
 
 }  // namespace bagnold

@@ -12,16 +12,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Whether a Python or its libraries are missing, by why it failed.
+/// True if a call failed because Python or its libraries are missing.
 bool lacks_library(std::string const& reason) {
   for (auto const* words : {"No module named", "cannot be started", "ImportError"})
     if (reason.find(words) != std::string::npos) return true;
   return false;
 }
 
-/// `python -m bagnold plot`, which knows by the names what is to be drawn. Tries the Pythons there
-/// are; what went wrong, with the last line of each, or "". Errors of Python are shown unless
-/// `quiet`.
+/// Calls `python -m bagnold plot`, which selects the picture by the names. Tries the existing
+/// Pythons; returns the failures, with the last line of each, or "". Errors of Python are shown
+/// unless `quiet`.
 std::string draw(fs::path const& data, fs::path const& target, bool quiet = true,
                  std::vector<std::string> const& options = {}) {
   if (auto const wrong = wrong_python_package(); !wrong.empty())

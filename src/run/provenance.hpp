@@ -5,7 +5,7 @@
 
 namespace bagnold {
 
-/// What made a result.
+/// Program, build and machine that made a result.
 struct Provenance {
   std::string version;   ///< of Bagnold
   std::string git;       ///< hash, with "-dirty" where files were changed

@@ -70,7 +70,7 @@ namespace {
 
 constexpr std::size_t most_kept = 1 << 16;  // of stderr, bytes
 
-/// All that comes through a pipe, of much the end.
+/// Reads all output of a pipe; if it is long, keeps the end.
 std::string read_all(int pipe) {
   std::string text;
   std::array<char, 4096> part{};
@@ -83,7 +83,7 @@ std::string read_all(int pipe) {
   }
 }
 
-/// The last line with a word in it, fit for a terminal.
+/// Last nonempty line, fit for a terminal.
 std::string last_line(std::string const& text) {
   constexpr auto no_word = " \t\r\n";
   auto const end = text.find_last_not_of(no_word);

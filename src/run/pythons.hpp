@@ -11,11 +11,11 @@ namespace bagnold {
 /// in PATH; else the one beside the program, as in the environment that pip installed it into, the
 /// system's, and the first in PATH.
 ///
-/// All are absolute, and entries of PATH that are not are passed over: what lies in the folder
-/// where the user stands is data, whoever put it there, and is not run.
+/// All are absolute; entries of PATH that are not are ignored: files in the working directory are
+/// data and are never run.
 std::vector<std::filesystem::path> pythons();
 
-/// The first program of a name in PATH, of entries that are absolute; none: empty.
+/// First program of a name in the absolute entries of PATH; empty if there is none.
 std::filesystem::path in_path(std::string const& name);
 
 }  // namespace bagnold

@@ -45,7 +45,8 @@ bool run_on_this_thread(ReplicaScheduler const& work) {
   return waiting.empty();
 }
 
-/// Threads that take the system that has waited longest. All but the atomics is guarded by mutex_.
+/// Threads that take the system that has waited longest. All members but the atomics are guarded by
+/// mutex_.
 class ThreadPool {
  public:
   explicit ThreadPool(ReplicaScheduler const& work) : work_(work), waiting_(all_of(work)) {
@@ -71,7 +72,7 @@ class ThreadPool {
   }
 
  private:
-  /// Throws FileError where the system does not make as many.
+  /// Starts the threads. Throws FileError if the system does not make as many.
   void start_threads() try {
     for (int t = 0; t < work_.threads; ++t) threads_.emplace_back([this] { take_turns(); });
   } catch (std::system_error const& error) {
@@ -151,7 +152,7 @@ class ThreadPool {
   int busy_ = 0;
   bool stopped_ = false;
   std::exception_ptr failure_;      ///< the first
-  std::atomic<bool> held_ = false;  ///< nobody begins or goes on with a turn
+  std::atomic<bool> held_ = false;  ///< no thread begins or continues a turn
   std::atomic<std::size_t> waiting_count_ = 0;
   std::vector<std::thread> threads_;  ///< last: they use all of the above
 };

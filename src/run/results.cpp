@@ -59,7 +59,7 @@ double rate_of(Run const& run, std::size_t window) {
   return run.plan.mean_rate(static_cast<std::int64_t>(window));
 }
 
-/// Windows of the replica that has most: all have as many once the run is done.
+/// Largest number of windows of a replica; all have as many once the run is done.
 std::size_t most_windows(Run const& run) {
   std::size_t most = 0;
   for (auto const& replica : run.replicas)
@@ -100,7 +100,7 @@ std::vector<Frames const*> frames_of(Run const& run) {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// A series of value(replica, window): NaN where a replica has not come to that window yet.
+/// Series of value(replica, window): NaN where a replica has not reached that window yet.
 template <class Value>
 io::Series series(Run const& run, std::string_view name, std::string_view unit,
                   std::string_view meaning, Value const& value) {
@@ -243,7 +243,7 @@ void write_result_file(RunFolder const& folder, Run const& run) {
 
 namespace {
 
-/// What one name of the summary stands for, its samples so much strain apart.
+/// JSON of one name of the summary. sample_strain: strain between samples.
 Json estimate_json(statistics::Estimate const& of, double sample_strain) {
   auto const& tau = of.correlation;
   Json all{{"mean", number(of.mean)},
@@ -266,7 +266,7 @@ Json bins_json(std::vector<LoopBin> const& bins) {
   return all;
 }
 
-/// What the protocol came to, beyond averages.
+/// Adds results of the protocol other than averages.
 void add_protocol(Json& summary, Run const& run) {
   auto const& shear = run.scene.shear;
   if (run.plan.ramp) {

@@ -16,7 +16,7 @@
 
 namespace bagnold {
 
-/// One system of a run as the outputs see it.
+/// One system of a run, as output.
 struct Replica {
   double initial_time = 0.0;  ///< at step 0, [tau_e]
   std::map<std::string, double> start_record;
@@ -28,7 +28,7 @@ struct Replica {
   Measurement measurement;
 };
 
-/// A run as its outputs see it.
+/// A run, as output.
 struct Run {
   Scene scene;  ///< resolved
   Plan plan;
@@ -47,18 +47,18 @@ struct Run {
 
 struct Warning;
 
-/// An observable, its samples, and what they come to.
+/// An observable, its samples, and its estimate.
 struct NamedEstimate : SampledObservable {
   statistics::ReplicaEstimate estimate;
   double sample_strain = 0;  ///< between samples
 };
 
-/// Mean and standard error of a function of averages over the measured windows. Where the scene has
-/// a target error, and so may have chosen its own end, it is the cautious one
+/// Mean and standard error of a function of averages over the measured windows. If the scene has a
+/// target error, so that the run may have chosen its own end, it is the cautious error
 /// (src/statistics/stopping.hpp).
 statistics::ReplicaEstimate estimate(Run const& run, statistics::Function const& f);
 
-/// How it comes by the error for several replicas, in words.
+/// Source of the error for several replicas, in words.
 std::string errors_from(Run const& run);
 
 /// Mean and standard error of all observables, those of frames last.
@@ -67,10 +67,10 @@ std::vector<NamedEstimate> estimates(Run const& run);
 /// A quantity in each window that all replicas have finished, averaged over them.
 std::vector<double> window_series(Run const& run, Observable const& observable);
 
-/// The windows so far as result.h5, whole. Throws FileError.
+/// Writes the windows so far to result.h5, as a whole. Throws FileError.
 void write_result_file(RunFolder const& folder, Run const& run);
 
-/// summary.json. Throws FileError.
+/// Writes summary.json. Throws FileError.
 void write_summary(RunFolder const& folder, Run const& run, std::vector<NamedEstimate> const& list,
                    std::vector<Warning> const& warnings);
 

@@ -12,7 +12,7 @@ namespace {
 
 int power_of(double value) { return static_cast<int>(std::floor(std::log10(std::abs(value)))); }
 
-/// The digits of an error that are told, and the power of ten of the last one.
+/// Digits of an error, and the power of ten of the last one.
 struct ErrorDigits {
   long digits;
   int last;
@@ -24,7 +24,8 @@ struct ErrorDigits {
   }
 };
 
-/// Numbers between 0.001 and 9999 are written out, where the error is not of tens.
+/// Power of ten of the text: numbers between 0.001 and 9999 are written out, unless the last digit
+/// is of tens or more.
 int shown_power(double mean, int last) {
   if (mean == 0) return last > 0 || last < -4 ? last : 0;
   int const power = std::max(power_of(mean), last);

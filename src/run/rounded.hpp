@@ -5,9 +5,9 @@
 
 namespace bagnold {
 
-/// A mean with the standard error of its last digits in brackets, 1.89(10)e4 for 18900 +- 1000, as
-/// in the pictures: of the error one digit, two where the first is a 1. "undefined" for a mean that
-/// is not finite; four digits and no brackets where the error is none, 0 or not finite.
+/// Mean with the standard error of its last digits in brackets, 1.89(10)e4 for 18900 +- 1000, as in
+/// the pictures: one digit of the error, two if the first is a 1. "undefined" for a mean that is
+/// not finite; four digits and no brackets if there is no error, or it is 0 or not finite.
 std::string rounded(double mean, double error);
 
 }  // namespace bagnold

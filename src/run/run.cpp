@@ -35,7 +35,8 @@ void refuse_sweep(std::filesystem::path const& folder) {
                     folder.string(), folder.string()));
 }
 
-/// `bagnold resume DIR --strain`: of a cascade its last rate, which no other starts from.
+/// Gives a run more strain for `bagnold resume DIR --strain`; in a cascade its last rate, from
+/// which no other starts.
 void give_strain(RunFolder const& folder, double strain, RunMonitor& monitor) {
   if (!std::filesystem::exists(folder.scene()))
     throw InputError(fmt::format("{}: has no scene.toml; `bagnold resume {}` writes it again",
@@ -58,7 +59,7 @@ void give_strain(RunFolder const& folder, double strain, RunMonitor& monitor) {
   make_cascade_longer(folder, after);
 }
 
-/// `finished`: what is said of a run that has nothing left to do.
+/// Continues a run. `finished`: message for a run that is done.
 RunEnd go_on(RunFolder const& folder, RunOptions const& options, char const* finished) {
   RunMonitor& monitor = monitor_of(options);
   if (io::run_finished(folder.path())) {

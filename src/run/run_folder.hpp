@@ -10,14 +10,14 @@
 
 namespace bagnold {
 
-/// The folder a run writes to, locked against other processes, and the names in it.
+/// Folder of a run, locked against other processes, and the names in it.
 class RunFolder {
  public:
-  /// A folder for a new run: made if it is not there; refused (InputError) if it holds a run,
+  /// Folder for a new run: made if it does not exist; refused (InputError) if it holds a run,
   /// unless `force`, which removes the old run's files.
   static RunFolder make(std::filesystem::path const& folder, bool force);
 
-  /// The folder of a run begun before. InputError if there is none.
+  /// Folder of a run that has begun. InputError if there is none.
   static RunFolder open(std::filesystem::path const& folder);
 
   std::filesystem::path const& path() const { return path_; }
@@ -27,13 +27,14 @@ class RunFolder {
   std::filesystem::path state() const { return path_ / "state.h5"; }
   std::filesystem::path failed_state() const { return path_ / "failed_state.h5"; }
   std::filesystem::path picture() const { return path_ / "plot.png"; }
-  /// Of the replica of this seed; none: of the only system.
+  /// Trajectory of the replica with this seed; without a seed, that of the only system.
   std::filesystem::path trajectory(std::optional<std::int64_t> seed) const;
 
-  /// FileError where the folder was moved or removed since: nothing may be written any more.
+  /// Throws FileError if the folder was moved or removed: nothing may be written any more.
   void check() const { lock_->check_folder(); }
 
-  /// Of a finished run: those that a kill right at its end left. Throws FileError.
+  /// Removes parts of trajectories that a kill at the very end of a finished run has left. Throws
+  /// FileError.
   void remove_trajectory_parts() const;
 
  private:
@@ -43,10 +44,10 @@ class RunFolder {
   std::unique_ptr<io::RunLock> lock_;
 };
 
-/// Whether a folder has a file of a run.
+/// True if a folder has a file of a run.
 bool holds_run(std::filesystem::path const& folder);
 
-/// Whether a run in a folder has come to its first checkpoint, whole or not, or lost it since.
+/// True if a run in a folder has written a checkpoint, even if it is damaged or lost now.
 bool begun(std::filesystem::path const& folder);
 
 }  // namespace bagnold

@@ -10,7 +10,7 @@ namespace bagnold {
 
 namespace {
 
-/// Sizes stretches of steps to about 50 ms, so that signals and clocks are seen in time.
+/// Sizes stretches of steps to about 50 ms, so that signals and clocks are checked in time.
 class StretchSize {
  public:
   std::int64_t steps() const { return steps_; }
@@ -24,8 +24,8 @@ class StretchSize {
   std::int64_t steps_ = 16;
 };
 
-/// Steps one system on to `stop`, or to where it can stop, and takes what it measures on the way.
-/// Returns false where it goes no further (LegEnd::whole).
+/// Advances one system to `stop`, or to where it can stop, and takes its measurements. Returns
+/// false if it goes no further (LegEnd::whole).
 bool advance(MeasuredSystem const& system, std::int64_t stop, Plan const& plan, LegEnd end) {
   auto& [simulation, measurement] = system;
   auto const from = simulation.step();
@@ -43,7 +43,7 @@ bool advance(MeasuredSystem const& system, std::int64_t stop, Plan const& plan, 
 
 constexpr auto nobody = std::numeric_limits<std::int64_t>::max();
 
-/// The step of the system that is furthest behind of those that go on.
+/// Step of the system that is furthest behind, of those that continue.
 std::int64_t step_of(std::span<MeasuredSystem const> systems, std::vector<bool> const& ended) {
   auto least = nobody;
   for (std::size_t s = 0; s < systems.size(); ++s)

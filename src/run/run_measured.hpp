@@ -13,14 +13,14 @@
 
 namespace bagnold {
 
-/// What a run has measured so far.
+/// Measurements of a run so far.
 struct Measurement {
   statistics::Windows windows;  ///< finished, from the first step on
   OpenWindows open;             ///< those in progress
   Frames frames;                ///< what observers see now and then
 };
 
-/// One of the systems that a run steps, and what it has measured of it.
+/// One of the systems that a run steps, and its measurements.
 struct MeasuredSystem {
   Simulation& simulation;
   Measurement& measurement;
@@ -33,18 +33,18 @@ struct SystemFailure : NumericalError {
   std::size_t system;
 };
 
-/// Where a leg of a run ends: at the plan's last step, or before a lookahead that this would cut
-/// short, from where a longer run goes on with the same bits.
+/// End of a leg of a run: at the plan's last step, or before a lookahead that the last step would
+/// cut short, from where a longer run continues with the same bits.
 enum class LegEnd { exact, whole };
 
-/// Shear at a constant rate until the plan's steps are done, from wherever the simulation is.
+/// Shears a system until the plan's steps are done, from its present step.
 ///
-/// `go_on` is called about twenty times a second, between steps; how often changes no bit. Returns
-/// false where it did.
+/// `go_on` is called about twenty times a second, between steps; the frequency changes no bit.
+/// Returns false if go_on did.
 bool run_measured(Simulation& simulation, Plan const& plan, Measurement& measurement,
                   std::function<bool()> const& go_on, LegEnd end = LegEnd::exact);
 
-/// The same for several systems, told to advance in turn to the same step. Throws SystemFailure.
+/// Shears several systems, which advance in turn to the same step. Throws SystemFailure.
 bool run_measured(std::span<MeasuredSystem const> systems, Plan const& plan,
                   std::function<bool()> const& go_on, LegEnd end = LegEnd::exact);
 

@@ -23,10 +23,10 @@ constexpr double most_budget = 1.2;  ///< of a scene's trial, CPU time, [s]
 constexpr double point_budget = 0.3;
 constexpr std::size_t most_trials = 8;
 
-/// Trials are no longer than what is known by counting: short runs get short ones.
+/// Time of a trial: short runs, by the number of steps, get short trials.
 double budget_of(double most, double steps_say) { return std::clamp(steps_say / 10, 0.03, most); }
 
-/// Why nothing can be tried here; "" where it can.
+/// Reason why no trial is possible here; "" if it is.
 std::string why_no_trial() {
   auto const names = backend_names();
   if (std::ranges::find(names, "serial") == names.end()) return "no serial backend in this build";
@@ -42,8 +42,8 @@ RunTimes by_steps(std::vector<Scene> const& runs, std::string const& reason) {
 
 Machine const one_core{"serial", 1};
 
-/// What decides how long a disk takes for a unit of strain, so that nearby points take alike:
-/// decades of numbers, and words that must be the same.
+/// Coordinates that determine the time of a disk for a unit of strain, so that nearby points take
+/// similar times: logarithms of numbers, and words that must be equal.
 struct Place {
   std::array<double, 4> number;
   std::array<std::string, 5> word;
@@ -65,7 +65,7 @@ struct Place {
   }
 };
 
-/// Runs that lie far from each other, the one of most steps first, so many at most.
+/// Runs that are far from each other, the one of most steps first; at most `most`.
 std::vector<std::size_t> far_apart(std::vector<PlannedRun> const& runs,
                                    std::vector<Place> const& places) {
   auto const steps = [](PlannedRun const& run) { return disk_steps(run.scene, run.plan); };
@@ -100,7 +100,7 @@ struct Tried {
   double log_cost;
 };
 
-/// Between the runs tried: nearer ones count more.
+/// Interpolates between the runs tried; nearer ones have more weight.
 double cost_at(Place const& place, std::vector<Tried> const& tried) {
   double sum = 0, weights = 0;
   for (auto const& one : tried) {

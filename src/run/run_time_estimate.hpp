@@ -12,7 +12,7 @@
 
 namespace bagnold {
 
-/// What runs take on one core, and how that was found.
+/// Run times on one core, and how they were estimated.
 struct RunTimes {
   std::vector<RunTime> each;
   std::string how;
@@ -20,8 +20,8 @@ struct RunTimes {
   RunTime sum() const;
 };
 
-/// Of the runs of a scene, in their order, the first of them from `start` where that is given: from
-/// a trial of a second or two, less where they are short.
+/// Times of the runs of a scene, in their order, from a trial of a second or two, less if they are
+/// short. start: of the first run, if it is given one.
 RunTimes times_of_runs(std::vector<Scene> const& runs, std::optional<State> start);
 
 struct PlannedRun {
@@ -29,9 +29,9 @@ struct PlannedRun {
   Plan plan;
 };
 
-/// Of many runs, as of the points of a sweep: from trials of some that lie far apart in what
-/// decides the time. The others take, for each disk and unit of strain, what the nearest of these
-/// do.
+/// Times of many runs, such as the points of a sweep. Some runs that differ most in what determines
+/// the time are tried. The others are given the time per disk and unit of strain of the nearest of
+/// these.
 RunTimes times_of_many(std::vector<PlannedRun> const& runs);
 
 }  // namespace bagnold

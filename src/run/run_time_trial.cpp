@@ -33,12 +33,13 @@ double cpu_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// How much longer a step of a disk takes among so many, beyond the caches (docs/run_time.md).
+/// Factor by which a step of a disk takes longer in a system of this size, beyond the caches
+/// (docs/run_time.md).
 double slowdown(std::int64_t disks) {
   return std::max(1.0, 1 + 0.08 * std::log2(static_cast<double>(disks) / 2048));
 }
 
-/// The CPU time that a call takes, [s].
+/// CPU time of a call, [s].
 template <class Call>
 double timed(Call const& call) {
   auto const begun = cpu_seconds();
@@ -46,8 +47,7 @@ double timed(Call const& call) {
   return cpu_seconds() - begun;
 }
 
-/// A system that is stepped as in a run, windows and contacts looked at, from a step of its plan
-/// on.
+/// A system that is stepped as in a run, with windows and contacts, from a step of its plan on.
 class Stepped {
  public:
   Stepped(Scene const& scene, Plan const& plan, State state, std::int64_t step) : plan_(plan) {
@@ -66,8 +66,8 @@ class Stepped {
     measurement_.windows.columns += ContactColumns::count;
   }
 
-  /// About so much CPU time, or strain, long, or to the end of the plan. Returns the time of a
-  /// step, [s]; where none was left that of those before.
+  /// Steps for about this CPU time or strain, or to the end of the plan. Returns the time of a
+  /// step, [s]; if no step was left, that of the previous call.
   double step(double seconds, double strain = 1e300) {
     auto const first = simulation_->step();
     auto const begun = cpu_seconds();
@@ -80,7 +80,7 @@ class Stepped {
     return step_time_;
   }
 
-  /// The time that the scene's observers take to look at the configuration, [s].
+  /// Time that the scene's observers take for one frame, [s].
   double frame(Scene const& scene) const {
     Plan plan = plan_;
     plan.trajectory_steps = 0;
@@ -101,13 +101,14 @@ class Stepped {
   double step_time_ = 0;
 };
 
-/// Steps of a plan that cost alike, and one of them.
+/// Steps of a plan with equal costs, and one of them.
 struct Stretch {
   std::int64_t step;
   double steps;
 };
 
-/// A ramp's rates grow by the same factor in equal times: so many of each decade.
+/// Stretches of a ramp: those before its legs, and four equal parts of its legs, as rates grow by
+/// the same factor in equal times.
 std::vector<Stretch> stretches_of(Ramp const& ramp, std::int64_t window_steps) {
   std::vector<Stretch> list;
   if (ramp.fast_steps > 0) list.push_back({0, static_cast<double>(ramp.fast_steps)});
@@ -196,7 +197,7 @@ RunTimeTrial::Cost RunTimeTrial::cost(Scene const& run, Plan const& plan, double
 
 double RunTimeTrial::start_takes(Scene const& run, double size, double slower) const {
   if (run.start.kind != "random" || start_iterations_ == 0) return 0;
-  // more disks need more iterations, and leave the cache in each (docs/run_time.md)
+  // larger starts take more iterations, and exceed the cache in each (docs/run_time.md)
   double const iterations =
       std::min(static_cast<double>(run.start.iterations), start_iterations_ * std::pow(size, 0.15));
   return start_seconds_ * size * slower * slower * iterations / start_iterations_;

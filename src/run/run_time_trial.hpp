@@ -11,38 +11,38 @@
 
 namespace bagnold {
 
-/// An estimate with the bounds of what was found to hold (docs/run_time.md).
+/// Estimate with bounds that were found to hold (docs/run_time.md).
 RunTime run_time(double expected);
 
 /// CPU time of the pictures at the end of a run, [s].
 double pictures_take(Scene const& scene);
 
-/// Tells what runs take by stepping a system like theirs for a moment, with all that they measure;
-/// nothing is written.
+/// Estimates run times by stepping a similar system for a short time, with all measurements of the
+/// run; nothing is written.
 ///
-/// The system has 1024 disks at most, for which costs are scaled to the scene's number. It is
-/// brought near the steady state by the default scheme: sheared at 1e-3, then at a tenth of that,
-/// and so on down to the run's rate, velocities and spins scaled. Or it is the scene's first state,
-/// where that is given and has at most 16384 disks.
+/// The system has at most 1024 disks, and costs are scaled to the scene's number. It is brought
+/// near the steady state by the default scheme: sheared at 1e-3, then at a tenth of that, and so on
+/// down to the run's rate, with velocities and spins scaled. If the scene's first state is given
+/// and has at most 16384 disks, it is used instead.
 ///
-/// Times are CPU times of this thread, so that what else the machine does matters little. Kokkos
+/// Times are CPU times of this thread, so that other load of the machine matters little. Kokkos
 /// must run. A system that fails throws NumericalError.
 class RunTimeTrial {
  public:
   /// Takes about `budget` of CPU time, [s]. start: of a scene that is given one.
   RunTimeTrial(Scene const& scene, std::optional<State> start, double budget);
 
-  /// What all replicas of a run take on one core, from about `budget` of CPU time, [s]. Runs of one
-  /// scene are told in the order in which they follow one another.
+  /// Time of all replicas of a run on one core, from about `budget` of CPU time, [s]. Runs of one
+  /// scene are to be given in the order in which they follow each other.
   RunTime time_of(Scene const& run, Plan const& plan, double budget);
 
   std::int64_t disks() const { return small_.disks.count; }  ///< of the system that is stepped
 
  private:
-  /// What a run of the system takes, [s].
+  /// Time of a run of the system, [s].
   struct Cost {
     double steps = 0;  ///< all of them
-    double frame = 0;  ///< each that observers look at
+    double frame = 0;  ///< each measured frame
   };
 
   void shear(double rate, double strain, double budget);

@@ -27,10 +27,10 @@ namespace bagnold {
 
 namespace {
 
-/// Disks from which on a start can take so long that a stop does not wait for its end.
+/// Number of disks from which on a stop does not wait for the end of a start, which can take long.
 constexpr std::int64_t long_start = 8192;
 
-/// A NumericalError with the replica it came from, on its way to the thread that writes files.
+/// A NumericalError with its replica, on its way to the thread that writes files.
 struct ReplicaFailure {
   std::size_t replica;
   std::string reason;
@@ -189,8 +189,8 @@ RunEnd Runner::run() {
   return done ? RunEnd::done : RunEnd::stopped;
 }
 
-/// The checkpoint of the last leg lies before a lookahead that the end of the run cuts short: a
-/// run that is made longer goes on from there with the bits of one that was as long from its start.
+/// The checkpoint of the last leg is before a lookahead that the end of the run cuts short. A run
+/// that is made longer continues from there with the bits of one that was as long from its start.
 bool Runner::work_on_leg(ReplicaScheduler& all) {
   auto const ended = [&] { return work(all) || steps() == steps_wanted(); };
   leg_end_ = is_last_leg() ? LegEnd::whole : LegEnd::exact;
@@ -198,7 +198,7 @@ bool Runner::work_on_leg(ReplicaScheduler& all) {
   if (!is_last_leg()) return true;
   write_checkpoint();
   leg_end_ = LegEnd::exact;
-  auto to_the_end = all;  // a lookahead or less: it waits for nobody
+  auto to_the_end = all;  // a lookahead or less, without turns
   to_the_end.request = [] { return ReplicaScheduler::Request::go_on; };
   auto const before = SteadyClock::now();
   bool const done = work(to_the_end);
@@ -206,7 +206,7 @@ bool Runner::work_on_leg(ReplicaScheduler& all) {
   return done;
 }
 
-/// One replica, or all where they step together.
+/// Advances one replica, or all if they step together.
 bool Runner::step_on(std::size_t first, std::function<bool()> const& go_on) {
   std::size_t const end = together_ ? simulations_.size() : first + 1;
   std::vector<MeasuredSystem> systems;

@@ -20,19 +20,19 @@ namespace bagnold {
 /// A run in its folder: its replicas side by side, or together on a device; steps, checkpoints,
 /// results.
 ///
-/// Where the scene has a target error, all replicas are taken to the same number of windows, from a
-/// grid that depends on nothing else (src/statistics/stopping.hpp), before it is seen whether that
-/// is enough.
+/// If the scene has a target error, all replicas are advanced to the same number of windows before
+/// the target is checked. These numbers are from a grid that depends on nothing else
+/// (src/statistics/stopping.hpp).
 class Runner {
  public:
   Runner(RunFolder const& folder, Run run, Machine const& machine, RunMonitor& monitor);
 
-  /// Simulations of these snapshots, [R]; an empty one is a random start yet to be made. All are
-  /// made side by side. NumericalError names the replica and leaves its state in the folder.
-  /// False where the monitor stopped it.
+  /// Makes simulations of these snapshots, [R]; an empty one is a random start yet to be made. All
+  /// are made side by side. NumericalError names the replica and leaves its state in the folder.
+  /// Returns false if the monitor stopped it.
   bool start(std::vector<std::optional<Snapshot>> snapshots);
 
-  /// Takes all replicas to the end, unless the monitor stops them.
+  /// Advances all replicas to the end, unless the monitor stops them.
   RunEnd run();
 
  private:
@@ -41,8 +41,8 @@ class Runner {
   void make(std::size_t replica, Snapshot snapshot);
   void make_all_together(std::vector<Snapshot> const& snapshots);
   std::unique_ptr<Simulation> simulation_of(std::size_t r, Snapshot&& snapshot) const;
-  Plan next_leg() const;  ///< to where the target error is looked at next
-  bool enough();          ///< whether the run may end there
+  Plan next_leg() const;  ///< up to the next check of the target error
+  bool enough();          ///< true if the run may end there
   bool is_last_leg() const { return run_.plan.windows == whole_.windows; }
   bool work_on_leg(ReplicaScheduler& all);
   void make_frames_of(std::size_t replica, State const& start);
@@ -51,7 +51,7 @@ class Runner {
   bool work(ReplicaScheduler& all);
   bool step_on(std::size_t replica, std::function<bool()> const& go_on);
   std::int64_t steps() const;         ///< of all replicas together
-  std::int64_t steps_wanted() const;  ///< likewise, at the end of the leg
+  std::int64_t steps_wanted() const;  ///< of all replicas, at the end of the leg
   void note_engine(std::size_t replica, Snapshot const& at);
   ReplicaScheduler::Request request() const;
   io::SystemCheckpoint checkpoint_of(std::size_t replica);
@@ -59,7 +59,7 @@ class Runner {
   void checkpoint();  ///< and what has been measured so far
   void say_where_it_stopped() const;
   void finish();
-  /// Those that can be; the first failure, or nothing.
+  /// Joins the parts of all trajectories that can be joined. Returns the first failure, or "".
   std::string join_trajectories();
 
   using SteadyClock = std::chrono::steady_clock;
@@ -72,12 +72,12 @@ class Runner {
   LegEnd leg_end_ = LegEnd::exact;
   bool together_;  ///< replicas share launches: for ReplicaScheduler all are one system
   std::vector<std::unique_ptr<Simulation>> simulations_;  ///< [R]
-  std::vector<std::atomic<std::int64_t>> steps_;          ///< [R], seen while others step
+  std::vector<std::atomic<std::int64_t>> steps_;          ///< [R], read while others step
   double wall_before_;
   SteadyClock::time_point started_;
   SteadyClock::time_point checkpointed_;
-  /// The next checkpoint after 10 s of stepping, 30 s, 90 s, ...: what users look at, `bagnold
-  /// status` and `bagnold plot`, reads checkpoints.
+  /// Next checkpoint after 10 s of stepping, 30 s, 90 s, ...: early ones are for `bagnold status`
+  /// and `bagnold plot`, which read checkpoints.
   double early_checkpoint_ = 10;
 };
 

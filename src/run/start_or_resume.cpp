@@ -41,7 +41,7 @@ Run run_of(Scene const& scene, Plan const& plan, Machine const& machine) {
   return run;
 }
 
-/// `longer`: where the run was made longer since.
+/// `longer`: set if the run was made longer since.
 RunEnd run_from_checkpoint(RunFolder const& folder, io::Checkpoint checkpoint, Scene const& scene,
                            std::optional<Longer> const& longer, Machine machine,
                            RunMonitor& monitor) {
@@ -76,7 +76,7 @@ RunEnd run_from_checkpoint(RunFolder const& folder, io::Checkpoint checkpoint, S
   return runner.run();
 }
 
-/// Of the state that had most of it; "" where none had any.
+/// Message on the state with the largest share of mean motion; "" if none had any.
 std::string mean_motion_taken_off(std::vector<StartedState> const& started) {
   MeanMotion most{};
   for (auto const& one : started)
@@ -84,8 +84,8 @@ std::string mean_motion_taken_off(std::vector<StartedState> const& started) {
   return most.share > 0 ? mean_motion_in_words(most.velocity, most.share) + " is taken off" : "";
 }
 
-/// The scene beside a checkpoint, where it is that of the checkpoint with more strain. InputError
-/// where it is neither that nor the checkpoint's.
+/// Scene beside a checkpoint, if it is that of the checkpoint with more strain. InputError if it is
+/// neither that nor the checkpoint's.
 std::optional<Longer> longer_than(Scene const& before, RunFolder const& folder) {
   Scene const after = read_scene(folder.scene());
   if (write_scene(after) == write_scene(before)) return std::nullopt;

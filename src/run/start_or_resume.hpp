@@ -12,7 +12,7 @@
 
 namespace bagnold {
 
-/// The first states of a scene that has them in a file, [R]; none: random starts are yet to be
+/// First states of a scene that reads them from a file, [R]; empty if random starts are yet to be
 /// made.
 std::vector<StartedState> states_in_file(Scene const& scene);
 
@@ -20,8 +20,8 @@ std::vector<StartedState> states_in_file(Scene const& scene);
 RunEnd run_from_start(RunFolder const& folder, Scene const& scene, Machine const& machine,
                       RunMonitor& monitor, std::vector<StartedState> started);
 
-/// Goes on with the run in a folder, from its newest checkpoint that verifies; from the beginning
-/// where none does. A scene.toml with more strain than the checkpoint's makes the run longer.
+/// Continues the run in a folder from its newest checkpoint that verifies, or from the beginning if
+/// none does. A scene.toml with more strain than the checkpoint's makes the run longer.
 RunEnd go_on_in(RunFolder const& folder, Machine const& machine, RunMonitor& monitor);
 
 }  // namespace bagnold

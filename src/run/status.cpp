@@ -40,14 +40,14 @@ std::vector<std::string> names_in(Json const& summary, char const* list) {
   return names;
 }
 
-/// Of the newest checkpoint. Between the two renames of its writer only the one before has its
-/// name.
+/// Age of the newest checkpoint, [s]. Between the two renames of its writer only the previous one
+/// has its name.
 double checkpoint_age(fs::path const& folder) {
   auto const age = age_of(folder / "checkpoint.h5");
   return age > 0 ? age : age_of(folder / "checkpoint.previous.h5");
 }
 
-/// What a run that is done says of itself.
+/// Adds what a finished run wrote into its summary.
 void add_summary(RunStatus& status, fs::path const& file) try {
   auto const bytes = io::read_file(file);
   auto const* text = reinterpret_cast<char const*>(bytes.data());
@@ -66,7 +66,7 @@ void add_summary(RunStatus& status, fs::path const& file) try {
                               file.string(), error.what(), file.parent_path().string()));
 }
 
-/// How far one that is not done has come. False where no checkpoint tells.
+/// Adds the progress of a run that is not done. Returns false if there is no checkpoint.
 bool add_checkpoint(RunStatus& status, fs::path const& folder, Plan const& plan, double disks) {
   auto const checkpoint = io::newest_checkpoint(folder, nullptr);
   if (!checkpoint) return false;
@@ -79,12 +79,13 @@ bool add_checkpoint(RunStatus& status, fs::path const& folder, Plan const& plan,
   return true;
 }
 
-/// Of one at work: since its last checkpoint, or since its process has taken the folder.
+/// Time that a running process has worked since its last checkpoint, or since it took the folder,
+/// [s].
 double seconds_of_work(RunStatus const& status, fs::path const& folder) {
   return std::min(status.age, age_of(folder / ".lock"));
 }
 
-/// The last thing that a point of a sweep said in its log; "" where it has none.
+/// Last message of a point of a sweep in its log; "" if it has none.
 std::string last_words(fs::path const& log) {
   constexpr std::string_view mark = "bagnold: ";
   std::ifstream in(log);
@@ -94,7 +95,7 @@ std::string last_words(fs::path const& log) {
   return words;
 }
 
-/// Of one that is not done, and that nobody works on.
+/// State of a run that is not done and has no process.
 Standing without_process(fs::path const& folder, bool begun, RunStatus& status) {
   auto const failed = folder / "failed_state.h5";
   if (fs::exists(failed) && (!begun || age_of(failed) <= checkpoint_age(folder)))

@@ -10,7 +10,7 @@
 
 namespace bagnold {
 
-/// Where a run stands, as its folder tells while any process, or none, works on it.
+/// Status of a run, read from its folder while any process, or none, works on it.
 struct RunStatus {
   enum class State { not_begun, running, stopped, failed, done };
 
@@ -23,23 +23,23 @@ struct RunStatus {
   double whole_work = 0;  ///< at its end
   double seconds = 0;     ///< of stepping so far
   double age = 0;         ///< of the last checkpoint, [s]; of one without, 0
-  double since = 0;       ///< for how long it is at work since that, [s]; 0: nobody is
+  double since = 0;       ///< time of work since then, [s]; 0: no process works
   std::vector<std::string> warnings, notes;  ///< their names, of one that is done
 
   double share() const { return whole_work > 0 ? work / whole_work : 0; }
 
-  /// From now on, were it to go on as it did; nothing where that is not known.
+  /// Remaining time at the present pace, [s]; nothing if it is not known.
   std::optional<double> seconds_left() const;
 };
 
-/// Of the folder of a run, or of a rate of a cascade. Reads the newest checkpoint of one that is
-/// not done. InputError where the folder holds no run.
+/// Status of a run, or of a rate of a cascade, by its folder. Reads the newest checkpoint if the
+/// run is not done. InputError where the folder holds no run.
 RunStatus status_of(std::filesystem::path const& folder);
 
-/// Of a run that nobody has begun.
+/// Status of a run that has not begun.
 RunStatus status_not_begun(Scene const& scene);
 
-/// Of a cascade in a folder, for each of its rates; nothing where it holds none.
+/// Status of each rate of a cascade in a folder; empty where it holds none.
 std::vector<RunStatus> status_of_stages(std::filesystem::path const& folder);
 
 /// "done", "not begun", ...

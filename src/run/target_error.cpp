@@ -21,13 +21,13 @@ namespace {
 
 bool has_target(Scene const& scene) { return !scene.shear.target_error.empty(); }
 
-/// None where nothing was measured: of a mean of 0, or of a series that does not vary.
+/// Relative error; none if nothing was measured: for a mean of 0, or a series that does not vary.
 std::optional<double> relative_error(statistics::Estimate const& of) {
   if (!of.mean || !of.error || *of.mean == 0 || *of.error == 0) return {};
   return *of.error / std::abs(*of.mean);
 }
 
-/// Measured strain of a run of so many windows, the first of which are discarded.
+/// Measured strain of a run of `windows` windows, the first of which are discarded.
 double measured_strain(Plan const& plan, std::int64_t windows, std::size_t discarded) {
   auto const end_of = [&](std::int64_t count) {
     return count == 0 ? 0.0 : plan.strain(plan.window_end(count - 1));
@@ -35,7 +35,7 @@ double measured_strain(Plan const& plan, std::int64_t windows, std::size_t disca
   return end_of(windows) - end_of(static_cast<std::int64_t>(discarded));
 }
 
-/// Where the steady state of the first `windows` windows starts, by B_p and B_sigma, averaged over
+/// Beginning of the steady state in the first `windows` windows, by B_p and B_sigma, averaged over
 /// replicas; the later one counts.
 statistics::SteadyStart steady_start(Run const& run, std::size_t windows) {
   statistics::SteadyStart latest{0, true};
@@ -55,7 +55,7 @@ std::size_t discarded_of(Run const& run, std::int64_t windows) {
   return static_cast<std::size_t>(shortened(run.scene, run.plan, windows).discarded_windows);
 }
 
-/// What is measured on frames, were all of it switched on.
+/// Names of all quantities that can be measured on frames.
 std::vector<std::string> names_of_frames(Scene scene) {
   scene.measure.profiles = scene.measure.fields = scene.measure.rotation = true;
   State start;
@@ -66,7 +66,7 @@ std::vector<std::string> names_of_frames(Scene scene) {
   return names;
 }
 
-/// Whether the first `windows` windows meet the target of every name, and disks have collided often
+/// True if the first `windows` windows meet the target of every name and disks have collided often
 /// enough in them.
 bool met_at(Run const& run, std::int64_t windows) {
   std::vector<statistics::Windows> so_far;

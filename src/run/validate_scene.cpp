@@ -18,7 +18,8 @@ namespace bagnold {
 
 namespace {
 
-/// Of a run shorter than a window nothing is left when its transient is discarded.
+/// Throws InputError for a run shorter than a window: nothing is left when its transient is
+/// discarded.
 void refuse_less_than_a_window(Scene const& scene, Plan const& plan) {
   if (plan.ramp || plan.steps >= plan.window_steps) return;
   throw InputError(fmt::format(
@@ -27,12 +28,12 @@ void refuse_less_than_a_window(Scene const& scene, Plan const& plan) {
       scene.shear.strain.at(0), scene.output.sample_strain));
 }
 
-/// Least number of pairs in the lists of disks placed evenly: of disks within d_s + skin of each
-/// other,
+/// Least number of pairs in the lists of evenly placed disks, for disks within d_s + skin of each
+/// other:
 ///
 ///     N n pi (d_s + skin)^2 / 2,    n = phi / [pi (d_s^2 + d_b^2) / 8]
 ///
-/// What is found to be too many only when lists are built is std::length_error there.
+/// More pairs, found only when lists are built, are a std::length_error.
 double least_pairs(Scene const& scene) {
   double const reach = 1 + skin(scene);
   return 4 * static_cast<double>(scene.disks.count) * scene.disks.packing_fraction * reach * reach /
@@ -51,7 +52,7 @@ void refuse_too_many_pairs(Scene const& scene) {
 }  // namespace
 
 void validate_scene(Scene const& scene, Plan const& plan, bool allow_unstable) {
-  Mistakes mistakes;  // told in one go
+  Mistakes mistakes;  // reported together
   mistakes.collect("", [&] { refuse_too_many_pairs(scene); });
   mistakes.collect("", [&] { check_feasible(scene, plan, allow_unstable); });
   mistakes.collect("", [&] { check_target(scene); });

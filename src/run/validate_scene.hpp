@@ -6,12 +6,12 @@
 
 namespace bagnold {
 
-/// All that can be said against a scene of one run before its first state is there:
-/// check_feasible() and check_target(). Throws InputError.
+/// Checks a scene of one run as far as possible without its first state: check_feasible() and
+/// check_target(). Throws InputError.
 void validate_scene(Scene const& scene, Plan const& plan, bool allow_unstable);
 
-/// The plan of the one run of a scene or, of a cascade, of its first, all runs checked; what is
-/// worth a warning is said.
+/// Plan of the one run of a scene or, for a cascade, of its first; all runs are checked. Prints
+/// warnings.
 Plan validated_plan(Scene const& scene, bool allow_unstable);
 
 }  // namespace bagnold

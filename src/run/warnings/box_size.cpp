@@ -13,16 +13,16 @@ namespace {
 
 constexpr double most_anisotropy = 2;  ///< R_v of a homogeneous flow is about 1, P2 Fig. 24
 
-/// Root mean square of the excess motion along the flow over gammadot L_y, from which on it is that
-/// of bands. Two bands of rates 0 and gammadot/f beside each other, of which the fast one has the
-/// share f, make a triangle of v_x - gammadot y with (1 - f)/12^(1/2) of it: 0.14 for f = 1/2.
-/// Homogeneous flow has some gammadot d_s in any box: CD at phi = 0.60, R_v = 3 to 4, has 0.077 at
-/// N = 256 and 0.023 at 4096.
+/// Root mean square of the excess motion along the flow over gammadot L_y from which on bands
+/// explain it. Two adjacent bands of rates 0 and gammadot/f, of which the fast one has the share f,
+/// make a triangle of v_x - gammadot y with (1 - f)/12^(1/2) of it: 0.14 for f = 1/2. Homogeneous
+/// flow has some gammadot d_s in any box: CD at phi = 0.60, R_v = 3 to 4, has 0.077 at N = 256 and
+/// 0.023 at 4096.
 constexpr double least_of_bands = 0.1;
 constexpr double least_length = 12;    ///< [d_s]: about 100 disks
 constexpr double worth_a_word = 0.01;  ///< p_kin / p, as large as the biases of time steps
 
-/// p_kin is of velocities against gammadot y, P2 Eq. 14 of those against the average profile.
+/// p_kin uses velocities relative to gammadot y, P2 Eq. 14 those relative to the average profile.
 std::string flow_of_bands(double kinetic_share) {
   if (!(kinetic_share > worth_a_word)) return "";
   return fmt::format(

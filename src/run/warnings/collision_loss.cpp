@@ -22,7 +22,7 @@ std::optional<Warning> collision_loss(FinishedRun const& finished) {
   auto const& scene = finished.run.scene;
   auto const scheme = scheme_of(scene);
   if (is_implicit(scheme) || is_scheme_of_an_engine(scheme))
-    return {};  // exact, or not their matter: implicit_inertia, quasi_static_inertia
+    return {};  // exact, or checked by implicit_inertia, quasi_static_inertia
   double const dt = finished.run.plan.time_step;
   double const off = collision_loss_error(scene, scheme, dt);
   if (std::abs(off) < most_off) return {};

@@ -9,10 +9,11 @@ namespace bagnold {
 
 namespace {
 
-/// Above this share of the run's time tau_dur lacks contacts that were longer still.
+/// Share of the run's time above which tau_dur lacks longer contacts.
 constexpr double longest_share = 0.1;
 
-/// Z = 2 tau_dur nu_coll holds up to contacts that have begun and not ended: their share of Z.
+/// Largest share of Z of contacts that have begun and not ended: without them Z = 2 tau_dur
+/// nu_coll.
 constexpr double largest_gap = 0.1;
 
 }  // namespace

@@ -9,8 +9,8 @@ namespace bagnold {
 
 namespace {
 
-/// Scatter of replicas over what their own errors make of it, above which they are not of one
-/// state: four standard deviations for two of them, and rarer for more.
+/// Ratio of the scatter of replicas to that expected from their own errors, above which they are
+/// not of one state: four standard deviations for two of them, and rarer for more.
 constexpr double most_scatter = 4;
 
 /// (1/(R - 1)) sum (x_r - mean)^2 over the mean of the squared errors of each, its root; 0 where

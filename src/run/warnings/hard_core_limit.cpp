@@ -12,9 +12,9 @@ namespace {
 
 constexpr double most_off = 0.1;  ///< relative
 
-/// beta of B and eta ~ (phi_J - phi)^-beta, roughly: where contacts last as tried in
-/// docs/stability.md; in a gas 1, p growing with the collision rate and the temperature not, since
-/// shear heats and collisions cool in proportion to it.
+/// Rough exponent beta of B and eta ~ (phi_J - phi)^-beta: for lasting contacts as tried in
+/// docs/stability.md. It is 1 in a gas: p grows with the collision rate and the temperature does
+/// not, since shear heats and collisions cool in proportion to it.
 double divergence(double contacts_per_disk) { return contacts_per_disk < 1 ? 1.0 : 2.5; }
 
 }  // namespace
@@ -23,8 +23,8 @@ std::optional<Warning> hard_core_limit(FinishedRun const& finished) {
   double const phi = finished.run.scene.disks.packing_fraction;
   double const overlap = mean_overlap(finished);
   if (!(phi < jamming_fraction) || !(overlap > 0)) return {};
-  // Disks that overlap by x on average are hard ones with (1 - x) of the diameter: of phi - 2 phi
-  // x.
+  // Disks that overlap by x on average are like hard ones with (1 - x) of the diameter: of phi - 2
+  // phi x.
   double const looser = 2 * phi * overlap / (jamming_fraction - phi);
   double const off = 1 - std::pow(1 + looser, -divergence(finished.mean("Z")));
   if (off < most_off) return {};

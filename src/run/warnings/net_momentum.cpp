@@ -12,14 +12,16 @@ namespace bagnold {
 
 namespace {
 
-/// A drive acts on each disk by itself, a bath so that their mean has 1/N of the kinetic energy, on
-/// average, and ten times that by a chance of e^-10.
+/// Largest share of the mean motion that is not by chance. A drive acts on each disk by itself. In
+/// a bath the mean motion has 1/N of the kinetic energy, on average, and ten times that with a
+/// probability of e^-10.
 double most_share(Scene const& scene) {
   constexpr double most = 0.01, many = 10;
   return scene.driven() ? std::max(most, many / static_cast<double>(scene.disks.count)) : most;
 }
 
-/// More than rounding: where disks keep to the shear flow that is all there is, p_kin too.
+/// True if the mean motion is more than rounding. If disks follow the shear flow exactly, p_kin too
+/// is rounding.
 bool is_motion(MeanMotion const& motion, Scene const& scene) {
   constexpr double rounding = 1e-12;
   auto const [x, y] = motion.velocity;
@@ -27,13 +29,13 @@ bool is_motion(MeanMotion const& motion, Scene const& scene) {
   return x * x + y * y > rounding * rate * rate;  // over a length of d_s
 }
 
-/// Share of the mean motion in sum m dv^2 of one replica while it was measured. As u_x changes by
+/// Share of the mean motion in sum m dv^2 of one replica during the measurement. As u_x changes by
 /// -u_y in a unit of strain, and u_y not at all, the mean of u^2 over a strain gamma is
 ///
 ///     u_x^2 + u_x u_y gamma + u_y^2 gamma^2/3 + u_y^2,    u at its end,
 ///
-/// and sum m dv^2 = 2 p_kin L_x L_y. Of a ramp that at its end, and of a drive, which changes u,
-/// the mean of u^2 is taken for that at its end.
+/// and sum m dv^2 = 2 p_kin L_x L_y. For a ramp sum m dv^2 is that at its end. With a drive, which
+/// changes u, the mean of u^2 is taken as its value at the end.
 double share_of(MeanMotion const& at_end, FinishedRun const& finished) {
   double const kinetic = 2 * finished.mean("p_kin") * finished.run.box_area();
   if (!(kinetic > 0)) return at_end.share;

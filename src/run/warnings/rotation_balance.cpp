@@ -12,8 +12,7 @@ namespace {
 
 constexpr double most_power = 0.01;
 
-/// Energy of the rotation over the area of the box in a window, if all disks were big,
-/// [m / tau_e^2].
+/// Rotational energy per area of the box in a window, if all disks were big, [m / tau_e^2].
 double energy(FinishedRun const& finished, std::size_t window) {
   auto const& [run, found] = finished;
   double const rate = run.scene.shear.strain_rate;

@@ -16,11 +16,11 @@ constexpr std::size_t fewest_windows = 20;   ///< fewer show no trend
 constexpr double least_drift = 0.05;         ///< relative: less matters to few
 constexpr double least_without_error = 0.2;  ///< the same where noise is not known
 
-/// Standard errors between the halves, that of the whole times two being one: a steady series has
-/// more in 1 of 10^4 cases, if that error is right, and more than the second number while MSER-5
-/// cuts off over a quarter in less than 2% (first-order autoregressive noise of 2 to 200
-/// correlation times). A trend that takes all of the series comes to (3 blocks)^(1/2) / 2, so
-/// to 2.4 at least.
+/// Standard errors between the halves; the error of the difference is twice that of the whole. A
+/// steady series has more than the first number in 1 of 10^4 cases, if that error is right, and
+/// more than the second while MSER-5 cuts off over a quarter in less than 2% (first-order
+/// autoregressive noise of 2 to 200 correlation times). A trend over the whole series gives (3
+/// blocks)^(1/2) / 2, so at least 2.4.
 constexpr double most_if_settled = 4, most_if_not = 2;
 
 double mean(std::span<double const> series) {

@@ -52,7 +52,7 @@ std::string half_the_step(FinishedRun const& finished) {
 
 namespace {
 
-/// As a shell takes it.
+/// Folder quoted for a shell.
 std::string quoted(std::string const& folder) {
   auto const plain = [](unsigned char c) { return std::isalnum(c) || std::strchr("_./=+-,:", c); };
   if (std::ranges::all_of(folder, plain)) return folder;

@@ -25,7 +25,8 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// The scene of a stage that was begun and has less strain than the cascade says, with that strain.
+/// Scene of a stage that has begun with less strain than the cascade says, with the cascade's
+/// strain.
 std::optional<Scene> longer_stage(fs::path const& path, double strain) {
   if (!begun(path) || !fs::exists(path / "scene.toml")) return std::nullopt;
   Scene stage = read_scene(path / "scene.toml");
@@ -34,7 +35,7 @@ std::optional<Scene> longer_stage(fs::path const& path, double strain) {
   return stage;
 }
 
-/// Runs a stage, or goes on with it; of a finished one draws pictures that a kill left out.
+/// Runs a stage, or continues it; if it is finished, draws pictures that a kill left out.
 RunEnd run_stage(fs::path const& path, Scene const& scene, Machine const& machine,
                  RunMonitor& monitor) {
   if (auto const longer = longer_stage(path, scene.shear.strain))
@@ -52,7 +53,7 @@ RunEnd run_stage(fs::path const& path, Scene const& scene, Machine const& machin
   return run_from_start(folder, scene, machine, monitor, std::move(from_file));
 }
 
-/// What a stage found.
+/// Results of a stage.
 Json point_of(fs::path const& summary, std::string const& name, double strain_rate) try {
   auto const bytes = io::read_file(summary);
   auto const* text = reinterpret_cast<char const*>(bytes.data());
@@ -68,7 +69,7 @@ Json point_of(fs::path const& summary, std::string const& name, double strain_ra
       fmt::format("{}: is damaged ({}); remove it and resume", summary.string(), error.what()));
 }
 
-/// What all stages found, without times.
+/// Writes the results of all stages, without times.
 void write_summary(RunFolder const& folder, Scene const& cascade) {
   Provenance const made = provenance();
   Json summary{{"schema", 1},

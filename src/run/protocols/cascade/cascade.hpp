@@ -12,11 +12,11 @@
 
 namespace bagnold {
 
-/// The cascade that a folder is of; nothing where it is of another protocol.
+/// Cascade of a folder; nothing if its protocol is another one.
 std::optional<Scene> cascade_in(RunFolder const& folder);
 
-/// Runs the stages of a resolved cascade, each in a folder of its own below, those that are not
-/// finished; goes on with one that was begun. In the end summary.json names them all.
+/// Runs the unfinished stages of a resolved cascade, each in a folder of its own below; continues
+/// one that has begun. In the end summary.json names them all.
 RunEnd run_cascade(RunFolder const& folder, Scene const& cascade, Machine const& machine,
                    RunMonitor& monitor);
 
@@ -30,8 +30,7 @@ struct StageFolder {
 };
 std::optional<StageFolder> stage_folder_in_cascade(std::filesystem::path const& folder);
 
-/// What `bagnold resume` is to be given for a run in this folder: of one rate of a cascade the
-/// cascade's folder.
+/// Folder for `bagnold resume` to continue a run: for a rate of a cascade the cascade's folder.
 std::filesystem::path folder_to_resume(std::filesystem::path const& folder);
 
 /// Prepares the folder of a cascade for run_cascade() with more strain at its last rate. Throws

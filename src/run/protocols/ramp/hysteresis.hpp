@@ -7,7 +7,7 @@
 
 namespace bagnold {
 
-/// What was measured about one strain rate on the way in one direction.
+/// Results near one strain rate, in one direction of the ramp.
 struct LoopBin {
   double strain_rate = 0;                       ///< mean over its windows, [1/tau_e]
   std::size_t windows = 0;                      ///< of all passes
