@@ -8,15 +8,15 @@
 namespace bagnold::sweep {
 
 /// Reads a sweep file with all its points, each checked as `bagnold run` would check it, state
-/// files included where they are there already. A warning on a plan goes to stderr, once for all
-/// points. Throws InputError naming the file, the point and the key.
+/// files included if they exist already. A warning on a plan goes to stderr, once for all points.
+/// Throws InputError naming the file, the point and the key.
 Sweep read_checked_sweep(std::filesystem::path const& file, bool allow_unstable = false);
 
-/// The check of each point that read_checked_sweep() makes; `allow_unstable` accepts a time step
-/// beyond the scheme's stability.
+/// Check of each point in read_checked_sweep(); `allow_unstable` accepts a time step beyond the
+/// scheme's stability.
 PointCheck point_check(bool allow_unstable);
 
-/// Words on chains that go from a slow rate to a faster one; "" where there are none.
+/// Note on chains that go from a slow rate to a faster one; "" if there are none.
 std::string rising_chain_note(Sweep const& sweep);
 
 }  // namespace bagnold::sweep

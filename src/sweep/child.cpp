@@ -19,8 +19,8 @@ namespace bagnold::sweep {
 
 namespace {
 
-/// Signals that ask to stop, held back while this lives: one that comes between fork() and exec()
-/// would end in our handler, whose flag exec() forgets.
+/// Holds back signals that ask to stop. One that comes between fork() and exec() would be caught by
+/// the handler of this program, whose flag exec() discards.
 class HeldSignals {
  public:
   HeldSignals() {
@@ -31,7 +31,7 @@ class HeldSignals {
   }
   ~HeldSignals() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
 
-  /// In the new process, as exec() will have them: what is ignored stays so.
+  /// Releases the signals in the new process, as exec() will find them: ignored ones stay ignored.
   void let_go_in_child() const {
     for (int const signal : asking_to_stop) {
       struct sigaction action {};
@@ -46,10 +46,10 @@ class HeldSignals {
   sigset_t before_{};
 };
 
-/// What the new process does; never returns.
+/// Runs the new process; never returns.
 [[noreturn]] void become(std::vector<char*> const& arguments, int log, int reports, pid_t parent) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != parent) ::_exit(126);  // it died before we could ask
+  if (::getppid() != parent) ::_exit(126);  // it ended before the prctl() above
   int const nothing = ::open("/dev/null", O_RDONLY);
   ::dup2(nothing, STDIN_FILENO);
   ::dup2(log, STDOUT_FILENO);

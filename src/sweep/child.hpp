@@ -12,9 +12,9 @@
 
 namespace bagnold::sweep {
 
-/// A process of ours that does not outlive us: the system kills it (SIGKILL) when this process
-/// ends, however it ends. It reads nothing; what it prints is added to the log; it may
-/// report_share(). It may use all cores that this process was given, whatever OpenMP binds to one.
+/// A process that does not outlive this one: the system kills it (SIGKILL) when this process ends,
+/// however it ends. It has no input; its output is added to the log; it may report_share(). It may
+/// use all cores that this process was given, even if OpenMP binds this process to one.
 class Child {
  public:
   /// Starts command[0], sought in PATH if it has no slash, with its arguments. Throws FileError
@@ -27,13 +27,13 @@ class Child {
   /// Readable when it reported, hung up when it ended.
   int reports() const { return reports_.get(); }
 
-  /// The last share it told since the last call.
+  /// Last share that it reported since the last call.
   std::optional<double> share();
 
-  /// Its exit code once it has ended, 128 + the signal that killed it.
+  /// Exit code of the child once it has ended; 128 + the signal if one killed it.
   std::optional<int> exit_code();
 
-  /// SIGTERM: write a checkpoint and stop.
+  /// Sends SIGTERM: the child writes a checkpoint and stops.
   void ask_to_stop() const;
 
  private:

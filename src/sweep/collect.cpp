@@ -32,7 +32,7 @@ SweepEnd write_tables(Sweep const& asked, SweepFolder const& folder, SweepMonito
 
 namespace {
 
-/// How many points have each name.
+/// Number of points that have each name.
 std::map<std::string, int> counts_of(std::vector<std::string> const& lists) {
   std::map<std::string, int> points;
   for (auto const& names : lists) {

@@ -16,9 +16,9 @@ struct SlurmScripts {
 };
 
 /// Prepares the folder of a sweep, which was read from the file `sweep.origin`, and writes the job
-/// scripts that run it with `options`; runs nothing but trials for the wall time. The scripts call
-/// `PROGRAM sweep FILE --out FOLDER`, with --allow-unstable where that is given. Throws InputError
-/// as run() does, and for a folder whose name sbatch does not take; FileError.
+/// scripts that run it with `options`; runs only trials for the wall time. The scripts call
+/// `PROGRAM sweep FILE --out FOLDER`, with --allow-unstable if that is given. Throws InputError as
+/// run() does, and for a folder whose name sbatch does not accept; FileError.
 SlurmScripts emit_slurm(Sweep const& sweep, std::filesystem::path const& folder,
                         bool allow_unstable, SweepOptions const& options = {});
 

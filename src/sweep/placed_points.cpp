@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// A point that is there.
+/// A point that exists.
 struct Known {
   std::string folder, scene;
   Scene read;            ///< start.file absolute
@@ -29,8 +29,8 @@ struct Known {
   bool taken = false;
 };
 
-/// Through the reader, which fills in the default of a key that an older program did not know, and
-/// makes start.file absolute.
+/// Scene read by the reader, which adds the defaults of keys that an older program did not have,
+/// and makes start.file absolute.
 Scene read_in(fs::path const& points, std::string const& scene, std::string const& name) {
   return parse_scene(scene, name, points / name);
 }
@@ -61,7 +61,7 @@ std::vector<Known> read_known(fs::path const& folder) {
   return known;
 }
 
-/// Numbers points behind those that are there.
+/// Numbers new points after the existing ones.
 class Numbers {
  public:
   explicit Numbers(std::vector<Known> const& known) {
@@ -78,7 +78,7 @@ class Numbers {
   unsigned long last_ = 0;
 };
 
-/// Points by what is asked of them, in the order of the folder's file.
+/// Existing points by their scenes, in the order of the folder's file.
 class Places {
  public:
   explicit Places(std::vector<Known> known) : known_(std::move(known)) {
@@ -93,7 +93,7 @@ class Places {
     return at == exact_.end() ? nullptr : at->second;
   }
 
-  /// The longest with less strain.
+  /// Longest point with the same scene and less strain.
   Known* shorter(Scene const& scene) const {
     Known* best = nullptr;
     auto const [begin, end] = shorter_.equal_range(but_for_strain(scene));
@@ -116,7 +116,7 @@ class Places {
   std::multimap<std::string, Known*> shorter_;
 };
 
-/// Points of a sweep among those that are there.
+/// Places the points of a sweep among the existing ones.
 PlacedPoints placed_among(std::vector<Known> const& known_points, Sweep sweep,
                           fs::path const& folder) {
   Places places(known_points);
@@ -148,7 +148,7 @@ PlacedPoints placed_among(std::vector<Known> const& known_points, Sweep sweep,
   return placed;
 }
 
-/// The first line in which two texts differ, "old -> new".
+/// First line in which two texts differ, "old -> new".
 std::string difference(std::string const& old_text, std::string const& new_text) {
   std::istringstream old_lines(old_text), new_lines(new_text);
   for (std::string before, after;

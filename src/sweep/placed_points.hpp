@@ -11,8 +11,8 @@ namespace bagnold::sweep {
 
 /// A sweep in a folder that may hold points of it, or of an earlier form of its file.
 struct PlacedPoints {
-  /// Each point has the folder of the one that is there, known by its resolved scene; new ones are
-  /// numbered behind all that are there.
+  /// Sweep in which each point has the folder of the existing one, found by its resolved scene; new
+  /// ones are numbered after all existing ones.
   Sweep sweep;
 
   /// A point of points.json that is not in the sweep.
@@ -22,8 +22,8 @@ struct PlacedPoints {
   };
   std::vector<Left> left;
 
-  /// Folders of points that were prepared, of which none has begun, for another form of the file:
-  /// the sweep takes their place.
+  /// Folders of points that were prepared for another form of the file and have not begun: the
+  /// sweep replaces them.
   std::vector<std::string> withdrawn;
 
   std::size_t kept = 0;             ///< points that were there
@@ -32,16 +32,17 @@ struct PlacedPoints {
   std::size_t added() const { return sweep.points.size() - kept; }
 };
 
-/// Finds the points of a sweep in points.json of a folder. A point is there where its resolved
-/// scene is, its start.file included, or the same with less shear.strain, if no other point starts
-/// from its last state. Where none of the points that are there has begun, another sweep takes
-/// their place; else throws InputError for one of which no point is there.
+/// Finds the points of a sweep in points.json of a folder. A point exists if its resolved scene
+/// does, its start.file included, or the same with less shear.strain, if no other point starts from
+/// its last state. If no existing point has begun, another sweep replaces them; otherwise throws
+/// InputError for a sweep none of whose points exists.
 PlacedPoints place_points(Sweep const& sweep, std::filesystem::path const& folder);
 
-/// Whether nobody has begun the point in a folder: no file but those of its preparation, no lock.
+/// True if no run has begun in the folder of a point: it has no lock and no file but those of its
+/// preparation.
 bool not_begun(std::filesystem::path const& point);
 
-/// What has changed since the folder was last used, for its user; "" where nothing has.
+/// Message on changes since the folder was last used; "" if there are none.
 std::string changes(PlacedPoints const& placed);
 
 }  // namespace bagnold::sweep

@@ -3,14 +3,14 @@
 
 namespace bagnold::sweep {
 
-// How a point tells the sweep that started it where it stands: shares of its strain, in [0, 1], as
-// doubles through a pipe whose descriptor is in the environment.
+// Pipe through which a point reports progress to the sweep that started it: shares of its strain,
+// in [0, 1], as doubles; its descriptor is in the environment.
 inline constexpr char const* report_variable = "BAGNOLD_SWEEP_PIPE";
 
-/// The pipe of the sweep that started this process; -1: no sweep did.
+/// Pipe of the sweep that started this process; -1 if none did.
 int report_pipe();
 
-/// Tells the sweep, if there is one. A full or closed pipe is no matter.
+/// Reports to the sweep, if there is one. A full or closed pipe is ignored.
 void report_share(double share);
 
 }  // namespace bagnold::sweep

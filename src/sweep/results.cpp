@@ -41,7 +41,7 @@ void append(std::string& names, std::string const& name) {
   names += (names.empty() ? "" : " ") + name;
 }
 
-/// Names of its "warnings" or "notes".
+/// Names in its "warnings" or "notes".
 std::string names_in(Json const& summary, char const* list) {
   std::string names;
   for (auto const& warning : summary.value(list, Json::array()))

@@ -10,36 +10,36 @@
 
 namespace bagnold::sweep {
 
-/// A mean with its standard error at every point, [P] each; NaN where there is none.
+/// A mean with its standard error at every point, [P] each; NaN if there is none.
 struct Column {
   std::string name;  ///< of the observable
   std::vector<double> mean, error;
 };
 
-/// What the points of a sweep have come to.
+/// Results of the points of a sweep.
 struct Results {
   std::vector<Column> columns;  ///< every observable of any point, in the order of first appearance
   std::vector<std::string> status;        ///< [P]: "done", "failed" (begun, no result) or "open"
   std::vector<std::string> warnings;      ///< [P]: names of a point's warnings, a space between
-  std::vector<std::string> notes;         ///< [P]: likewise of its notes
+  std::vector<std::string> notes;         ///< [P]: names of a point's notes, a space between
   std::vector<std::string> rough_errors;  ///< [P]: NAMEs whose errors are rough, a space between
   std::vector<double> strain;  ///< [P]: shear.strain of a point that is done, else NaN; of one that
                                ///< was made longer by itself more than the sweep says
 };
 
-/// From the points' summary.json. Throws FileError where one cannot be read.
+/// Reads the points' summary.json. Throws FileError if one cannot be read.
 Results read_results(Sweep const& sweep, SweepFolder const& folder);
 
-/// The sweep with the strain that its points have come to.
+/// Sweep with the strain that its points have reached.
 Sweep as_run(Sweep sweep, Results const& results);
 
-/// sweep.csv: a row a point, the varied keys, NAME and NAME_error, rough_errors, warnings, notes,
-/// folder;
-/// empty where there is none.
-/// Replaces the file as a whole; throws FileError.
+/// Writes sweep.csv: a row a point, with the varied keys, NAME and NAME_error, rough_errors,
+/// warnings, notes, folder; cells are empty if there is no value. Replaces the file as a whole;
+/// throws FileError.
 void write_csv(std::filesystem::path const& file, Sweep const& sweep, Results const& results);
 
-/// sweep.h5, see docs/files.md; `made_by` goes to the root. Replaces the file; throws FileError.
+/// Writes sweep.h5, see docs/files.md; `made_by` goes to the root. Replaces the file; throws
+/// FileError.
 void write_hdf5(std::filesystem::path const& file, Sweep const& sweep, Results const& results,
                 io::Attributes const& made_by);
 

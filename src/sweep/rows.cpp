@@ -21,7 +21,7 @@ double count_of(SweepTable const& table) {
   return count;
 }
 
-/// Whether a row of zip says start.kind = "random".
+/// True if a row of zip gives start.kind = "random".
 bool starts_at_random(SweepTable const& table, Row const& row) {
   for (std::size_t k = 0; k < table.zip.size(); ++k) {
     auto const* text = std::get_if<std::string>(&row.values[k]->value);

@@ -9,7 +9,7 @@
 
 namespace bagnold::sweep {
 
-/// Which value each varied key has at a point, and the chain it belongs to.
+/// Values of the varied keys at a point, and the chain of the point.
 struct Row {
   std::vector<VariedKey::Given const*> values;  ///< keys of zip, then of grid
   std::size_t chain = 0;                        ///< numbered in the order of their first points

@@ -27,7 +27,7 @@ std::size_t jobs_of(SweepOptions const& options) {
   return static_cast<std::size_t>(std::max(1, jobs));
 }
 
-/// Runs chains, says what failed.
+/// Runs chains and prints failures.
 SweepEnd run_chains(Sweep const& sweep, SweepFolder const& folder, SweepOptions const& options,
                     std::vector<std::size_t> const& chains) {
   SweepMonitor& monitor = monitor_of(options);

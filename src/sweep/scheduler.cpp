@@ -15,11 +15,11 @@ namespace bagnold::sweep {
 
 namespace {
 
-constexpr int round_ms = 100;    ///< between looks at signals and at folders in use
+constexpr int round_ms = 100;    ///< between checks of signals and of folders in use
 constexpr int most_waits = 100;  ///< rounds: a killed process may take a while to end a write
 constexpr int asked_waits = 20;  ///< rounds: Slurm signals one process after the other
 
-/// The last thing that a point said on stderr, behind what the log held before.
+/// Last message of a point on stderr, after the earlier contents of the log.
 std::string last_words(std::filesystem::path const& log, std::uintmax_t before) {
   constexpr std::string_view mark = "bagnold: ";
   std::ifstream in(log);
@@ -86,8 +86,8 @@ void Scheduler::start_points() {
   }
 }
 
-/// Is the point's folder free, or has it been in use for so long that the point itself shall say
-/// so?
+/// True if the point's folder is free, or has been in use for so long that the point itself shall
+/// report it.
 bool Scheduler::let_go(std::size_t point) {
   return !folder_.in_use(point) || ++waits_[point] > most_waits;
 }
@@ -103,7 +103,7 @@ void Scheduler::start(Chain& chain, std::size_t point) {
   monitor_.started(point);
 }
 
-/// For news of a point, a signal, or the end of the round.
+/// Waits for a report of a point, a signal, or the end of the round.
 void Scheduler::wait() const {
   std::vector<pollfd> reports;
   for (auto const& [point, running] : running_)
@@ -124,7 +124,8 @@ void Scheduler::look_at_points() {
   }
 }
 
-/// A batch system or a terminal signals this process and its points; a point may be the first.
+/// True if the signal went to this process and its points: a batch system or a terminal does that,
+/// and a point may receive it first.
 bool Scheduler::all_are_asked_to_stop(int signal) const {
   if (signal != SIGINT && signal != SIGTERM && signal != SIGHUP) return false;
   for (int k = 0; k < asked_waits && !monitor_.stop_requested(); ++k)

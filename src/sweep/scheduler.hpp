@@ -13,7 +13,7 @@
 
 namespace bagnold::sweep {
 
-/// How points are run.
+/// Command and number of jobs for points.
 struct Work {
   std::vector<std::string> command;  ///< before the point's folder: program and "resume"
   std::vector<std::string> options;  ///< behind it
@@ -28,14 +28,14 @@ struct Failure {
 };
 
 /// Runs chains of points as processes of their own, as many at a time as there are jobs, each chain
-/// in its order. What is finished is skipped; a point that fails ends its chain and nothing else.
+/// in its order. Finished points are skipped; a point that fails ends its chain and nothing else.
 class Scheduler {
  public:
   Scheduler(Sweep const& sweep, SweepFolder const& folder, Work work, SweepMonitor& monitor);
 
-  /// Until all is done; or, where the monitor asks to stop, until every point has written its
-  /// checkpoint and stopped. Returns what failed, in the file's order. FileError where the system
-  /// starts no process; those that run have written their checkpoints then.
+  /// Runs until all is done or, if the monitor asks to stop, until every point has written its
+  /// checkpoint and stopped. Returns failures, in the file's order. FileError if the system starts
+  /// no process; running points have then written their checkpoints.
   std::vector<Failure> run(std::vector<std::size_t> const& chains);
 
  private:

@@ -25,7 +25,7 @@ std::int64_t minutes_needed(Sweep const& sweep, SlurmJob const& job, std::size_t
 }
 
 std::string head(SlurmJob const& job, std::string const& name, std::string const& log) {
-  auto const quoted = [](std::filesystem::path const& path) {  // sbatch knows these alone
+  auto const quoted = [](std::filesystem::path const& path) {  // the only quotes of sbatch
     return fmt::format("\"{}\"", path.string());
   };
   return fmt::format(

@@ -11,7 +11,7 @@
 
 namespace bagnold::sweep {
 
-/// What the scripts of a sweep call.
+/// Job for the scripts of a sweep.
 struct SlurmJob {
   std::filesystem::path program;
   std::filesystem::path file;      ///< the sweep file
@@ -22,23 +22,23 @@ struct SlurmJob {
   std::vector<double> seconds;     ///< that each point may take on one core at most, [points]
 };
 
-/// Throws InputError for a folder whose name sbatch would not take as it is: it stands in comments
-/// of the scripts, where a new line ends the comment, and letters in it stand for numbers.
+/// Throws InputError for a folder whose name sbatch would not take literally: it is in comments of
+/// the scripts, where a new line ends the comment, and sbatch replaces patterns of letters in it.
 void refuse_slurm_name(std::filesystem::path const& folder);
 
-/// Tasks of the array: one a chain, as far as there may be so many.
+/// Tasks of the array: one for each chain, up to the limit.
 std::size_t slurm_tasks(Sweep const& sweep, SlurmJob const& job);
 
-/// An array of slurm_tasks() that runs `bagnold sweep FILE --out DIR --chain K`; beyond that many
-/// chains a task does several in turn. Submitted as `--array=1-K` all chains are spread over its K
-/// tasks. The wall time asked for is twice that of the longest task, 10 minutes at least. A task
+/// Script of an array of slurm_tasks() that runs `bagnold sweep FILE --out DIR --chain K`; beyond
+/// that many chains a task does several in turn. Submitted as `--array=1-K` all chains are spread
+/// over its K tasks. The wall time is twice that of the longest task, at least 10 minutes. A task
 /// that is preempted asks to be queued again.
 std::string slurm_array(Sweep const& sweep, SlurmJob const& job);
 
-/// The step behind it, which writes the tables.
+/// Script of the step after it, which writes the tables.
 std::string slurm_collect(SlurmJob const& job);
 
-/// A word as sh takes it, whatever letters it has.
+/// A word quoted for sh, whatever its letters.
 std::string shell_word(std::string const& word);
 
 }  // namespace bagnold::sweep

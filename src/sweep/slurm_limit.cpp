@@ -13,7 +13,7 @@ namespace bagnold::sweep {
 
 namespace {
 
-constexpr std::int64_t default_tasks = 1000;  ///< MaxArraySize is 1001 where nobody changed it
+constexpr std::int64_t default_tasks = 1000;  ///< MaxArraySize is 1001 by default
 
 std::optional<std::int64_t> number_in(std::string const& text, char const* pattern) {
   std::smatch found;
@@ -32,7 +32,7 @@ std::int64_t most_array_tasks(std::string const& config) {
 }
 
 std::int64_t most_array_tasks() {
-  // Without a controller scontrol asks for a while.
+  // Without a controller scontrol keeps asking for a while.
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> const answer(
       ::popen("timeout 10 scontrol show config 2>/dev/null </dev/null", "re"), ::pclose);
   std::string config;

@@ -10,7 +10,7 @@
 
 namespace bagnold::sweep {
 
-/// Where the points of a sweep stand, by their folders alone: whoever runs them.
+/// Status of the points of a sweep, by their folders alone, whichever process runs them.
 struct SweepStatus {
   struct Point {
     std::string folder;
@@ -24,12 +24,13 @@ struct SweepStatus {
   std::size_t count(RunStatus::State state) const;
   double share() const;  ///< of the disk-steps of all
 
-  /// On one core, at the pace of the points so far; nothing before one has a pace. A thread each.
+  /// Remaining time on one core, at the pace of the points so far, [s]; nothing before a point has
+  /// a pace. Points have one thread each.
   std::optional<double> core_seconds_left() const;
 };
 
-/// Of the folder of a sweep, from its points.json; nothing where it holds none. Throws InputError
-/// where that is damaged.
+/// Status of a sweep by its folder, from points.json; nothing where the folder holds none. Throws
+/// InputError if that file is damaged.
 std::optional<SweepStatus> status_of_sweep(std::filesystem::path const& folder);
 
 }  // namespace bagnold::sweep

@@ -20,14 +20,14 @@ namespace {
 
 constexpr std::size_t most_letters = 120;  ///< in the name of a folder
 
-/// "table.key" without its table, where that is enough to tell the varied keys apart.
+/// "table.key" without its table, if that is enough to distinguish the varied keys.
 std::string short_name(std::string const& key, std::vector<std::string> const& keys) {
   auto const last = [](std::string const& name) { return name.substr(name.rfind('.') + 1); };
   auto const alike = [&](std::string const& other) { return last(other) == last(key); };
   return std::ranges::count_if(keys, alike) > 1 ? key : last(key);
 }
 
-/// Number, then keys and values in letters that every file system and shell takes.
+/// Folder name: number, then keys and values in letters that every file system and shell accepts.
 std::string folder_name(std::size_t number, std::vector<std::string> const& keys,
                         std::vector<Value> const& values) {
   std::string name = fmt::format("{:04}", number);
@@ -51,8 +51,8 @@ std::string message_name(std::size_t number, std::size_t count,
   return fmt::format("point {} of {} ({})", number, count, values);
 }
 
-/// The state of another box, another number of disks or of replicas is none to go on from, but for
-/// copies of it.
+/// Throws InputError if a point cannot start from the state of another: of another box, number of
+/// disks or number of replicas, except for copies of it.
 void check_step(Point const& from, Point const& to) {
   auto const &before = from.scene.disks, &after = to.scene.disks;
   auto const refuse = [](std::string const& keys, std::string const& instead) {
@@ -72,7 +72,7 @@ void check_step(Point const& from, Point const& to) {
                : "");
 }
 
-/// Expands the rows of one file: a row is a run or, of a cascade, a run for each of its rates.
+/// Expands the rows of one file: a row is a run or, for a cascade, a run for each of its rates.
 class Expansion {
  public:
   Expansion(Sweep& sweep, std::filesystem::path folder, SweepTable const& table,
@@ -99,7 +99,7 @@ class Expansion {
     }
   }
 
-  /// The varied keys; of cascades also the rate of the stage.
+  /// Varied keys; for cascades also the rate of the stage.
   std::vector<std::string> keys() const {
     auto all = sweep_.keys;
     if (cascade_) all.emplace_back(rate_key);
@@ -141,7 +141,7 @@ class Expansion {
     sweep_.points.push_back(std::move(point));
   }
 
-  /// The runs of a cascade, a chain.
+  /// Adds the runs of a cascade, as a chain.
   void add_stages(Point const& cascade, std::size_t chain) {
     for (std::size_t k = 0; k < cascade.scene.shear.strain_rates.size(); ++k) {
       Point point = cascade;
@@ -166,7 +166,8 @@ class Expansion {
     point.scene = parse_point(sweep_.text, sweep_.origin, folder_, values);
   }
 
-  /// A file of its own along a chain, where each point starts from the state of the one before.
+  /// Refuses a file of its own for a point along a chain, where each point starts from the state of
+  /// the one before.
   void refuse_own_file(Row const& row) const {
     if (!table_.chained_along_zip()) return;
     for (std::size_t k = 0; k < table_.zip.size(); ++k)

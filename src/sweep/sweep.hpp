@@ -36,14 +36,15 @@ struct Sweep {
   std::vector<std::vector<std::size_t>> chains;  ///< points done one after another
 };
 
-/// What is asked of each scene beyond its form; throws InputError.
+/// Checks of each scene beyond its form; throws InputError.
 using PointCheck = std::function<void(Scene const& scene, Plan const& plan)>;
 
 /// Reads a sweep file and expands, plans and checks every point. Throws InputError naming the file,
 /// the point and the key.
 Sweep read_sweep(std::filesystem::path const& file, PointCheck const& check);
 
-/// The same from its text; `origin` names it in messages, `folder` is where start.file is sought.
+/// Reads a sweep from text. `origin` names the text in messages; start.file is relative to
+/// `folder`.
 Sweep parse_sweep(std::string const& text, std::string const& origin,
                   std::filesystem::path const& folder, PointCheck const& check);
 

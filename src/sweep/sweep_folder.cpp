@@ -23,7 +23,8 @@ std::string text_in(fs::path const& file) {
   return {reinterpret_cast<char const*>(bytes.data()), bytes.size()};
 }
 
-/// Only where it differs: the time of an old file tells when it was made.
+/// Writes a file only if its text differs, so that the time of an old file stays the time when it
+/// was made.
 void put_text(fs::path const& file, std::string const& text) {
   if (fs::exists(file) && text_in(file) == text) return;
   io::replace_text(file, text);
@@ -37,7 +38,7 @@ void make_folder(fs::path const& folder) {
                                 folder.string(), error.message()));
 }
 
-/// Removes the folder of a point that nobody has begun; not what a strange name or a link leads to.
+/// Removes the folder of a point that has not begun; never the target of an unusual name or a link.
 void withdraw(fs::path const& points, std::string const& name) {
   auto const point = points / name;
   std::error_code error;
@@ -128,7 +129,7 @@ void SweepFolder::write_points(PlacedPoints const& placed) const {
   put_text(path_ / "sweep.toml", sweep.text);
   put_text(path_ / "points.json", points_json(placed).dump(1) + "\n");
   for (std::size_t k = 0; k < names_.size(); ++k) {
-    // what has steps behind it keeps the scene of its checkpoint
+    // a point that has done steps keeps the scene of its checkpoint
     if (has_results(k) || fs::exists(point(k) / "checkpoint.h5") ||
         fs::exists(point(k) / "checkpoint.previous.h5"))
       continue;

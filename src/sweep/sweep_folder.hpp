@@ -12,18 +12,18 @@
 
 namespace bagnold::sweep {
 
-/// The folder of a sweep: a copy of its file, points.json with the resolved points (and those that
-/// left the file), and a folder for every point, which `bagnold resume` takes as it is.
+/// Folder of a sweep: a copy of its file, points.json with the resolved points (and those that left
+/// the file), and a folder for every point, for `bagnold resume`.
 class SweepFolder {
  public:
-  /// Makes or reopens the folder and keeps other sweeps out of it. Writes what is missing, and
-  /// makes points longer that are to be. Throws InputError where the folder is in use, holds a run,
-  /// or a point cannot be made longer.
+  /// Makes or reopens the folder and locks it against other sweeps. Writes missing files, and makes
+  /// points longer where needed. Throws InputError if the folder is in use, holds a run, or a point
+  /// cannot be made longer.
   static SweepFolder make(std::filesystem::path const& folder, PlacedPoints const& placed);
   static SweepFolder make(std::filesystem::path const& folder, Sweep const& sweep);
 
-  /// A folder that make() made, not locked, so that several processes can each do a chain of it.
-  /// Throws InputError where there is none, or the sweep has points that it does not know.
+  /// Opens a folder that make() made, without a lock, so that several processes can each do a chain
+  /// of it. Throws InputError if there is none, or the sweep has points that it does not have.
   static SweepFolder join(std::filesystem::path const& folder, PlacedPoints const& placed);
 
   std::filesystem::path const& path() const { return path_; }
@@ -33,7 +33,7 @@ class SweepFolder {
   std::filesystem::path summary(std::size_t k) const { return point(k) / "summary.json"; }
 
   bool has_results(std::size_t k) const { return std::filesystem::exists(summary(k)); }
-  /// Nothing is left to do: `bagnold resume` joins trajectories and removes their parts.
+  /// True if nothing is left to do: `bagnold resume` joins trajectories and removes their parts.
   bool finished(std::size_t k) const {
     return has_results(k) && io::trajectory_parts(point(k)).empty();
   }

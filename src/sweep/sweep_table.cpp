@@ -66,7 +66,8 @@ class TableReader {
     }
   }
 
-  /// The lists of a table in the order of the file; `table.key` without quotes is a table in it.
+  /// Reads the lists of a table in the order of the file; `table.key` without quotes is a table in
+  /// it.
   void lists(std::string const& where, std::string const& prefix, toml::table const& table,
              std::vector<VariedKey>& keys) const {
     using Entry = std::pair<toml::key const*, toml::node const*>;

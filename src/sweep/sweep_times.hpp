@@ -6,12 +6,12 @@
 
 namespace bagnold::sweep {
 
-/// What the points of a sweep take on one core, in the file's order, from trials of some of them
-/// (src/run/run_time_estimate.hpp). Starts Kokkos where it does not run yet.
+/// Times of the points of a sweep on one core, in the file's order, from trials of some of them
+/// (src/run/run_time_estimate.hpp). Starts Kokkos if it does not run yet.
 RunTimes times_of_points(Sweep const& sweep);
 
-/// The time of the longest chain, `times` being those of the points: less than this no number of
-/// cores takes.
+/// Time of the longest chain, `times` being those of the points: a lower bound for any number of
+/// cores.
 RunTime longest_chain(Sweep const& sweep, RunTimes const& times);
 
 /// Disks times steps, of all points.
