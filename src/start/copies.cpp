@@ -12,7 +12,7 @@ namespace bagnold {
 
 namespace {
 
-/// Those k_x k_y = number whose box comes nearest to the aspect that is wanted.
+/// k_x and k_y with k_x k_y = number whose box has an aspect nearest to the one wanted.
 Copies nearest(std::int64_t number, double box_aspect, double wanted) {
   Copies best{number, 1};
   double least = INFINITY;

@@ -14,20 +14,20 @@ namespace bagnold {
 
 namespace {
 
-constexpr double largest_of_packings = 0.5;  // relative overlap; deeper ones hide a wrong box
+constexpr double largest_of_packings = 0.5;  // relative overlap; deeper ones mean a wrong box
 
 struct Placed {
   double x, y;  ///< in the box
   std::size_t disk;
 };
 
-/// In [0, length); 0 for numbers so large that nothing is left of it.
+/// x modulo length, in [0, length); 0 for numbers too large to have a remainder.
 double modulo(double x, double length) {
   double const rest = x - length * std::floor(x / length);
   return rest >= 0 && rest < length ? rest : 0;
 }
 
-/// Disks in rows that are at least a big diameter high, each in the order of x.
+/// Disks in rows at least a big diameter high, each in the order of x.
 class Rows {
  public:
   explicit Rows(State const& state)
@@ -46,7 +46,7 @@ class Rows {
     for (auto& row : rows_) std::ranges::sort(row, {}, &Placed::x);
   }
 
-  /// see(one, other, dx, dy) for each pair that may touch, once; until it says false.
+  /// Calls see(one, other, dx, dy) for each pair that may touch, once, until it returns false.
   template <class See>
   void for_each_pair(See const& see) const {
     for (std::size_t r = 0; r < rows_.size(); ++r) {
@@ -61,7 +61,7 @@ class Rows {
   }
 
  private:
-  /// The disks of a row, shifted, that are within a big diameter of one in x.
+  /// Calls see for the disks of a row, shifted, that are within a big diameter of a disk in x.
   template <class See>
   bool in_row(Placed const& one, std::vector<Placed> const& row, double x_shift, double y_shift,
               bool later_only, See const& see) const {
@@ -82,7 +82,7 @@ class Rows {
   std::vector<std::vector<Placed>> rows_;
 };
 
-/// see(one, other, overlap) for each pair that overlaps; until it says false.
+/// Calls see(one, other, overlap) for each pair that overlaps, until it returns false.
 template <class See>
 void for_each_overlap(State const& state, See const& see) {
   Rows(state).for_each_pair([&](std::size_t i, std::size_t j, double dx, double dy) {

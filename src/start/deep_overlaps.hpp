@@ -18,15 +18,15 @@ struct DeepOverlaps {
   static constexpr std::int64_t most_pairs = 1'000'000;
 };
 
-/// Of all disks and their nearest images, on one thread of the host, without Kokkos. Values are
-/// finite.
+/// Deep overlaps of all disks and their nearest images. Runs on one thread of the host, without
+/// Kokkos. Values must be finite.
 DeepOverlaps deep_overlaps(State const& state, double limit);
 
-/// The largest relative overlap of all disks and their nearest images; 0: none overlaps.
+/// Largest relative overlap of all disks and their nearest images; 0 if none overlaps.
 double largest_overlap(State const& state);
 
-/// What to say of a state file whose disks overlap so much that a run stops at once, and what to
-/// do; empty: nothing.
+/// Warning on a state file whose disks overlap so much that a run would stop at once, with what to
+/// do; empty if there is none.
 std::string deep_overlap_warning(State const& state, std::string const& file);
 
 }  // namespace bagnold

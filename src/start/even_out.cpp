@@ -24,8 +24,8 @@ class Squares {
 
   Field zeros() const { return Field(columns_ * rows_, 0.0); }
 
-  /// visit(square, share) for the four squares whose centres are around a point in the box,
-  /// bilinear.
+  /// Calls visit(square, share) for the four squares whose centres surround a point in the box,
+  /// with bilinear shares.
   template <class Visit>
   void around(std::array<double, 2> const& point, Visit const& visit) const {
     double const x = point[0] / width_ + static_cast<double>(columns_) - 0.5;
@@ -96,7 +96,7 @@ double dot(Field const& a, Field const& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-/// psi of Laplace psi = delta to a thousandth of delta, by conjugate gradients.
+/// Solves Laplace psi = delta to a thousandth of delta, by conjugate gradients.
 Field solve_laplacian(Squares const& squares, Field const& delta) {
   Field psi = squares.zeros(), left = delta;
   for (double& l : left) l = -l;

@@ -63,7 +63,7 @@ void refuse_other_number(std::vector<State> const& states, Scene const& scene) {
         replicas == 1 ? "" : ", or give a state file with as many"));
 }
 
-/// Whether two states, without the motion of all disks together, differ by rounding at most.
+/// True if two states, without the motion of all disks together, differ by rounding at most.
 bool are_alike(State const& one, State const& other, double strain_rate) {
   if (one.position != other.position) return false;
   double const rounding = 1e-9 * strain_rate * small_diameter;
@@ -120,7 +120,8 @@ StartedState fit_one(State state, Scene const& scene) {
   return started;
 }
 
-/// What was taken off any of the states, of all: records have the same names.
+/// Records the mean motion subtracted from each state if any state had one, so that all records
+/// have the same names.
 void record_mean_motions(std::vector<StartedState>& started) {
   if (std::ranges::none_of(started, [](auto const& one) { return one.mean_motion.has_value(); }))
     return;

@@ -22,7 +22,8 @@ MeanMotion mean_motion(State const& state, Scene const& scene) {
 }
 
 std::optional<MeanMotion> take_off_mean_motion(State& state, Scene const& scene) {
-  // Of states of our own rounding has left less than 1e-20. A strain of 1e4 makes 1e-4 of this.
+  // Rounding leaves a share below 1e-20 in states of this program. A strain of 1e4 makes 1e-4 of
+  // this limit.
   constexpr double rounding = 1e-12;
   auto const found = mean_motion(state, scene);
   auto const [x, y] = found.velocity;

@@ -9,7 +9,7 @@
 
 namespace bagnold {
 
-/// What a random number of a start is for, so that uses never share one.
+/// Purpose of a random number of a start, so that no two uses share one.
 enum class Purpose : std::uint32_t { position = 1, nudge = 2 };
 
 /// Two numbers in (0, 1), the same for a (seed, disk, purpose) everywhere.

@@ -26,10 +26,11 @@ namespace bagnold {
 
 namespace {
 
-/// Above it disks are pushed apart one iteration at a time: engines refuse such overlaps.
+/// Relative overlap above which disks are pushed apart one iteration at a time: engines refuse such
+/// overlaps.
 constexpr double deep = 0.1;
 
-/// Disks at rest that push each other apart, however much they overlap.
+/// Disks at rest that push each other apart, whatever their overlap.
 template <class Space>
 class Relaxer {
  public:
@@ -120,8 +121,8 @@ Relaxation push_apart_on(State& state, double overlap, std::int64_t iterations, 
   return {done, left};
 }
 
-/// Undamped disks in a fluid at rest: gradient descent with momentum on the elastic energy, a step
-/// an iteration.
+/// Scene of undamped disks in a fluid at rest: gradient descent with momentum on the elastic
+/// energy, one step for each iteration.
 Scene relaxing_scene(State const& state, double skin) {
   constexpr double keep = 0.985;  // share of the velocity kept: waves as long as the box die out
   Scene scene;
@@ -138,7 +139,8 @@ Scene relaxing_scene(State const& state, double skin) {
 
 using Host = Kokkos::DefaultHostExecutionSpace;
 
-/// Fewer disks wait for each other more than they move, and replicas have a thread each.
+/// True if threads pay. Those of few disks mostly wait for each other, and replicas have a thread
+/// each.
 bool worth_threads(State const& state) {
 #ifdef KOKKOS_ENABLE_SERIAL
   return is_large(state) && Host().concurrency() > 1;
@@ -147,7 +149,7 @@ bool worth_threads(State const& state) {
 #endif
 }
 
-/// Until overlaps are no longer deep.
+/// Pushes disks apart until overlaps are no longer deep.
 Relaxation push_apart(State& state, double overlap, std::int64_t iterations, double skin,
                       std::function<bool()> const& go_on) {
   auto const limit = std::max(deep, overlap);
@@ -158,8 +160,8 @@ Relaxation push_apart(State& state, double overlap, std::int64_t iterations, dou
   return push_apart_on<Host>(state, limit, iterations, skin, go_on);
 }
 
-/// Goes on from a relaxation that is begun; false where disks came too close for an engine: then
-/// the state is that of some iterations before.
+/// Continues a relaxation. Returns false if disks came too close for an engine; the state is then
+/// that of some iterations before.
 bool relax_in_blocks(State& state, Relaxation& relaxed, double overlap, std::int64_t iterations,
                      double skin, std::function<bool()> const& go_on) try {
   State resting = state;
@@ -188,7 +190,7 @@ bool relax_in_blocks(State& state, Relaxation& relaxed, double overlap, std::int
   return false;
 }
 
-/// The disks strip by strip, so that neighbours in the box are near in memory.
+/// Indices of the disks strip by strip, so that neighbours in the box are near in memory.
 std::vector<std::size_t> by_strips(State const& state) {
   constexpr double height = 4;  // [d_s]
   std::vector<std::size_t> order(state.count());

@@ -8,7 +8,7 @@ namespace bagnold {
 
 namespace {
 
-/// Disks on a lattice push each other along its rows for ever: moved so far they leave it.
+/// Nudge of disks on a lattice: without it they push each other along its rows for ever.
 constexpr double nudge = 1e-6;  // [d_s]
 
 void leave_symmetry(State& state, std::int64_t seed) {

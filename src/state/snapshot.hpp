@@ -12,7 +12,7 @@
 
 namespace bagnold {
 
-/// Everything a simulation needs to go on bit for bit.
+/// All data that a simulation needs to continue bit for bit.
 struct Snapshot {
   State state;  ///< as the engine holds it, outside the box perhaps
   std::vector<std::array<double, 2>> list_position;   ///< [N], at the last list build, [d_s]
@@ -21,8 +21,8 @@ struct Snapshot {
   double initial_offset = 0.0;                        ///< at step 0, [d_s]
   double initial_time = 0.0;                          ///< at step 0, [tau_e]
   std::int64_t list_builds = 0;                       ///< so far
-  std::map<std::string, double> memory;               ///< what else the engine's bits depend on
-  std::map<std::string, std::vector<double>> arrays;  ///< likewise, many numbers each
+  std::map<std::string, double> memory;               ///< other numbers on which the bits depend
+  std::map<std::string, std::vector<double>> arrays;  ///< memory with many numbers each
   std::map<std::string, double> counters;             ///< of the engine, for reports
 };
 

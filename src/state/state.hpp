@@ -8,7 +8,7 @@
 
 namespace bagnold {
 
-/// One system on the host, as starts make it and files hold it: disks in the order of the start.
+/// One system on the host, as made by starts and held in files: disks in the order of the start.
 struct State {
   std::vector<std::array<double, 2>> position;  ///< [N], [d_s]
   std::vector<std::array<double, 2>> velocity;  ///< [N], lab frame, [d_s / tau_e]

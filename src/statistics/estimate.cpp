@@ -12,8 +12,8 @@
 namespace bagnold::statistics {
 namespace {
 
-/// Whether a series of this standard error, as of independent values, is nothing but the rounding
-/// of f(all) - f(all but w), a few epsilon |f|, that deviations() blows up n times.
+/// True if a series with this standard error, as of independent values, is only rounding of f(all)
+/// - f(all but w): a few epsilon |f|, which deviations() magnifies n times.
 bool only_rounding(double standard_error, std::size_t n, double f) {
   double const count = static_cast<double>(n);
   double const rounding = 16.0 * std::numeric_limits<double>::epsilon() * count * std::abs(f);
@@ -24,13 +24,14 @@ std::string counted(long count, std::string const& what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
-/// How much longer a run of n windows must be for an error that is not rough, going by this
-/// correlation time: enough is 64 tau; half as much again, since short series show too small a tau.
+/// Factor by which a run of n windows must be longer for an error that is not rough, by this
+/// correlation time. 64 tau are enough; half as much again is added, since short series show too
+/// small a tau.
 long times_longer(std::size_t n, double tau) {
   return std::max(2l, std::lround(std::ceil(96.0 * tau / static_cast<double>(n))));
 }
 
-/// Why n windows are too few, going by the largest correlation time that they let show.
+/// Adds the reason why n windows are too few, by the largest correlation time that they can show.
 void say_too_short(Estimate& result, std::vector<BlockLevel> const& levels) {
   double tau = 0.5;
   for (BlockLevel const& level : levels) {
@@ -44,7 +45,7 @@ void say_too_short(Estimate& result, std::vector<BlockLevel> const& levels) {
                   std::to_string(times_longer(result.samples, tau)) + " times longer for an error";
 }
 
-/// Makes the error of too few blocks one that mean +- 2 errors can be told from.
+/// Widens the error of too few blocks so that mean +- 2 errors is an interval of 95%.
 void make_rough(Estimate& result) {
   result.rough = true;
   *result.error *= student_factor(result.blocks - 1);
@@ -54,7 +55,7 @@ void make_rough(Estimate& result) {
                   " times longer for a better error";
 }
 
-/// Fills in the error of a finite mean, or the remark.
+/// Adds the error of a finite mean, or the remark.
 void add_error(Estimate& result, Jackknife& jackknife) {
   std::size_t const n = result.samples;
   if (n < fewest_rough_blocks) return say_too_short(result, {});

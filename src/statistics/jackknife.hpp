@@ -11,12 +11,11 @@
 
 namespace bagnold::statistics {
 
-/// A quantity as a function of the K averages of a table of windows, sigma/p for instance.
+/// A quantity as a function of the K averages of a table of windows, for instance sigma/p.
 using Function = std::function<double(std::span<double const>)>;
 
-/// How f of the averages changes as windows are left out. Windows before `first` do not count;
-/// those that do are n, with weights m_w and the sum M. Keeps references: both arguments must
-/// outlive it.
+/// Change of f of the averages as windows are left out. Windows before `first` do not count; n
+/// windows do, with weights m_w and the sum M. Keeps references: both arguments must outlive it.
 class Jackknife {
  public:
   Jackknife(Windows const& windows, std::size_t first, Function const& f);

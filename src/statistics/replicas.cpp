@@ -6,8 +6,8 @@
 namespace bagnold::statistics {
 namespace {
 
-/// One row a replica: what its windows from `first` on add up to. Replicas without any are left
-/// out.
+/// Table with one row for each replica: the sums of its windows from `first` on. Replicas without
+/// any are left out.
 Windows totals(std::vector<Windows const*> const& replicas, std::size_t first) {
   Windows table{replicas.front()->columns, {}, {}};
   for (Windows const* windows : replicas) {
@@ -32,7 +32,7 @@ void add_error_of_scatter(Estimate& all, Jackknife& jackknife, std::size_t repli
   all.blocks = replicas;
 }
 
-/// Error, blocks, rough and remark of what the replicas' own errors add up to.
+/// Error, blocks, rough and remark of the combined errors of the replicas.
 Estimate combined(std::vector<Estimate> const& each, Windows const& total) {
   Estimate within;
   double squares = 0.0, weights = 0.0;

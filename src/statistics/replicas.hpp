@@ -8,7 +8,7 @@
 
 namespace bagnold::statistics {
 
-/// A quantity over R independent systems, and of each alone.
+/// A quantity over R independent systems, and for each alone.
 struct ReplicaEstimate {
   Estimate all;
   std::vector<Estimate> each;  ///< [R]
@@ -25,19 +25,19 @@ inline constexpr std::size_t fewest_replicas = 3;
 ///
 ///     error^2 = (R-1)/R sum_r (f_{-r} - mean)^2     for equal weights.
 ///
-/// It knows nothing of correlation times, and so is right for runs too short for an error of their
-/// own, and where each sits in a state that the others do not share. It is itself uncertain by
-/// 1/sqrt(2 (R - 1)), half of it at R = 3; `blocks` is R.
+/// It does not depend on correlation times. It is therefore right for runs too short for an error
+/// of their own, and if each replica is in a state that the others do not reach. Its own relative
+/// uncertainty is 1/sqrt(2 (R - 1)), half of it at R = 3; `blocks` is R.
 ///
-/// For R = 2, whose one difference tells next to nothing, the errors of estimate() are combined:
-/// error = [(M_1 e_1)^2 + (M_2 e_2)^2]^(1/2) / (M_1 + M_2), M the weights, rough where one of them
-/// is, none where one has none. R = 1 is estimate(). Such a combination is `within` for every R; it
-/// is known from many more blocks than there are replicas, but not whether they sit in one state.
-/// The correlation time is the mean of those of the replicas that have one.
+/// For R = 2, whose one difference says almost nothing, the errors of estimate() are combined:
+/// error = [(M_1 e_1)^2 + (M_2 e_2)^2]^(1/2) / (M_1 + M_2), M the weights; rough if one of them is,
+/// none if one has none. R = 1 is estimate(). Such a combination is `within` for every R. It comes
+/// from many more blocks than there are replicas, but does not show whether the replicas are in one
+/// state. The correlation time is the mean of those of the replicas that have one.
 ReplicaEstimate estimate(std::vector<Windows const*> const& replicas, std::size_t first,
                          Function const& f);
 
-/// How estimate() comes by the error for R replicas, in words.
+/// Source of the error of estimate() for R replicas, in words.
 std::string_view error_source(std::size_t replicas);
 
 }  // namespace bagnold::statistics

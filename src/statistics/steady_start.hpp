@@ -6,7 +6,7 @@
 
 namespace bagnold::statistics {
 
-/// Where a series becomes steady.
+/// Beginning of the steady part of a series.
 struct SteadyStart {
   std::size_t first = 0;  ///< values before it belong to the transient
   bool found = false;  ///< false: no minimum before the middle; `first` is the middle, rounded up
@@ -17,15 +17,16 @@ struct SteadyStart {
 ///
 ///     d* = argmin_d (1/(m - d)^2) sum_{j > d} (z_j - mean_{j > d})^2,   d <= m/2,
 ///
-/// the truncation with the smallest (marginal) standard error of what is left: more of a transient
-/// costs spread, less of a series costs number. A minimum at the limit m/2 is none: the transient
-/// goes on, the series is too short.
+/// the truncation with the smallest (marginal) standard error of the rest: more of a transient
+/// increases the scatter, less of a series decreases the number of values. A minimum at the limit
+/// m/2 does not count: the transient is not over, the series is too short.
 ///
-/// It cuts where the transient is as large as the noise of a batch. What is left of it biases the
-/// mean: at n = 4000 and 20 standard deviations at the start by 0.1 to 0.3 standard errors where it
-/// decays exponentially (in 50 values), 0.3 to 0.8 where it does as t^-2 (from 20 on). Of a
-/// stationary series 1 to 2% is lost on average (first-order autoregressive noise, n at least 100
-/// correlation times), over a quarter in 1% of cases at most. Fewer than 10 values: not found.
+/// It cuts where the transient is as large as the noise of a batch. The rest of the transient
+/// biases the mean: at n = 4000 and 20 standard deviations at the start by 0.1 to 0.3 standard
+/// errors if it decays exponentially (in 50 values), by 0.3 to 0.8 if it decays as t^-2 (from 20
+/// on). Of a stationary series 1 to 2% is lost on average (first-order autoregressive noise, n at
+/// least 100 correlation times), over a quarter in 1% of cases at most. Fewer than 10 values: not
+/// found.
 SteadyStart steady_start(std::span<double const> series);
 
 }  // namespace bagnold::statistics

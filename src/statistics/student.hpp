@@ -15,10 +15,9 @@ namespace bagnold::statistics {
 ///                       + (1 3 .. (freedom - 3))/(2 4 .. (freedom - 2)) cos^(freedom - 2) theta}.
 double student_probability(double value, std::size_t freedom);
 
-/// What a standard error that is known from `freedom` degrees of freedom is multiplied by, so that
-/// mean +- 2 errors is the interval of 95.45%, as where the error is known exactly: half of the
-/// value that |t| stays below with the probability erf(2^(1/2)). 2.26, 1.65, 1.43 for 2, 3, 4; 1.21
-/// for 7.
+/// Factor on a standard error with `freedom` degrees of freedom that makes mean +- 2 errors the
+/// interval of 95.45%, as for an error that is known exactly: half of the value that |t| stays
+/// below with the probability erf(2^(1/2)). 2.26, 1.65, 1.43 for 2, 3, 4; 1.21 for 7.
 double student_factor(std::size_t freedom);
 
 }  // namespace bagnold::statistics

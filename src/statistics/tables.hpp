@@ -5,12 +5,11 @@
 #include <string>
 #include <vector>
 
-/// What a result holds beside series: named tables of numbers, NaN where undefined. Of a ramp each
-/// frame has its own: `frames` are the leading axes of the numbers then, {F} or of several systems
-/// {R, F}.
+/// Results besides series: named tables of numbers, NaN where undefined. For a ramp each frame has
+/// its own numbers. Their leading axes are then `frames`, {F}, or {R, F} for several systems.
 namespace bagnold::statistics {
 
-/// How often a quantity takes which value.
+/// Distribution of a quantity.
 struct Histogram {
   std::string name;
   std::string unit;  ///< of the edges; the density is per that

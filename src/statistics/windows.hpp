@@ -7,11 +7,11 @@
 
 namespace bagnold::statistics {
 
-/// A table of windows, one row each: K sums over the evaluations of a window, and their number.
+/// Table of windows, one row each: K sums over the evaluations of a window, and their number.
 ///
-/// Sums and not means, so that windows of unequal length add up exactly: the mean of quantity k
-/// over windows a .. b is (sum of its sums) / (sum of the weights). Units are those of the
-/// quantities.
+/// It holds sums instead of means, so that windows of unequal length add up exactly: the mean of
+/// quantity k over windows a .. b is (sum of its sums) / (sum of the weights). Units are those of
+/// the quantities.
 struct Windows {
   std::size_t columns = 0;     ///< K
   std::vector<double> sums;    ///< [windows][K]
@@ -19,7 +19,7 @@ struct Windows {
 
   std::size_t size() const { return weight.size(); }
 
-  /// The K sums of one window.
+  /// K sums of one window.
   std::span<double const> row(std::size_t window) const {
     return std::span(sums).subspan(window * columns, columns);
   }
@@ -28,11 +28,11 @@ struct Windows {
   /// a window without evaluations has no mean.
   void push_back(std::span<double const> row, double window_weight);
 
-  /// The first `count` windows, all of them where there are fewer.
+  /// First `count` windows, or all if there are fewer.
   Windows first(std::size_t count) const;
 
-  /// K means over windows first .. last - 1; NaN where there is none. Throws std::out_of_range
-  /// beyond the end.
+  /// K means over windows first .. last - 1; NaN if there are none. Throws std::out_of_range beyond
+  /// the end.
   std::vector<double> mean(std::size_t first, std::size_t last) const;
 };
 
