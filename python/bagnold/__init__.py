@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reads, plots and exports what the simulator Bagnold wrote, and runs it.
+"""Reads, plots and exports results of the simulator Bagnold, and runs it.
 
     r = bagnold.load("results/first")
     r["B_p"].mean, r["B_p"].error      # averages
@@ -9,8 +9,8 @@
     bagnold.run({"disks": {...}, "shear": {...}}, out="results/new")
 
 Lengths are in d_s (diameter of the small disks), times in tau_e, masses in m. `bagnold.plots` draws;
-`bagnold.structure` has g(r), S(q), force networks; `python -m bagnold export` writes other formats, `import`
-reads them.
+`bagnold.structure` has g(r), S(q), force networks; `python -m bagnold export` writes other formats, `import` reads
+them.
 """
 
 from typing import TYPE_CHECKING, Any
@@ -46,7 +46,7 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
-    """`bagnold.plots` is imported when it is asked for: it needs matplotlib."""
+    """Imports `bagnold.plots` when it is used: it needs matplotlib."""
     if name == "plots":
         import importlib
 
@@ -55,5 +55,5 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    """What is public."""
+    """Public names."""
     return sorted([*__all__, "__doc__", "__version__"])

@@ -49,7 +49,7 @@ def run_export(options: argparse.Namespace) -> int:
 
 
 def run_import(options: argparse.Namespace) -> int:
-    """Writes a state of a configuration of another program, and tells what a scene needs."""
+    """Writes a state from a configuration of another program, and prints the keys that a scene needs."""
     def number(option: str, text: str | None) -> float | None:
         return None if text is None else parse_number(option, text)
 
@@ -78,7 +78,7 @@ def run_report(options: argparse.Namespace) -> int:
 
 
 def run_watch(options: argparse.Namespace) -> int:
-    """Shows a run until nobody works on it any more."""
+    """Shows a run until no process works on it."""
     watch(options.folder, every=options.every, once=options.once, program=options.program)
     return 0
 
@@ -103,7 +103,7 @@ def run_movie(options: argparse.Namespace) -> int:
 
 
 def main(words: Sequence[str] | None = None) -> int:
-    """Reads the command line, returns the exit code."""
+    """Reads the command line and returns the exit code."""
     line = argparse.ArgumentParser(prog="python -m bagnold", description="Pictures, exports and imports of Bagnold.")
     commands = line.add_subparsers(required=True, metavar="COMMAND")
     command = commands.add_parser("plot", help="draw a run, a sweep, an analysis, a figure")
@@ -175,7 +175,7 @@ def main(words: Sequence[str] | None = None) -> int:
 
 
 def _without_output(error: OSError) -> int:
-    """Standard output cannot be written, or nobody reads it any more, which is no failure to tell."""
+    """Ends quietly if standard output cannot be written, or its reader has closed it."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # what is left would fail again at the end
     if isinstance(error, BrokenPipeError):
         return NOBODY_READS

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Commands of the program that look at scenes and results: validate, status, analyse, check-limit."""
+"""Commands of the program on scenes and results: validate, status, analyse, check-limit."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Validation:
-    """What the program says of a scene before it is run; printed, all of it."""
+    """Output of `bagnold validate` on a scene; printed, all of it."""
 
     text: str  #: as `bagnold validate` prints it
     scene: Scene  #: resolved; of a sweep file empty
@@ -36,9 +36,10 @@ class Validation:
 
 def validate(scene: Mapping[str, Any] | Path, *, program: Path | None = None, allow_unstable: bool = False,
              **set: Any) -> Validation:
-    """Checks a scene, or a sweep file, and tells its steps, memory and time, which it tries for a second.
+    """Checks a scene, or a sweep file, and returns its steps, memory and time, which it estimates by a trial of a
+    second.
 
-    scene, set: as of `bagnold.run`. Raises InputError where it cannot be run."""
+    scene, set: as of `bagnold.run`. Raises InputError if it cannot be run."""
     keys = {key_of(name): value for name, value in set.items()}
     with scene_file(scene, keys) as (file, overrides):
         words = ["validate", file, *overrides] + (["--allow-unstable"] if allow_unstable else [])
@@ -53,7 +54,7 @@ def validate(scene: Mapping[str, Any] | Path, *, program: Path | None = None, al
 
 @dataclass(frozen=True)
 class Status:
-    """Where a run, a cascade or a sweep stands, whoever works on it."""
+    """Status of a run, a cascade or a sweep, whichever process works on it."""
 
     folder: pathlib.Path
     kind: str  #: "run", "cascade", "sweep"
@@ -69,7 +70,7 @@ class Status:
 
 
 def status(folder: Path, *, program: Path | None = None) -> Status:
-    """Where a run, a cascade or a sweep stands. Raises InputError where the folder holds none."""
+    """Status of a run, a cascade or a sweep. Raises InputError if the folder holds none."""
     place = pathlib.Path(folder)
     text = said_by(find_program(program), ["status", os.fspath(folder), "--json"], (0, 1))
     return _status_of(place, json.loads(text))
@@ -88,7 +89,7 @@ def _status_of(place: pathlib.Path, found: Mapping[str, Any]) -> Status:
 
 
 class Analysis(Sequence[Mapping[str, Any]]):
-    """What an analysis found, a row a curve: ``a[0]["Q_star"]``. `path` is its table, PREFIX.csv."""
+    """Results of an analysis, a row a curve: ``a[0]["Q_star"]``. `path` is its table, PREFIX.csv."""
 
     def __init__(self, path: pathlib.Path) -> None:
         self.path = path  #: PREFIX.csv
@@ -97,14 +98,14 @@ class Analysis(Sequence[Mapping[str, Any]]):
 
     @property
     def columns(self) -> list[str]:
-        """Names of what was found."""
+        """Names of the columns."""
         return list(self._rows[0]) if self._rows else []
 
     def __len__(self) -> int:
         return len(self._rows)
 
     def __getitem__(self, which: Any) -> Any:
-        """A row by its number."""
+        """Row by its number."""
         return self._rows[which]
 
     def __iter__(self) -> Iterator[Mapping[str, Any]]:
@@ -130,11 +131,11 @@ def _value(text: str | None) -> Any:
 
 def analyse(kind: str, *sweeps: Path, out: Path | None = None, program: Path | None = None, format: str = "png",
             **options: Any) -> Analysis:
-    """Fits and phase boundaries from sweeps, as `bagnold analyse` has them (docs/analysis.md).
+    """Fits and phase boundaries from sweeps, as by `bagnold analyse` (docs/analysis.md).
 
     kind: "crossover", "divergence", ... sweeps: folders, joined. out: prefix of its files, by default the first sweep
-    and the kind. options: those of the command, ``y="B_p"``, ``log_x=True``, ``range=(1, 10)``,
-    ``where={"disks.model": "CD"}``. What it remarks on is a warning."""
+    and the kind. options: those of the command, ``y="B_p"``, ``log_x=True``, ``range=(1, 10)``, ``where={"disks.model":
+    "CD"}``. Remarks of the analysis are warnings."""
     prefix = pathlib.Path(out) if out is not None else _folder_of_sweep(sweeps[0]) / kind if sweeps else pathlib.Path(kind)
     words = ["analyse", kind, *[str(os.fspath(one)) for one in sweeps], "--out", str(prefix), "--format", format, "--quiet"]
     for name, value in options.items():
@@ -145,7 +146,7 @@ def analyse(kind: str, *sweeps: Path, out: Path | None = None, program: Path | N
 
 
 def said_lines(program: str, words: list[str]) -> list[str]:
-    """What the program says on stderr, a message each."""
+    """Messages of the program on stderr."""
     said: list[str] = []
     said_by(program, words, errors=said)
     return said
@@ -157,7 +158,7 @@ def _folder_of_sweep(path: Path) -> pathlib.Path:
 
 
 def _words(name: str, value: Any) -> Iterator[str]:
-    """An option of the command line of a value of Python."""
+    """Words of the command line for an option given as a value of Python."""
     if value is True:
         yield name
     elif isinstance(value, Mapping):
@@ -171,7 +172,7 @@ def _words(name: str, value: Any) -> Iterator[str]:
 
 @dataclass(frozen=True)
 class LimitCheck:
-    """Whether a rate is small enough: what `bagnold check-limit` found."""
+    """Result of `bagnold check-limit`: is a rate small enough?"""
 
     folder: pathlib.Path
     verdict: str  #: "Bagnold", "Newton", "neither" or "undecided"
@@ -180,9 +181,10 @@ class LimitCheck:
 
 def check_limit(scene: Mapping[str, Any] | Path, out: Path | None = None, *, tolerance: float = 0.05,
                 jobs: int | None = None, program: Path | None = None, progress: Progress = True, **set: Any) -> LimitCheck:
-    """Runs a scene at its rate and at half of it, and compares. The same call goes on with what was stopped.
+    """Runs a scene at its rate and at half of it, and compares. The same call continues a run that was stopped.
 
-    scene, set: as of `bagnold.run`. out: of a file results/NAME-limit. tolerance: relative change that counts as none."""
+    scene, set: as of `bagnold.run`. out: by default results/NAME-limit for a file. tolerance: relative change that
+    counts as none."""
     keys = {key_of(name): value for name, value in set.items()}
     with scene_file(scene, keys) as (file, overrides):
         folder = folder_of(scene, out)

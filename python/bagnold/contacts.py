@@ -20,8 +20,7 @@ LAWS = ("CD", "CD_n", "CD_rot", "CD_nt")
 class Contacts:
     """The M pairs of disks with r_ij < d_ij of one frame; i < j unless a disk meets an image twice.
 
-    Forces act on i from j; what acts on j is opposite. r_ij = r_i - r_j, counter-clockwise is
-    positive."""
+    Forces act on i from j; those on j are opposite. r_ij = r_i - r_j, counter-clockwise is positive."""
 
     count: int  #: N, disks in the frame
     box: Box
@@ -51,7 +50,7 @@ class Contacts:
 
     @property
     def force(self) -> Array:
-        """All of the force on i, [M, 2], m d_s/tau_e^2."""
+        """Total force on i, [M, 2], m d_s/tau_e^2."""
         return self.elastic_force[:, None] * self.normal + self.dissipative_force
 
     @property
@@ -61,17 +60,17 @@ class Contacts:
 
     @property
     def tangential_force(self) -> Array:
-        """f . t with t = n turned by 90 degrees counter-clockwise, [M], m d_s/tau_e^2."""
+        """f . t with t = n rotated by 90 degrees counter-clockwise, [M], m d_s/tau_e^2."""
         return self.force[:, 1] * self.normal[:, 0] - self.force[:, 0] * self.normal[:, 1]
 
     @property
     def degree(self) -> Integers:
-        """Contacts of each disk, [N]; their mean is Z."""
+        """Number of contacts of each disk, [N]; its mean is Z."""
         return np.bincount(np.concatenate([self.i, self.j]), minlength=self.count)
 
     @property
     def Z(self) -> float:
-        """Mean number of contacts a disk."""
+        """Mean number of contacts of a disk."""
         return 2 * len(self) / self.count
 
     def stress(self, part: str = "all") -> Array:
@@ -105,8 +104,7 @@ def contacts_of(frame: Frame, scene: Mapping[str, Any]) -> Contacts:
 
 
 def _dissipative(law: str, disks: Mapping[str, Any], normal: Array, velocity: Array) -> Array:
-    """f_dis on i, [M, 2]: k_d = 1/Q along the normal and along the tangent, as the law has them (P2
-    Eqs. 3-5)."""
+    """f_dis on i, [M, 2], with k_d = 1/Q along the normal and along the tangent, as the law says (P2 Eqs. 3-5)."""
     if law not in LAWS:
         return np.full_like(velocity, np.nan)
     along, across = {"CD_n": (1.0, 0.0), "CD_nt": (float(disks.get("damping_normal", 1.0)),
@@ -138,7 +136,7 @@ def pairs_within(position: Array, box: Box, diameter: Array, beyond: float
 
 def _keep(i: Integers, j: Integers, rows: Array, position: Array, box: Box, diameter: Array,
           beyond: float) -> tuple[Integers, Integers, Array, Array]:
-    """Those of candidate pairs, j's image `rows` above j, that are near."""
+    """Candidate pairs, j's image `rows` above j, that are near."""
     away = position[i] - position[j]
     away[:, 1] -= rows * box.height
     away[:, 0] -= rows * box.tilt
@@ -149,7 +147,7 @@ def _keep(i: Integers, j: Integers, rows: Array, position: Array, box: Box, diam
 
 def _all_pairs(position: Array, box: Box, diameter: Array, beyond: float
                ) -> tuple[Integers, Integers, Array, Array]:
-    """Of small boxes: all pairs with all images in y."""
+    """Pairs in small boxes: all pairs with all images in y."""
     i, j = np.triu_indices(len(position), 1)
     parts = [_keep(i, j, np.full(len(i), float(row)), position, box, diameter, beyond)
              for row in (-1, 0, 1)]
@@ -159,8 +157,8 @@ def _all_pairs(position: Array, box: Box, diameter: Array, beyond: float
 
 def _cell_pairs(position: Array, box: Box, diameter: Array, beyond: float, slices: int, cells: int
                 ) -> tuple[Integers, Integers, Array, Array]:
-    """By cells of a grid: each disk with its own cell, the next one, and those of the slice above,
-    whose image is shifted by the tilt at the top of the box."""
+    """Pairs by cells of a grid: each disk with its own cell, the next one, and those of the slice above, whose image is
+    shifted by the tilt at the top of the box."""
     row = np.minimum((position[:, 1] / box.height * slices).astype(np.int64), slices - 1)
     column = np.minimum((position[:, 0] / box.length * cells).astype(np.int64), cells - 1)
     cell = row * cells + column
@@ -199,7 +197,7 @@ def _cell_pairs(position: Array, box: Box, diameter: Array, beyond: float, slice
 
 
 def _written(frame: Frame, rows: Mapping[str, Any]) -> Contacts:
-    """Contacts as the program wrote them."""
+    """Contacts that the program wrote."""
     i, j = rows["pair"].T.astype(np.int64)
     distance = (frame.diameter[i] + frame.diameter[j]) / 2
     return Contacts(len(frame), frame.box, i, j, rows["normal"], distance - rows["overlap"], distance,
@@ -207,8 +205,8 @@ def _written(frame: Frame, rows: Mapping[str, Any]) -> Contacts:
 
 
 class ContactFrames(Sequence[Contacts]):
-    """Contacts of each frame of a trajectory: as the program wrote them (measure.contact_frames), or
-    worked out when they are asked for."""
+    """Contacts of each frame of a trajectory: those that the program wrote (measure.contact_frames), otherwise computed
+    on access."""
 
     def __init__(self, frames: Frames, scene: Scene) -> None:
         self._frames, self._scene = frames, scene

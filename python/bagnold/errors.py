@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What goes wrong, by who can mend it. The message says what is wrong, why, and what to do."""
+"""Errors, by who can correct them. The message says what is wrong, why, and what to do."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ class InputError(Error, ValueError):
 
 
 class NumericalError(Error, ArithmeticError):
-    """The motion went wrong, as by a time step too large (exit code 3)."""
+    """The motion is unphysical, for instance because of a time step too large (exit code 3)."""
 
 
 class FileError(Error, OSError):
@@ -35,15 +35,15 @@ class Interrupted(Error):
 
 
 class InternalError(Error):
-    """A mistake of the program, to be reported (exit code 5, or a crash)."""
+    """An error in the program, to be reported (exit code 5, or a crash)."""
 
 
 class MissingLibrary(Error, ImportError):
-    """A library that is needed for this alone is not installed."""
+    """A library that only this function needs is not installed."""
 
 
 def needed(name: str, what: str) -> Any:
-    """The library `name`, without which `what` cannot be. Raises MissingLibrary."""
+    """Imports the library `name`, which `what` needs. Raises MissingLibrary."""
     try:
         return importlib.import_module(name)
     except ImportError as error:

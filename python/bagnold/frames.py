@@ -41,15 +41,15 @@ class Box:
         return self.length * self.height
 
     def nearest(self, away: Array) -> tuple[Array, NDArray[np.float64]]:
-        """Differences [..., 2] brought to the image nearest in y, then in x, and by how many
-        heights, [...]: the image of the other disk moves by gammadot L_y times as much."""
+        """Differences [..., 2] reduced to the image nearest in y, then in x; and the number of heights, [...]. The
+        image of the other disk moves by gammadot L_y times this number."""
         rows = np.rint(away[..., 1] / self.height)
         x = away[..., 0] - rows * self.tilt
         x = x - self.length * np.rint(x / self.length)
         return np.stack([x, away[..., 1] - rows * self.height], axis=-1), rows
 
     def wrapped(self, position: Array) -> Array:
-        """Positions [N, 2] taken into the rectangle 0 <= x < L_x, 0 <= y < L_y."""
+        """Positions [N, 2] wrapped into the rectangle 0 <= x < L_x, 0 <= y < L_y."""
         rows = np.floor(position[:, 1] / self.height)
         x = position[:, 0] - rows * self.tilt
         return np.stack([x - self.length * np.floor(x / self.length),
@@ -82,8 +82,8 @@ class Frame:
 
     @property
     def unwrapped(self) -> Array:
-        """Positions without periodic images, [N, 2], d_s: displacements between frames are their
-        differences. The cell's tilt is taken modulo L_x, which `image` makes up for."""
+        """Positions without periodic images, [N, 2], d_s: displacements between frames are their differences. The
+        cell's tilt is taken modulo L_x; `image` contains the correction."""
         if self.image is None:
             raise InputError("this frame has no image, which unwraps positions: it is of a state file "
                              "or of an older version; use bagnold.structure.unwrapped(frames)")
@@ -103,7 +103,7 @@ class Frame:
 
 
 class _Part:
-    """A file with frames, and which."""
+    """A file with frames, and the frames taken from it."""
 
     def __init__(self, path: pathlib.Path) -> None:
         self.path = path
@@ -118,12 +118,11 @@ class _Part:
 class Frames(Sequence[Frame]):
     """A trajectory: ``len(frames)``, ``frames[3]``, ``frames[::10]``, ``for frame in frames``.
 
-    Only the frames that are asked for are read. While a run goes on these are the frames written so
-    far (its parts). ``positions`` and the like read all frames into one array."""
+    Frames are read on access only. During a run these are the frames written so far (its parts). ``positions`` and the
+    like read all frames into one array."""
 
     def __init__(self, path: str | os.PathLike[str], strain_rate: float = math.nan) -> None:
-        """path: trajectory.h5md, or the folder trajectory.parts. strain_rate: of files whose frames
-        do not tell, 1/tau_e."""
+        """path: trajectory.h5md, or the folder trajectory.parts. strain_rate: for files without rates, 1/tau_e."""
         self.path = pathlib.Path(path)
         self._rate = strain_rate
         self._parts = [_Part(one) for one in _part_files(self.path)]
@@ -193,11 +192,11 @@ class Frames(Sequence[Frame]):
 
     @property
     def with_contacts(self) -> bool:
-        """Whether the program wrote the contacts of each frame (measure.contact_frames)."""
+        """True if the program wrote the contacts of each frame (measure.contact_frames)."""
         return len(self._parts[0].contact_ends) > 1
 
     def contact_rows(self) -> Iterator[tuple[Frame, dict[str, Any]]]:
-        """The frames, and what the file has of the contacts of each, by the names of docs/files.md."""
+        """Frames, and the data of contacts in the file for each, by the names of docs/files.md."""
         for part, file, k in self._opened():
             rows = slice(int(part.contact_ends[k]), int(part.contact_ends[k + 1]))
             group = file["contacts"]
@@ -256,8 +255,7 @@ class Frames(Sequence[Frame]):
 
 
 def _part_files(path: pathlib.Path) -> list[pathlib.Path]:
-    """The file itself, or the parts in a folder, one a number: the youngest where a run that was
-    resumed left several."""
+    """The file itself, or the parts in a folder, one for each number: the newest if a resumed run has left several."""
     if not path.is_dir():
         if not path.exists():
             raise FileError(f"{path} is not there")
@@ -269,7 +267,7 @@ def _part_files(path: pathlib.Path) -> list[pathlib.Path]:
 
 
 def read_states(path: pathlib.Path, masses_by_area: bool = False, strain: float = math.nan) -> list[Frame]:
-    """The states of a state.h5, one a replica. Strain is told by whoever knows it."""
+    """States of a state.h5, one for each replica. The caller sets the strain."""
     with open_hdf5(path) as file:
         if "state" not in file:
             raise FileError(f"{path} has no /state: it is no state of Bagnold")

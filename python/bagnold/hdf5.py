@@ -12,7 +12,7 @@ from .errors import FileError
 
 
 def open_hdf5(path: str | os.PathLike[str]) -> Any:
-    """For reading. Raises FileError."""
+    """Opens a file for reading. Raises FileError."""
     try:
         return unlocked(path, "r")
     except OSError as error:
@@ -20,8 +20,8 @@ def open_hdf5(path: str | os.PathLike[str]) -> Any:
 
 
 def unlocked(path: str | os.PathLike[str], mode: str) -> Any:
-    """As h5py.File, without the flock(2) that HDF5 takes of each file: the program replaces files as a whole, and its run
-    lock keeps others out. Raises OSError."""
+    """Opens a file as h5py.File does, without HDF5's flock(2): the program replaces files as a whole, and its run lock
+    excludes other processes. Raises OSError."""
     try:
         return h5py.File(path, mode, locking=False)
     except OSError as error:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Results as HTML: what a notebook shows of a run and of a sweep, and tables of reports."""
+"""Results as HTML: the display of runs and sweeps in notebooks, and tables of reports."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ SHORT = ("p", "sigma", "mu", "Z", "T_g", "B_p", "B_sigma", "eta_p", "eta_sigma",
 
 
 def table(columns: Sequence[str], rows: Iterable[Sequence[Any]], attributes: str = "") -> str:
-    """A table; a cell is a text, or a pair of what is shown and what it is sorted by."""
+    """A table; a cell is a text, or a pair of its display and its sort key."""
     head = "".join(f"<th>{escape(name)}</th>" for name in columns)
     body = "".join("<tr>" + "".join(_cell(cell) for cell in row) + "</tr>" for row in rows)
     return f"<table{attributes}><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
@@ -35,12 +35,12 @@ def _cell(cell: Any) -> str:
 
 
 def value_of(observable: Observable) -> str:
-    """A mean with its error; a rough one says so."""
+    """A mean with its error, marked if it is rough."""
     return rounded(observable.mean, observable.error) + (" (rough)" if observable.rough else "")
 
 
 def observables(run: Run, names: Iterable[str] | None = None) -> str:
-    """Averages with errors, units and meanings; names: of these alone."""
+    """Averages with errors, units and meanings; names: only these."""
     found, series = run.observables, run.series
     rows = [(name, value_of(one), "" if one.unit == "1" else one.unit,
              series.description(name) if name in series else "")
@@ -71,7 +71,7 @@ def of_run(run: Run) -> str:
 
 
 def columns_of(sweep: Sweep) -> list[str]:
-    """Observables that a table of a sweep shows."""
+    """Observables in a table of a sweep."""
     return [name for name in SHORT if name in sweep.names and any(math.isfinite(one) for one in sweep[name])]
 
 

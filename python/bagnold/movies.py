@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Films of trajectories: disks, force chains, bands, and beside them a series with the place of the frame."""
+"""Films of trajectories: disks, force chains, bands, and a series with the position of the frame."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ def movie(source: Run | str | os.PathLike[str], out: str | os.PathLike[str], *, 
           forces: bool = True, series: str = "", fps: int = 15, dpi: int = 100, progress: Callable[[float], None] | None = None) -> pathlib.Path:
     """Writes a film of a run's trajectory and returns its path.
 
-    out: NAME.gif, by Pillow, or NAME.mp4, by ffmpeg: that of imageio-ffmpeg, or in PATH. color: of disks, as of
-    `bagnold.plots.packing`; "rate" shows bands. series: what is drawn below, over the strain; by default sigma, of a ramp its
-    strain rate. progress: called with the share done."""
+    out: NAME.gif, by Pillow, or NAME.mp4, by ffmpeg: that of imageio-ffmpeg, or in PATH. color: of disks, as in
+    `bagnold.plots.packing`; "rate" shows bands. series: the series drawn below, over the strain; by default sigma, of a
+    ramp its strain rate. progress: called with the share done."""
     from . import plots
 
     target = pathlib.Path(out)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Measured means with their errors, as summary.json has them."""
+"""Measured means with their errors, from summary.json."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def rounded(mean: float, error: float) -> str:
 
 @dataclass(frozen=True)
 class Warning:  # noqa: A001  the program's word
-    """Something that makes a result suspect; docs/stability.md explains the names."""
+    """A reason to doubt a result; docs/stability.md explains the names."""
 
     name: str
     reason: str

@@ -33,8 +33,8 @@ REPORTS = "BAGNOLD_SWEEP_PIPE"  # the descriptor through which the program tells
 
 
 def find_program(program: Path | None = None) -> str:
-    """The program: `program`, else what BAGNOLD_PROGRAM names, both by a path or a name in PATH; else the one that
-    pip installed with this package, else `bagnold` in PATH. Raises FileError."""
+    """Path of the program: `program`, else BAGNOLD_PROGRAM, both a path or a name in PATH; else the one that pip
+    installed with this package, else `bagnold` in PATH. Raises FileError."""
     for given, source in ((program, "program"), (os.environ.get("BAGNOLD_PROGRAM"), "BAGNOLD_PROGRAM")):
         if given:
             found = shutil.which(os.fspath(given))
@@ -52,17 +52,16 @@ def find_program(program: Path | None = None) -> str:
 def run(scene: Mapping[str, Any] | Path, out: Path | None = None, *, program: Path | None = None,
         threads: int | None = None, force: bool = False, allow_unstable: bool = False,
         progress: Progress = True, **set: Any) -> Run:
-    """Runs a scene to its end and reads its results: what is finished in the folder is loaded, and what was
-    stopped goes on, if it is of the same resolved scene; a run of another scene is refused.
+    """Runs a scene to its end and reads its results. A finished run in the folder is loaded, and a stopped one
+    continued, if it is of the same resolved scene; a run of another scene is refused.
 
-    scene: a file, or nested tables ``{"disks": {"model": "CD_n", ...}, "shear": {...}}``, where a
-    relative ``start.file`` is one of the current folder. out: folder for the results; of a file
-    results/NAME as of the program. force: replace the run that is in the folder,
-    of this scene or another. set: keys put over
-    the scene, ``disks__elasticity=10`` or ``**{"disks.elasticity": 10}``.
+    scene: a file, or nested tables ``{"disks": {"model": "CD_n", ...}, "shear": {...}}``, where a relative
+    ``start.file`` is relative to the current folder. out: folder for the results; by default results/NAME for a file,
+    as in the program. force: replaces the run that is in the folder, of this scene or another. set: keys put over the
+    scene, ``disks__elasticity=10`` or ``**{"disks.elasticity": 10}``.
 
-    Raises what the program says: InputError, NumericalError, FileError, Interrupted (after Ctrl-C, with
-    a checkpoint: KeyboardInterrupt) ... What makes the result suspect is warned of, and in `r.warnings`."""
+    Raises the errors of the program: InputError, NumericalError, FileError, Interrupted (after Ctrl-C, with a
+    checkpoint: KeyboardInterrupt) ... Reasons to doubt the result are warnings, and in `r.warnings`."""
     keys = {key_of(name): value for name, value in set.items()}
     with scene_file(scene, keys) as (file, overrides):
         folder = folder_of(scene, out)
@@ -76,8 +75,8 @@ def run(scene: Mapping[str, Any] | Path, out: Path | None = None, *, program: Pa
 
 def resume(folder: Path, *, strain: float | None = None, program: Path | None = None,
            threads: int | None = None, progress: Progress = True) -> Run:
-    """Goes on with an interrupted run, bit for bit, and reads its results. strain: makes it longer,
-    finished or not, to so much in all."""
+    """Continues an interrupted run, bit for bit, and reads its results. strain: makes it longer, finished or not, to
+    this total."""
     words = ["resume", os.fspath(folder)] + ([] if threads is None else ["--threads", str(threads)])
     words += [] if strain is None else ["--strain", repr(float(strain))]
     call(find_program(program), words, progress, os.fspath(folder))
@@ -86,12 +85,11 @@ def resume(folder: Path, *, strain: float | None = None, program: Path | None = 
 
 def sweep_file(file: Mapping[str, Any] | Path, out: Path | None = None, *, program: Path | None = None,
                jobs: int | None = None, progress: Progress = True) -> Sweep:
-    """Runs the points of a sweep, those that are not done, and reads their table.
+    """Runs the points of a sweep that are not done, and reads their table.
 
-    file: a sweep file, or nested tables with ``"sweep": {"grid": {...}}``. out: as of `run`. jobs:
-    points at a time, by default as many as there are cores. progress: shown as the program's lines, or
-    called with the share of points that are done. Raises SweepError where points failed: the table of
-    the others is there."""
+    file: a sweep file, or nested tables with ``"sweep": {"grid": {...}}``. out: as of `run`. jobs: points at a time, by
+    default as many as there are cores. progress: shown as the program's lines, or called with the share of points that
+    are done. Raises SweepError if points failed: the table of the others is then written."""
     with scene_file(file, {}) as (path, _):
         folder = folder_of(file, out)
         words = ["sweep", path, "--out", str(folder)] + ([] if jobs is None else ["--jobs", str(jobs)])
@@ -130,7 +128,7 @@ def scene_file(scene: Mapping[str, Any] | Path, keys: Mapping[str, Any]
 
 def said_by(program: str, words: list[str], codes: tuple[int, ...] = (0,), *, nobodys: str | None = None,
             errors: list[str] | None = None) -> str:
-    """What the program prints until it ends, with one of these codes; its messages go to `errors`, else they are
+    """Output of the program until it ends, with one of these codes; its messages go to `errors`, otherwise they are
     warnings. Raises as `run` does."""
     try:
         done = subprocess.run([program, *words], stdin=subprocess.DEVNULL, capture_output=True, text=True, errors="replace")
@@ -150,8 +148,8 @@ def said_by(program: str, words: list[str], codes: tuple[int, ...] = (0,), *, no
 
 def call(program: str, words: list[str], progress: Progress, name: str, nobodys: str | None = None,
           of_sweep: bool = False) -> None:
-    """The program to its end. On KeyboardInterrupt it writes its checkpoint first. nobodys: a file that is gone
-    afterwards; what is said names the copy in the folder instead, and "scene" where a line of it is told."""
+    """Runs the program to its end. On KeyboardInterrupt it writes its checkpoint first. nobodys: a file that is removed
+    afterwards; messages name the copy in the folder instead, and "scene" for a line of it."""
     reader, writer = os.pipe()
     environment = {**os.environ, **({} if of_sweep else {REPORTS: str(writer)})}
     try:  # a group of its own: a Ctrl-C comes from here, once
@@ -238,7 +236,7 @@ def _bar(name: str) -> Any:
 
 
 class _Shown:
-    """Progress as it was asked for: a bar in a notebook, else a line on stderr; a call; or nothing."""
+    """Progress in the requested form: a bar in a notebook, else a line on stderr; a call; or nothing."""
 
     def __init__(self, progress: Progress, name: str) -> None:
         self._call = progress if callable(progress) else None
@@ -247,7 +245,7 @@ class _Shown:
         self._name, self._begun = name, False
 
     def share(self, share: float) -> None:
-        """Of what is to be done."""
+        """Shows a share of the work."""
         if self._call is not None:
             self._call(share)
         elif self._bar is not None:
@@ -257,14 +255,14 @@ class _Shown:
             self.text(f"{self._name}: {100 * share:.0f}%")
 
     def text(self, line: str) -> None:
-        """A line in place of the last one."""
+        """Replaces the last line by a line."""
         if self._line:
             self._begun = True
             sys.stderr.write(f"\r{line:<60}")
             sys.stderr.flush()
 
     def end(self) -> None:
-        """The next line is another's."""
+        """Ends the line."""
         if self._bar is not None:
             self._bar.close()
         if self._begun:
@@ -284,7 +282,7 @@ def _shares(reader: int, shown: _Shown) -> None:
 
 
 def _lines(stream: TextIO, shown: _Shown | None) -> None:
-    """Reads what the program prints; the lines of a sweep are its progress: "3 of 8 points done, ..."."""
+    """Reads the output of the program; the lines of a sweep are its progress: "3 of 8 points done, ..."."""
     for line in stream:
         words = line.split()
         if shown is not None and words[1:2] == ["of"] and words[3:5] == ["points", "done,"]:

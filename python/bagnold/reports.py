@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A page of HTML to mail: what a run, a cascade or a sweep found, its pictures, its scene, where it came from."""
+"""A page of HTML to mail: the results of a run, a cascade or a sweep, its pictures, its scene, its provenance."""
 
 from __future__ import annotations
 
@@ -154,7 +154,7 @@ def _units() -> str:
 
 
 def _pictures(makers: Iterable[Callable[[], Any]]) -> str:
-    """What there is of them; what a run has not measured is left out."""
+    """Pictures that exist; what a run has not measured is left out."""
     drawn = []
     for make in makers:
         try:
@@ -167,7 +167,7 @@ def _pictures(makers: Iterable[Callable[[], Any]]) -> str:
 
 
 def _vectors(figure: Any) -> str:
-    """An SVG to stand in a page, or where that is large a PNG."""
+    """A picture for a page: an SVG, or if that is large a PNG."""
     from .plots import style
 
     with style.plt.rc_context(style.STYLE):

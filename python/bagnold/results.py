@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a run wrote into its folder."""
+"""Results in the folder of a run."""
 
 from __future__ import annotations
 
@@ -60,11 +60,11 @@ class Series(Mapping[str, Array]):
         return str(self._units[name])
 
     def description(self, name: str) -> str:
-        """What a series is, in words."""
+        """Meaning of a series, in words."""
         return str(self._words[name])
 
     def measured(self, name: str) -> Array:
-        """The windows that averages are of, [n - discarded] or [R, n - discarded]."""
+        """Windows of the averages, [n - discarded] or [R, n - discarded]."""
         return self[name][..., self.discarded:]
 
 
@@ -87,7 +87,7 @@ class Profile:
 
 @dataclass(frozen=True)
 class Branch:
-    """One way of the hysteresis loop of a ramp, in bins of a twentieth of a decade."""
+    """One direction of the hysteresis loop of a ramp, in bins of a twentieth of a decade."""
 
     strain_rate: Array  #: [n], 1/tau_e
     mean: Array  #: [n]
@@ -95,7 +95,7 @@ class Branch:
 
 
 class Run:
-    """A run's folder. Files are read when they are asked for, so a run that goes on can be looked at."""
+    """Folder of a run. Files are read on access, so a run that is in progress can be read."""
 
     def __init__(self, folder: str | os.PathLike[str]) -> None:
         self.folder = pathlib.Path(folder)  #: where it lies
@@ -104,7 +104,7 @@ class Run:
         return f"<run {self.folder}{'' if self.complete else ', not complete'}>"
 
     def _repr_html_(self) -> str:
-        """What a notebook shows: averages with errors, warnings, notes."""
+        """Display in a notebook: averages with errors, warnings, notes."""
         from .html import of_run
 
         return of_run(self)
@@ -146,7 +146,7 @@ class Run:
 
     @property
     def complete(self) -> bool:
-        """Whether the run has come to its end."""
+        """True if the run has come to its end."""
         return (self.folder / "summary.json").exists()
 
     @cached_property
@@ -206,12 +206,12 @@ class Run:
 
     @property
     def warnings(self) -> list[Warning]:
-        """What makes the result suspect; empty where nothing does."""
+        """Reasons to doubt the result; empty if there are none."""
         return self._said("warnings")
 
     @property
     def notes(self) -> list[Warning]:
-        """What the numbers are of, as of a finite rate; nothing is wrong with them."""
+        """Remarks on the meaning of the numbers, for instance at a finite rate; nothing is wrong with them."""
         return self._said("notes")
 
     def _said(self, what: str) -> list[Warning]:
@@ -226,7 +226,7 @@ class Run:
 
     @cached_property
     def about(self) -> dict[str, Any]:
-        """Where the result came from: version, git, compiler, seed, engine_NAME, ..."""
+        """Provenance of the result: version, git, compiler, seed, engine_NAME, ..."""
         with open_hdf5(self._file("result.h5")) as file:
             return {name: _plain(value) for name, value in file.attrs.items()}
 
@@ -327,7 +327,7 @@ class Run:
 def load(folder: str | os.PathLike[str]) -> Run:
     """A run by its folder, or by a file in it.
 
-    Raises FileError where it is none; sweeps are read by `bagnold.sweep`, and cascades as a table too."""
+    Raises FileError if there is none; sweeps are read by `bagnold.sweep`, and cascades as a table too."""
     place = pathlib.Path(folder)
     if place.is_file():
         place = place.parent

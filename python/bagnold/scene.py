@@ -41,7 +41,7 @@ def flat_items(table: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str
 
 
 def _is_inline(key: str) -> bool:
-    """Keys whose values are tables."""
+    """True for keys whose values are tables."""
     return key in ("shear.target_error", "sweep.grid", "sweep.zip")
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What configurations and contacts show: g(r), S(q), non-affine motion, velocity correlations, and the
-contact network. Functions take a frame or many (`r.frames[100:]`), contacts or many (`r.contacts`)."""
+"""Structure of configurations and contacts: g(r), S(q), non-affine motion, velocity correlations, and the contact
+network. Functions take a frame or many (`r.frames[100:]`), contacts or many (`r.contacts`)."""
 
 from __future__ import annotations
 
@@ -234,8 +234,8 @@ def fabric_tensor(contacts: Networks) -> Array:
 
 
 def rattlers(contacts: Contacts, needed: int = 3) -> NDArray[np.bool_]:
-    """Disks with fewer than `needed` contacts with disks that are no rattlers themselves, [N]. Three
-    hold a disk without friction in two dimensions."""
+    """Disks with fewer than `needed` contacts with disks that are not rattlers themselves, [N]. Three contacts hold a
+    disk without friction in two dimensions."""
     held = np.ones(contacts.count, dtype=bool)
     while True:
         both = held[contacts.i] & held[contacts.j]
@@ -247,7 +247,7 @@ def rattlers(contacts: Contacts, needed: int = 3) -> NDArray[np.bool_]:
 
 
 def clusters(contacts: Contacts) -> Integers:
-    """For each disk the smallest number of a disk that contacts connect it to, [N]."""
+    """Label of the cluster of each disk, [N]: the smallest index of a disk that is connected to it by contacts."""
     label = np.arange(contacts.count)
     while True:
         least = label.copy()
@@ -265,8 +265,8 @@ def cluster_sizes(contacts: Contacts) -> Integers:
 
 
 def percolates(contacts: Contacts) -> tuple[bool, bool]:
-    """Whether a connected cluster reaches its own image straight along x, and along y (whatever it does
-    along x on the way)."""
+    """Two truth values: a connected cluster reaches its own image straight along x; and along y (with any displacement
+    along x)."""
     steps = _Steps(contacts)
     place = np.full((contacts.count, 2), np.nan)
     along_x = along_y = False
@@ -280,7 +280,7 @@ def percolates(contacts: Contacts) -> tuple[bool, bool]:
 
 
 class _Steps:
-    """Ways from each disk to those that it touches."""
+    """Steps from each disk to those that it touches."""
 
     def __init__(self, contacts: Contacts) -> None:
         away = contacts.separation[:, None] * contacts.normal
@@ -292,8 +292,8 @@ class _Steps:
         self.step = np.concatenate([-away, away])[order]
 
     def walk(self, start: int, place: Array) -> set[tuple[int, int]]:
-        """Places the cluster of a disk, that one at the origin; returns by how many (lengths, heights)
-        disks lie from where they were placed already, (0, 0) left out."""
+        """Places the cluster of a disk, with that disk at the origin. Returns the (lengths, heights) by which disks are
+        displaced from where they were placed already, (0, 0) left out."""
         place[start] = 0
         waiting, windings = [start], set()
         while waiting:

@@ -35,7 +35,7 @@ class Point:
     warnings: tuple[str, ...] = ()  #: their names
 
     def load(self) -> Run:
-        """Its results."""
+        """Results of the point."""
         return load(self.folder)
 
 
@@ -50,7 +50,7 @@ class Sweep(Sequence[Point]):
 
     @property
     def names(self) -> list[str]:
-        """Observables that any point has."""
+        """Observables of any point."""
         return [name for name in self._observables if not name.endswith("_error")]
 
     def __len__(self) -> int:
@@ -84,7 +84,7 @@ class Sweep(Sequence[Point]):
         return f"<sweep {self.folder}: {done} of {len(self)} points done>"
 
     def _repr_html_(self) -> str:
-        """What a notebook shows: a row a point."""
+        """Display in a notebook: a row a point."""
         from .html import of_sweep
 
         return of_sweep(self)
@@ -121,8 +121,8 @@ class Sweep(Sequence[Point]):
 def sweep(folder: str | os.PathLike[str]) -> Sweep:
     """A sweep by its folder (or its sweep.h5), or a cascade by its folder, one point a rate.
 
-    Raises FileError where there is no table: a sweep that was killed has none until
-    `bagnold sweep FILE --out DIR` went on, or with `--collect`."""
+    Raises FileError if there is no table: a sweep that was killed has none until `bagnold sweep FILE --out DIR` is
+    continued, or called with `--collect`."""
     place = pathlib.Path(folder)
     if place.is_file():
         place = place.parent

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A run or a sweep in the terminal while it goes on: where it stands, p, sigma, Z, the time that is left."""
+"""A run or a sweep in the terminal while it is in progress: status, p, sigma, Z, remaining time."""
 
 from __future__ import annotations
 
@@ -23,10 +23,10 @@ LATE = 10  # means are of the last so many windows
 
 
 def watch(folder: Path, *, every: float = 2.0, once: bool = False, program: Path | None = None) -> Status:
-    """Shows where a run, a cascade or a sweep stands until nobody works on it any more, and returns that.
+    """Shows the status of a run, a cascade or a sweep until no process works on it, and returns it.
 
-    every: seconds between looks. once: one look. What is shown of a run is of its last checkpoint: means of the last ten
-    windows."""
+    every: seconds between updates. once: one update. The status of a run is that of its last checkpoint: means of the
+    last ten windows."""
     shown = 0
     while True:
         found = status(folder, program=program)
@@ -44,12 +44,12 @@ def watch(folder: Path, *, every: float = 2.0, once: bool = False, program: Path
 
 
 def is_at_work(found: Status) -> bool:
-    """Whether somebody works on it, or on a part of it."""
+    """True if a process works on it, or on a part of it."""
     return bool(found.holder) or found.state == "running" or any(point.state == "running" for point in found.points)
 
 
 def lines_of(found: Status) -> Iterator[str]:
-    """What is shown: of many points those at work and those that failed, one a line, then how many there are."""
+    """Lines to show: of many points those in progress and those that failed, one a line, then their numbers."""
     if not found.points:
         yield line_of(found, str(found.folder))
         return
@@ -90,7 +90,7 @@ def late_means(folder: pathlib.Path) -> dict[str, float]:
 
 
 def left_of(seconds: float, what: str = "") -> str:
-    """``, 12 min left``; nothing where that is not known."""
+    """``, 12 min left``; nothing if that is not known."""
     if not math.isfinite(seconds):
         return ""
     for unit, size in (("d", 86400), ("h", 3600), ("min", 60)):

@@ -31,10 +31,10 @@ def export(run: Union[Run, str, "os.PathLike[str]"], to: str, out: str | os.Path
            frames: slice = slice(None), contacts: bool = False) -> list[pathlib.Path]:
     """Writes the trajectory of a run in another format; returns the files, the one to open first.
 
-    to: "lammps" (dump), "extxyz", "gsd" (needs the library gsd) or "vtk". out: the file; by default
-    trajectory.ENDING in the folder of the run, of replicas trajectory_SEED.ENDING. frames: which, as
-    ``slice(0, 100, 10)``. contacts: writes the contacts and their forces too (not in extxyz, which has no
-    place for pairs). Raises InputError, FileError, MissingLibrary."""
+    to: "lammps" (dump), "extxyz", "gsd" (needs the library gsd) or "vtk". out: the file; by default trajectory.ENDING
+    in the folder of the run, trajectory_SEED.ENDING for replicas. frames: a slice such as ``slice(0, 100, 10)``.
+    contacts: also writes the contacts and their forces (not in extxyz, which cannot hold pairs). Raises InputError,
+    FileError, MissingLibrary."""
     if to not in FORMATS:
         raise InputError(f"to = {to!r} (must be one of {', '.join(FORMATS)})")
     if contacts and to == "extxyz":

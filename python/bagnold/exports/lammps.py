@@ -14,7 +14,7 @@ from .text import in_cell, rows_of, written_whole
 
 
 def _box(box: Box) -> str:
-    """Bounds of the tilted cell: those in x are of what it covers."""
+    """Bounds of the tilted cell; those in x are of its bounding box."""
     low, high = min(0.0, box.tilt), box.length + max(0.0, box.tilt)
     return (f"ITEM: BOX BOUNDS xy xz yz pp pp pp\n{low!r} {high!r} {box.tilt!r}\n"
             f"0.0 {box.height!r} 0.0\n-0.5 0.5 0.0\n")

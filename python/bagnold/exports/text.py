@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the formats share."""
+"""Functions shared by the formats."""
 
 from __future__ import annotations
 
@@ -27,8 +27,7 @@ def written_whole(path: pathlib.Path) -> Iterator[TextIO]:
 
 
 def in_cell(frame: Frame) -> tuple[Array, Integers | None]:
-    """Positions [N, 2] in the tilted cell instead of the rectangle, and their images: what formats with
-    cell vectors expect."""
+    """Positions [N, 2] in the tilted cell instead of the rectangle, and their images, for formats with cell vectors."""
     box = frame.box
     rows = np.floor(frame.position[:, 1] / box.height)
     x = frame.position[:, 0] - rows * box.tilt
@@ -39,7 +38,7 @@ def in_cell(frame: Frame) -> tuple[Array, Integers | None]:
 
 
 def contact_segment(box: Box, position: Array, i: Integers, normal: Array, separation: Array) -> Array:
-    """From the centre of i to that of the image of j, [M, 2, 2], d_s."""
+    """Segments from the centre of i to that of the image of j, [M, 2, 2], d_s."""
     start = position[i]
     return np.stack([start, start - separation[:, None] * normal], axis=1)
 

@@ -30,7 +30,7 @@ def _array(name: str, values: NDArray[Any]) -> str:
 
 
 def _field(name: str, values: list[float]) -> str:
-    """Of the whole frame."""
+    """Field data of the whole frame."""
     return _array(name, np.array(values, dtype=np.float64)).replace(
         "<DataArray ", f'<DataArray NumberOfTuples="{len(values)}" ', 1)
 

@@ -33,17 +33,17 @@ def import_state(file: str | os.PathLike[str], out: str | os.PathLike[str], *, f
                  unit: float | None = None, time_unit: float = 1.0, strain_rate: float | None = None,
                  diameters: Mapping[str | int, float] | None = None, atom_style: str | None = None,
                  bounds: str | None = None, tolerance: float = 1e-6) -> ImportedState:
-    """Writes a state file, for start.kind = "state", of a configuration of another program.
+    """Writes a state file, for start.kind = "state", from a configuration of another program.
 
-    format: "lammps" (data file), "dump" (of LAMMPS) or "extxyz"; by default as the file looks. frame: from 0, or from
-    the end. unit, time_unit: d_s and tau_e in the file's units; by default its smallest diameter, and 1. strain_rate:
-    in 1 over the file's unit of time, that the velocities belong to; by default as the file says. diameters: by type
-    or element, in the file's unit, where it has none. atom_style: of a data file without a hint. bounds: those of a tilted
-    cell in a dump are "outer", of all that it covers, as LAMMPS writes, or "edges", xlo and xhi; by default as the disks
-    lie. tolerance: relative, within which diameters are 1 and 1.4.
+    format: "lammps" (data file), "dump" (of LAMMPS) or "extxyz"; by default detected. frame: from 0, or from the end.
+    unit, time_unit: d_s and tau_e in the file's units; by default its smallest diameter, and 1. strain_rate: rate of
+    the velocities, in 1 over the file's unit of time; by default as in the file. diameters: by type or element, in the
+    file's unit, if it has none. atom_style: for a data file without a hint. bounds: of a tilted cell in a dump, "outer"
+    for those of its bounding box, as LAMMPS writes, or "edges" for xlo and xhi; by default chosen by the positions of
+    the disks. tolerance: relative, within which diameters are 1 and 1.4.
 
-    Disks come in the order of their ids. Raises InputError, FileError; what was assumed is in `notes` of what it
-    returns, and what a scene needs in its `scene`; printed, both are a piece of a scene file."""
+    Disks are in the order of their ids. Raises InputError, FileError. Assumptions are in `notes` of the returned value,
+    and the keys that a scene needs in its `scene`; printed, both are a piece of a scene file."""
     place, target = name_of(file), pathlib.Path(out)
     if format is not None and format not in FORMATS:
         raise InputError(f"--from {format} (must be one of {', '.join(FORMATS)})")
@@ -62,7 +62,7 @@ def import_state(file: str | os.PathLike[str], out: str | os.PathLike[str], *, f
 
 
 def _format_of(path: pathlib.Path) -> str:
-    """By what the file begins with, else by the ending of its name."""
+    """Format by the beginning of the file, otherwise by the ending of its name."""
     with opened(path) as file:
         head = [line for _, line in zip(range(60), file)]
     if head and re.match(r"\s*ITEM:", head[0], re.IGNORECASE):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Columns of disks by the names that programs give them: of LAMMPS, OVITO, ASE, QUIP and those who write as they do."""
+"""Columns of disks by the names that programs use: LAMMPS, OVITO, ASE, QUIP and programs that follow them."""
 
 from __future__ import annotations
 
@@ -36,22 +36,22 @@ def _plain(name: str) -> str:
 
 
 class Columns:
-    """The columns of a table, by names as the file has them: [N] rows of words each."""
+    """Columns of a table, by names as in the file: [N] rows of words each."""
 
     def __init__(self, where: str, names: Sequence[str], words: Sequence[Sequence[Sequence[str]]],
                  row: Callable[[int], str]) -> None:
-        """where: of the header, and row: of a row, in messages. words: those of each name, [names][N]."""
+        """where: place of the header, and row: of a row, for messages. words: those of each name, [names][N]."""
         self.where, self._row = where, row
         self._all = list(zip(names, words))
         self._read: set[str] = set()
 
     def notes(self) -> list[str]:
-        """What was not asked for."""
+        """Notes on columns that were not used."""
         left = [name for name in dict.fromkeys(name for name, _ in self._all) if name not in self._read]
         return [f"{UNREAD}: {' '.join(left)}"] if left else []
 
     def words(self, quantity: str) -> list[str] | None:
-        """One word a disk; None where there is no such column."""
+        """One word for each disk; None if there is no such column."""
         found = self._called(NAMES[quantity])
         if not found:
             return None
@@ -63,24 +63,24 @@ class Columns:
         return first
 
     def scalar(self, quantity: str) -> Array | None:
-        """[N]; None where there is no such column."""
+        """Numbers, [N]; None if there is no such column."""
         return self._agreed(quantity, [(name, values[:, 0]) for name, values in self._numbers(quantity, (1,))])
 
     def vector(self, quantity: str) -> Array | None:
-        """[N, 3], z = 0 where the file has none; None where there is no such column."""
+        """Vectors, [N, 3], z = 0 if the file has none; None if there is no such column."""
         return self._agreed(quantity, [(name, _in_space(values)) for name, values in
                                        self._numbers(quantity, (2, 3)) + self._by_axes(quantity)])
 
     def spin(self) -> Array | None:
-        """[N], about z: the only component, or the third."""
+        """Spins, [N], about z: the only component, or the third."""
         found = self._numbers("spin", (1, 3))
         for base in NAMES["spin"]:
             found += self._numbers_called((base + "z",), "spin", (1,))
         return self._agreed("spin", [(name, values[:, -1]) for name, values in found])
 
     def of_axes(self, names: Sequence[str]) -> Array | None:
-        """Columns by these very names, [N, names], 0 where the third is missing; None where the first two are. Raises
-        InputError where one of these is."""
+        """Columns by exactly these names, [N, names], 0 if the third is missing; None if the first two are. Raises
+        InputError if one of these is."""
         found = [self._numbers_called((name,), name, (1,)) for name in names]
         if not found[0] and not found[1]:
             return None
@@ -91,14 +91,14 @@ class Columns:
         return np.column_stack([np.zeros(len(found[0][0][1])) if one is None else one for one in agreed])
 
     def diameter(self) -> Array | None:
-        """[N], of radii or diameters."""
+        """Diameters, [N], from radii or diameters."""
         radius = self.scalar("radius")
         return self._agreed("diameter", [(name, values) for name, values in
                                          (("2 radius", None if radius is None else 2 * radius),
                                           ("diameter", self.scalar("diameter"))) if values is not None])
 
     def velocity(self, mass: Array | None) -> Array | None:
-        """[N, 2], of velocities, or of momenta where there are masses. Raises InputError where the two differ."""
+        """Velocities, [N, 2], or momenta divided by masses. Raises InputError if the two differ."""
         velocity = self.vector("velocity")
         heavy = mass is not None and bool(np.all(mass > 0))
         if velocity is None and not heavy and self._called(NAMES["momentum"]):
@@ -126,7 +126,7 @@ class Columns:
         return f"{self._row(k)}, {name}"
 
     def _by_axes(self, quantity: str) -> list[tuple[str, Array]]:
-        """Of columns as "vx", "vy"."""
+        """Vectors from columns such as "vx", "vy"."""
         made = []
         for base in NAMES[quantity]:
             values = self.of_axes([base + axis for axis in "xyz"])
@@ -141,7 +141,8 @@ class Columns:
                                  f"{quantity}); mend the header, or make the file again")
 
     def _agreed(self, quantity: str, found: Sequence[tuple[str, Array]], within: float = SAME) -> Array | None:
-        """What all columns of a quantity say, as the first does. Raises InputError where they differ by more than rounding."""
+        """Value on which all columns of a quantity agree, from the first. Raises InputError if they differ by more than
+        rounding."""
         if not found:
             return None
         for name, values in found[1:]:
@@ -158,7 +159,7 @@ def _in_space(values: Array) -> Array:
 
 
 def whole_ids(words: Sequence[str] | None, where: str) -> Array | None:
-    """Identifiers as numbers, [N]. Raises InputError where one is not whole."""
+    """Identifiers as numbers, [N]. Raises InputError if one is not an integer."""
     if words is None:
         return None
     found = column([[word] for word in words], lambda _: where)[:, 0]

@@ -17,10 +17,10 @@ KEY = re.compile(r"\s*(\"[^\"]*\"|[^\s=\"]+)(\s*=\s*)?")
 
 
 class Words:
-    """Values by key, be it in capitals or not."""
+    """Values by key, whatever the case of the key."""
 
     def __init__(self, where: str, text: str) -> None:
-        """Raises InputError where a key is there twice, or the line is damaged."""
+        """Raises InputError if a key occurs twice, or the line is damaged."""
         self._found: dict[str, str] = {}
         self._behind: dict[str, str] = {}  # words alone behind a value that nothing encloses, as in pbc=T T F
         at, last = 0, ""
@@ -40,16 +40,16 @@ class Words:
             raise InputError(f"{where}: {text[at:at + 40].strip()!r} (must be KEY=VALUE, texts with spaces in quotes); mend the line")
 
     def get(self, name: str) -> str | None:
-        """The value of a key; None where it is not there."""
+        """Value of a key; None if there is none."""
         return self._found.get(name)
 
     def several(self, name: str) -> str | None:
-        """The values of a key, with the words behind a value that nothing encloses."""
+        """Values of a key, including unkeyed words behind a value without delimiters."""
         return None if name not in self._found else self._found[name] + self._behind[name]
 
 
 def _value(where: str, text: str, at: int) -> tuple[str, int]:
-    """A value, without what encloses it, and where it ends."""
+    """A value without its delimiters, and its end."""
     opening = text[at:at + 1]
     if opening not in CLOSING:
         end = re.compile(r"\S*").match(text, at)
@@ -68,12 +68,13 @@ def _parts(text: str) -> list[str]:
 
 
 def numbers_in(text: str, where: str) -> list[float]:
-    """Numbers with spaces, commas or brackets between. Raises InputError."""
+    """Numbers separated by spaces, commas or brackets. Raises InputError."""
     return numbers(_parts(text), where)
 
 
 def truths_in(text: str, where: str) -> list[bool]:
-    """One for each axis, of T and F, True and False, 1 and 0; one alone is for all. Raises InputError."""
+    """Truth values for the axes, from T and F, True and False, 1 and 0; a single one holds for all. Raises
+    InputError."""
     parts = _parts(text)
     if len(parts) == 1 and re.fullmatch("[tfTF01]{3}", parts[0]):  # TTF
         parts = list(parts[0])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What every format is read into."""
+"""Types into which every format is read."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from ..frames import Array, Box
 
 @dataclass(frozen=True)
 class Cell:
-    """A box where the file has it, and what was assumed to read it."""
+    """Box of the file, if it has one, and the assumptions made to read it."""
 
     box: Box  #: its tilt as the file has it, be it above half a width
     origin: Array  #: [3], its lower left corner
@@ -25,11 +25,11 @@ class Cell:
     remedy: str = ""  #: the option that reads the other one
 
     def noted(self, *notes: str) -> Cell:
-        """With notes more."""
+        """The cell with more notes."""
         return replace(self, notes=(*self.notes, *notes))
 
     def instead(self, other: Cell, remedy: str) -> Cell:
-        """With the other cell that it may be, and the option that says so."""
+        """The cell with its alternative reading, and the option that selects it."""
         return replace(self, other=other.box, remedy=remedy)
 
 
@@ -53,11 +53,11 @@ class Configuration:
 
     @property
     def box(self) -> Box:
-        """That of the cell."""
+        """Box of the cell."""
         return self.cell.box
 
     def in_order_of(self, ids: Array | None, path: pathlib.Path) -> Configuration:
-        """By increasing id, [N]; as it is where there are none. Raises InputError where one is there twice."""
+        """Disks by increasing id, [N]; unchanged if there are no ids. Raises InputError if one occurs twice."""
         if ids is None:
             return self
         order = np.argsort(ids, kind="stable")
@@ -73,7 +73,7 @@ class Configuration:
 
 @dataclass(frozen=True)
 class Wishes:
-    """What a file may leave open."""
+    """Options for data that a file may lack."""
 
     frame: int = -1  #: from 0, or from the end
     atom_style: str | None = None  #: of a LAMMPS data file
@@ -81,7 +81,7 @@ class Wishes:
 
 
 def chosen(path: pathlib.Path, frames: Sequence[int], wanted: int) -> int:
-    """Where in the file the frame begins. Raises InputError."""
+    """Beginning of the frame in the file. Raises InputError."""
     try:
         return frames[wanted]
     except IndexError:
@@ -90,7 +90,7 @@ def chosen(path: pathlib.Path, frames: Sequence[int], wanted: int) -> int:
 
 
 def sheared_box(where: str, vectors: Array, remedy: str = "; turn the configuration") -> Box:
-    """The cell of three vectors, [3, 3] rows: (L_x, 0, 0), (tilt, L_y, 0), and the third along z. Raises InputError,
+    """Sheared box of three vectors, [3, 3] rows: (L_x, 0, 0), (tilt, L_y, 0), and the third along z. Raises InputError,
     with `remedy` in the message."""
     (length, skew, _), (tilt, height, _), _ = vectors.tolist()
     size = float(np.abs(vectors[:2]).max())
@@ -102,7 +102,7 @@ def sheared_box(where: str, vectors: Array, remedy: str = "; turn the configurat
 
 
 def refuse_walls(where: str, boundaries: Sequence[str], periodic: str) -> None:
-    """Only boxes that are periodic along x and y are sheared here."""
+    """Refuses boxes that are not periodic along x and y."""
     for name, found in zip("xy", boundaries):
         if found != periodic:
             raise InputError(f"{where}: the boundary along {name} is {found} (must be {periodic}: periodic; there are no "
@@ -110,7 +110,7 @@ def refuse_walls(where: str, boundaries: Sequence[str], periodic: str) -> None:
 
 
 def name_of(path: str | os.PathLike[str]) -> pathlib.Path:
-    """A file that is there. Raises FileError."""
+    """Name of an existing file. Raises FileError."""
     place = pathlib.Path(path)
     if not place.is_file():
         raise FileError(f"{place} is {'a folder' if place.is_dir() else 'not there'} (must be a LAMMPS data file, a LAMMPS "

@@ -21,7 +21,7 @@ PLAIN = "species:S:1:pos:R:3"  # Properties of a file that has none
 
 
 def read(path: pathlib.Path, wishes: Wishes) -> Configuration:
-    """One frame of the file."""
+    """Reads one frame of the file."""
     begun = _frames(path)
     line = chosen(path, begun, wishes.frame)
     if line == begun[-1]:
@@ -45,7 +45,7 @@ def read(path: pathlib.Path, wishes: Wishes) -> Configuration:
 
 
 def _frames(path: pathlib.Path) -> list[int]:
-    """Lines, from 0, in which frames begin."""
+    """Lines, from 0, at which frames begin."""
     begun, line, skip = [], 0, 0
     with opened(path) as file:
         for line, text in enumerate(file):

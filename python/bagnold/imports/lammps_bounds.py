@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""ITEM: BOX BOUNDS of a dump, as LAMMPS and those who write as it does have it.
+"""ITEM: BOX BOUNDS of a dump, as written by LAMMPS and by other programs.
 
-LAMMPS writes of a tilted cell the bounds of all that it covers, `xlo + min(0, xy)` to `xhi + max(0, xy)`; other
-programs write xlo and xhi themselves. Both look the same."""
+LAMMPS writes the bounds of the bounding box of a tilted cell, `xlo + min(0, xy)` to `xhi + max(0, xy)`; other programs
+write xlo and xhi themselves. Both have the same form."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ LOOSE = 0.2  # of the smallest diameter, else of the mean distance: how far LAMM
 
 @dataclass(frozen=True)
 class Bounds:
-    """What the lines say."""
+    """Numbers and words of the lines."""
 
     where: str  #: in messages
     rows: Array  #: [3, 2], lowest and highest of x, y, z
@@ -34,7 +34,7 @@ class Bounds:
     notes: list[str]
 
     def cell(self, kind: str) -> Cell:
-        """Read as bounds of all that the cell covers, or as its edges; its L_x may be below 0."""
+        """Cell with the bounds of its bounding box, or with its edges; its L_x may be below 0."""
         low, high = self.rows[0]
         if kind == OUTER:
             low, high = low - min(0.0, self.tilt), high - max(0.0, self.tilt)
@@ -46,11 +46,11 @@ class Bounds:
 
 def read_cell(where: str, words: str, rows: Sequence[str], asked: str | None, position: Array | None, size: float | None
               ) -> Cell:
-    """The cell of a frame.
+    """Cell of a frame.
 
-    words, rows: what stands behind and below ITEM: BOX BOUNDS. asked: OUTER or EDGES, None: as the file looks.
-    position: [N, 3], in the file's place, of the images in the cell; None where it holds none. size: the smallest
-    diameter, if it is known. Raises InputError where it is not clear which cell is meant."""
+    words, rows: text behind and below ITEM: BOX BOUNDS. asked: OUTER or EDGES, None: detected. position: [N, 3], in the
+    file's coordinates, of the images in the cell; None if it holds none. size: smallest diameter, if known. Raises
+    InputError if the cell is ambiguous."""
     if words.lower().startswith("abc"):
         return _by_vectors(where, words, rows)
     bounds = _bounds(where, words, rows)
@@ -79,8 +79,8 @@ def read_cell(where: str, words: str, rows: Sequence[str], asked: str | None, po
 
 
 def _refuse_other_cell(bounds: Bounds, outer: Cell, edges: Cell, position: Array, loose: float, other: str) -> None:
-    """Raises InputError where disks lie outside the cell that LAMMPS would mean, farther than it lets them between two lists,
-    and inside the other one."""
+    """Raises InputError if disks are outside LAMMPS's cell, farther than it lets them move between two lists, and
+    inside the other one."""
     if _holds(outer, position, 0.0):
         return
     few = f"disks lie outside the cell by up to {loose:.2g}, as LAMMPS lets them between two lists; {other}"
@@ -98,7 +98,7 @@ def _refuse_other_cell(bounds: Bounds, outer: Cell, edges: Cell, position: Array
 
 
 def _spacing(cell: Cell, position: Array) -> float:
-    """The mean distance of disks."""
+    """Mean distance of disks."""
     return float(np.sqrt(cell.box.length * cell.box.height / len(position)))
 
 
@@ -110,7 +110,7 @@ def _unclear(bounds: Bounds, outer: Cell, edges: Cell, why: str) -> InputError:
 
 
 def _holds(cell: Cell, position: Array, margin: float) -> bool:
-    """Whether all disks lie in the tilted cell, or all in the rectangle of its lengths."""
+    """True if all disks are in the tilted cell, or all in the rectangle of its lengths."""
     square = Cell(Box(cell.box.length, cell.box.height, 0.0), cell.origin)
     return bool(_inside(cell, position, margin).all() or _inside(square, position, margin).all())
 
@@ -170,7 +170,7 @@ def _flag(word: str) -> str:
 
 
 def _split(where: str, row: str) -> tuple[list[float], list[str]]:
-    """The numbers that a line begins with, and the words behind them."""
+    """Numbers at the beginning of a line, and the words behind them."""
     words = row.split()
     count = next((k for k, word in enumerate(words) if not NUMBER.fullmatch(word)), len(words))
     if count < 2:
@@ -180,7 +180,7 @@ def _split(where: str, row: str) -> tuple[list[float], list[str]]:
 
 
 def _by_vectors(where: str, words: str, rows: Sequence[str]) -> Cell:
-    """`abc origin`, a general triclinic cell: its vectors, and behind each a number of the origin."""
+    """Cell of `abc origin`, general triclinic: its vectors, with a number of the origin behind each."""
     left = words.split()
     if [word.lower() for word in left[:2]] != ["abc", "origin"] or len(rows) != 3 or any(len(row.split()) != 4 for row in rows):
         raise InputError(f"{where}: BOX BOUNDS {words!r} (a cell by its vectors has three lines of 4 numbers, a vector and one of the "

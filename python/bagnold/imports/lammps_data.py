@@ -36,7 +36,7 @@ class Section:
 
 
 def read(path: pathlib.Path, wishes: Wishes) -> Configuration:
-    """The only configuration of the file."""
+    """Reads the only configuration of the file."""
     chosen(path, [0], wishes.frame)
     refuse_cut_end(path)
     with opened(path) as file:
@@ -54,7 +54,7 @@ def read(path: pathlib.Path, wishes: Wishes) -> Configuration:
 
 
 def _sections(path: pathlib.Path, lines: list[str]) -> tuple[list[list[str]], dict[str, Section]]:
-    """The words of the lines of the header, and the sections; the first line of the file is a title."""
+    """Words of the lines of the header, and the sections; the first line of the file is a title."""
     head: list[str] = []
     out: dict[str, Section] = {}
     rows = head
@@ -71,7 +71,7 @@ def _sections(path: pathlib.Path, lines: list[str]) -> tuple[list[list[str]], di
 
 
 def _refuse_unclear(path: pathlib.Path, head: list[list[str]], names: Sequence[str]) -> None:
-    """Lines of numbers that nothing names, and names that two lines have: which of them counts cannot be known."""
+    """Refuses lines of numbers without a name, and names of two lines: the valid one cannot be known."""
     for words in head:
         if all(NUMBER.fullmatch(word) for word in words):
             raise InputError(f"{path}: {' '.join(words)!r} in the header has no name (three after the bounds are a tilt: write "
@@ -82,7 +82,7 @@ def _refuse_unclear(path: pathlib.Path, head: list[list[str]], names: Sequence[s
 
 
 def _header(head: list[list[str]], *names: str) -> list[str] | None:
-    """The words before names that end a line of the header."""
+    """Words before the names that end lines of the header."""
     for words in head:
         if [word.lower() for word in words[-len(names):]] == list(names):
             return words[:-len(names)]
@@ -101,7 +101,7 @@ def _columns(path: pathlib.Path, asked: str | None, hint: str) -> list[str]:
 
 
 def _cell(path: pathlib.Path, head: list[list[str]]) -> Cell:
-    """Edges, and the tilt of the line xy xz yz; or the vectors of a general triclinic cell."""
+    """Cell by its edges and the tilt of the line xy xz yz, or by the vectors of a general triclinic cell."""
     names = ("xlo xhi", "ylo yhi", "zlo zhi", "xy xz yz", *VECTORS)
     _refuse_unclear(path, head, ("atoms", *names))
     lines = {name: _header(head, *name.split()) for name in names}

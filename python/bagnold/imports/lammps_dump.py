@@ -24,7 +24,7 @@ SCALED = 2.0  # beyond which a place is no share of the cell
 
 @dataclass
 class Item:
-    """What stands behind and below a line `ITEM: NAME`."""
+    """Text behind and below a line `ITEM: NAME`."""
 
     words: str
     rows: list[str]
@@ -32,7 +32,7 @@ class Item:
 
 
 def read(path: pathlib.Path, wishes: Wishes) -> Configuration:
-    """One frame of the dump."""
+    """Reads one frame of the dump."""
     begun = _frames(path)
     if not begun:
         raise InputError(f"{path}: has no ITEM: TIMESTEP (a LAMMPS dump has one a frame)")
@@ -45,7 +45,7 @@ def read(path: pathlib.Path, wishes: Wishes) -> Configuration:
 
 
 def _item(text: str) -> tuple[str, str] | None:
-    """The name of an item and the rest of its line; None for other lines."""
+    """Name of an item and the rest of its line; None for other lines."""
     found = re.match(r"\s*ITEM:\s*(.*)", text, re.IGNORECASE) if ":" in text else None
     if not found:
         return None
@@ -56,8 +56,8 @@ def _item(text: str) -> tuple[str, str] | None:
 
 
 def _frames(path: pathlib.Path) -> list[int]:
-    """Lines, from 0, in which frames begin: with the first item behind the atoms of the one before, for LAMMPS writes the time
-    before the step; or with an item that the frame has already, where the one before was cut short."""
+    """Lines, from 0, at which frames begin: with the first item behind the atoms of the previous frame, as LAMMPS
+    writes the time before the step; or with an item that the frame has already, if the previous one was cut short."""
     begun: list[int] = []
     seen: set[str] = set()
     steps = 0
@@ -128,7 +128,7 @@ def _columns(path: pathlib.Path, atoms: Item) -> Columns:
 
 
 def _places(columns: Columns) -> tuple[bool, bool, Array]:
-    """Whether the cell scales the positions, whether they leave it, and these, [N, 3]."""
+    """Two truth values, for positions scaled by the cell and for unwrapped ones; and the positions, [N, 3]."""
     found = columns.vector("position")
     if found is not None:
         return False, False, found
@@ -144,7 +144,7 @@ def _places(columns: Columns) -> tuple[bool, bool, Array]:
 
 
 def _told(path: pathlib.Path, items: Mapping[str, Item], box: Box) -> tuple[float, float | None, list[str]]:
-    """Time, strain rate, and what was assumed."""
+    """Time, strain rate, and assumptions."""
     where = f"{path}, line {items['TIMESTEP'].line}"
     step = _only_number(items["TIMESTEP"], f"{where}, TIMESTEP", "a whole number")
     time, rate = 0.0, None
@@ -168,8 +168,8 @@ def _only_number(item: Item, where: str, kind: str) -> float:
 
 
 def _beside(path: pathlib.Path, step: int, box: Box) -> tuple[float, float] | None:
-    """Time and rate of the step in the table that `bagnold export` writes beside a dump. Raises InputError where it is
-    the table of another dump."""
+    """Time and rate of the step in the table that `bagnold export` writes beside a dump. Raises InputError if it is the
+    table of another dump."""
     beside = path.with_suffix(".frames.csv")
     if not beside.is_file():
         return None

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Lattice="..." of extended XYZ: nine numbers, and what is written where there are fewer."""
+"""Lattice="..." of extended XYZ: nine numbers, or a shorter form."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from ..frames import Array
 
 
 def vectors_of(where: str, values: list[float]) -> tuple[Array, list[str]]:
-    """The vectors of the cell as rows, [3, 3], and what was assumed. Raises InputError where the numbers mean no cell, or
-    more than one."""
+    """Vectors of the cell as rows, [3, 3], and assumptions. Raises InputError if the numbers give no cell, or more than
+    one."""
     if len(values) == 9:
         return np.array(values).reshape(3, 3), []
     found = {name: vectors for name, vectors in _readings(values) if _is_cell(vectors)}
@@ -25,7 +25,7 @@ def vectors_of(where: str, values: list[float]) -> tuple[Array, list[str]]:
 
 
 def _readings(values: list[float]) -> list[tuple[str, Array]]:
-    """What so many numbers may be, and the vectors, [3, 3], that they are then."""
+    """Possible readings of that many numbers, with the vectors, [3, 3], of each."""
     if len(values) == 2:
         return [("lengths", np.diag([*values, 1.0]))]
     if len(values) == 4:
@@ -50,6 +50,6 @@ def _in_space(vectors: Array) -> Array:
 
 
 def _is_cell(vectors: Array) -> bool:
-    """Of the form (L_x, 0, 0), (tilt, L_y, 0), (0, 0, L_z)."""
+    """True for the form (L_x, 0, 0), (tilt, L_y, 0), (0, 0, L_z)."""
     (length, skew, above), (_, height, lift), (xz, yz, depth) = vectors.tolist()
     return length > 0 and height > 0 and depth >= 0 and not any((skew, above, lift, xz, yz))

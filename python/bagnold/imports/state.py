@@ -29,7 +29,7 @@ STILL = 1e-9  # of the fastest disk: a mean velocity that is rounding
 
 @dataclass(frozen=True)
 class Units:
-    """What the units of a file are in those of Bagnold, and how much its numbers may be off."""
+    """Units of a file in those of Bagnold, and the tolerance of its numbers."""
 
     length: float | None = None  #: d_s in the file's unit of length; None: its smallest diameter
     time: float = 1.0  #: tau_e in the file's unit of time
@@ -40,7 +40,7 @@ class Units:
 
 @dataclass(frozen=True)
 class ImportedState:
-    """A state file that was written, and what a scene needs to start from it."""
+    """A written state file, and the keys that a scene needs to start from it."""
 
     path: pathlib.Path
     scene: dict[str, dict[str, Any]]  #: tables of a scene, to be joined with one's own
@@ -86,7 +86,7 @@ def write_state(read: Configuration, units: Units, out: pathlib.Path) -> Importe
 
 
 def _diameters(read: Configuration, units: Units) -> Array:
-    """In the file's unit, [N]."""
+    """Diameters in the file's unit, [N]."""
     if not units.diameters:
         if read.diameter is None:
             left = next((f" ({note})" for note in read.notes if note.startswith(UNREAD)), "")
@@ -104,7 +104,7 @@ def _diameters(read: Configuration, units: Units) -> Array:
 
 
 def _species(read: Configuration, diameter: Array, tolerance: float) -> Array:
-    """Diameters in d_s, exactly 1 or 1.4. Raises InputError where they are others."""
+    """Diameters in d_s, exactly 1 or 1.4. Raises InputError for other ones."""
     near = np.where(np.abs(diameter - SMALL) < np.abs(diameter - BIG), SMALL, BIG)
     off = np.abs(diameter / near - 1)
     worst = int(np.argmax(off))
@@ -120,8 +120,8 @@ def _species(read: Configuration, diameter: Array, tolerance: float) -> Array:
 
 
 def _place(read: Configuration, unit: float) -> tuple[Box, Array, Array]:
-    """The box in d_s, its tilt in [-L_x/2, L_x/2); positions [N, 2] in it; and by how many heights each disk
-    was above it."""
+    """Box in d_s, with its tilt in [-L_x/2, L_x/2); positions [N, 2] in it; and the number of heights by which each
+    disk was above it."""
     z = read.position[:, 2]
     if np.ptp(z) > 1e-3 * unit:
         raise InputError(f"z goes from {z.min():g} to {z.max():g} (must be the same of all: disks move in a plane)")
@@ -136,7 +136,7 @@ def _place(read: Configuration, unit: float) -> tuple[Box, Array, Array]:
 
 def _velocity(read: Configuration, units: Units, unit: float, rate: float | None, box: Box, position: Array,
               rows: Array, notes: list[str]) -> Array:
-    """[N, 2], d_s/tau_e, of the images in the box."""
+    """Velocities, [N, 2], d_s/tau_e, of the images in the box."""
     scaled = None if rate is None else rate * units.time
     if read.velocity is None:
         notes.append("no velocities: 0, as the file has no strain rate; --strain-rate gives those of the shear flow"
@@ -158,7 +158,8 @@ def _velocity(read: Configuration, units: Units, unit: float, rate: float | None
 
 
 def _at_rest(velocity: Array, rate: float, box: Box, position: Array, mass: Array | None, notes: list[str]) -> Array:
-    """Without the mean of v - gammadot y x_hat, which a run would keep: of boxes about the origin, say."""
+    """Velocities without the mean of v - gammadot y x_hat, which a run would keep; it appears for instance in boxes
+    about the origin."""
     excess = velocity - np.outer(position[:, 1], [rate, 0.0])
     mean = np.average(excess, axis=0, weights=mass)
     least = STILL * np.abs(velocity).max() if mass is not None else 0.01 * abs(rate) * box.height
@@ -169,7 +170,7 @@ def _at_rest(velocity: Array, rate: float, box: Box, position: Array, mass: Arra
 
 
 def _write(out: pathlib.Path, data: Mapping[str, Array | None], box: Box, time: float, rate: float | None) -> None:
-    """A state file (docs/files.md), whole or not at all."""
+    """Writes a state file (docs/files.md), whole or not at all."""
     units = {"position": "d_s", "velocity": "d_s/tau_e", "spin": "1/tau_e", "diameter": "d_s"}
     if not out.parent.is_dir():
         raise FileError(f"{out.parent} is no folder; make it first")
@@ -197,14 +198,14 @@ def _write(out: pathlib.Path, data: Mapping[str, Array | None], box: Box, time: 
 
 
 def _deepest(box: Box, position: Array, diameter: Array) -> float:
-    """The largest relative overlap."""
+    """Largest relative overlap."""
     i, j, away, _ = pairs_within(position, box, diameter, 0.0)
     overlap = 1 - 2 * np.hypot(away[:, 0], away[:, 1]) / (diameter[i] + diameter[j])
     return float(overlap.max(initial=0.0))
 
 
 def _refuse_other_box(read: Configuration, unit: float, diameter: Array, deepest: float) -> None:
-    """Where disks lie on each other in the box that was taken, and do not in the one that the file may mean too."""
+    """Refuses a box in which disks overlap deeply, if they do not in the other possible box."""
     other = read.cell.other
     if other is None or deepest <= LARGEST_OVERLAP:
         return
@@ -220,7 +221,7 @@ def _refuse_other_box(read: Configuration, unit: float, diameter: Array, deepest
 
 def _scene(out: pathlib.Path, box: Box, deepest: float, diameter: Array, mass: Array | None, notes: list[str]
            ) -> dict[str, dict[str, Any]]:
-    """The keys that the state asks for."""
+    """Keys of a scene that the state needs."""
     disks: dict[str, Any] = {"count": len(diameter),
                              "packing_fraction": float(np.sum(np.pi / 4 * diameter**2) / box.area)}
     if box.height != box.length:
@@ -240,7 +241,7 @@ def _scene(out: pathlib.Path, box: Box, deepest: float, diameter: Array, mass: A
 
 
 def _masses(diameter: Array, mass: Array, notes: list[str]) -> str:
-    """The value of disks.mass, "" where it has none."""
+    """Value of disks.mass, "" if it has none."""
     means = [float(mass[diameter == one].mean()) for one in (SMALL, BIG)]
     spread = max(float(np.ptp(mass[diameter == one])) / mean for one, mean in zip((SMALL, BIG), means))
     if spread > 1e-3:

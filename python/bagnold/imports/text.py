@@ -22,8 +22,8 @@ HEAD = 1 << 16  # bytes that tell the encoding
 
 
 def opened(path: pathlib.Path) -> TextIO:
-    """A file of text: UTF-8, with or without a byte order mark, UTF-16 with one, else Latin-1, whose bytes above 127
-    can only be in comments and names. Raises FileError where it is no text."""
+    """Opens a file of text: UTF-8, with or without a byte order mark, UTF-16 with one, otherwise Latin-1, whose bytes
+    above 127 can only be in comments and names. Raises FileError if it is not text."""
     try:
         with open(path, "rb") as file:
             head = file.read(HEAD)
@@ -47,17 +47,17 @@ def _encoding(path: pathlib.Path, head: bytes) -> str:
 
 
 def not_text(path: pathlib.Path, reason: str) -> FileError:
-    """What to say of a file that is no text."""
+    """Message for a file that is not text."""
     return FileError(f"{path} is no text ({reason}): it is compressed or binary; unpack it, or write it as text")
 
 
 def printable(text: str) -> str:
-    """Without what steers a terminal."""
+    """Text without terminal control characters."""
     return "".join(letter if letter.isprintable() else "?" for letter in text)
 
 
 def refuse_cut_end(path: pathlib.Path) -> None:
-    """Raises InputError where the last line has no end: its last number may be cut within, "0.12" of "0.125"."""
+    """Raises InputError if the last line has no end: its last number may be truncated, "0.12" of "0.125"."""
     with opened(path) as file:
         last = ""
         for last in file:
@@ -81,7 +81,7 @@ def numbers(words: Iterable[str], where: str) -> list[float]:
 
 
 def column(rows: Sequence[Sequence[str]], where: Callable[[int], str]) -> Array:
-    """The numbers of rows of words, all of one length, [N, columns]. Raises InputError, with `where` of the row."""
+    """Numbers of rows of words of equal length, [N, columns]. Raises InputError, with `where` of the row."""
     words = [word for row in rows for word in row]
     shape = len(rows), len(rows[0]) if rows else 1
     together = " ".join(words)
@@ -95,7 +95,7 @@ def column(rows: Sequence[Sequence[str]], where: Callable[[int], str]) -> Array:
 
 
 def whole_number(rows: Sequence[str], where: str) -> int:
-    """The only word of the only row. Raises InputError where it is another."""
+    """The only word of the only row. Raises InputError if it is not a whole number."""
     words = " ".join(rows).split()
     if len(words) != 1 or numbers(words, where)[0] % 1:
         raise InputError(f"{where}: {' '.join(words)[:40] or 'nothing'} (must be a whole number); the file is damaged")
@@ -104,7 +104,7 @@ def whole_number(rows: Sequence[str], where: str) -> int:
 
 def table(rows: Sequence[str], names: Sequence[str], where: Callable[[int], str], otherwise: Sequence[int] = ()
           ) -> list[list[str]]:
-    """Rows of words, one for each name in each of them, or all of another length. Raises InputError."""
+    """Rows of words, one for each name; or all of another length. Raises InputError."""
     split = [row.split() for row in rows]
     width = len(split[0]) if split and len(split[0]) in otherwise else len(names)
     for k, words in enumerate(split):

@@ -77,13 +77,13 @@ def packing(source: Source | Frame, which: int = -1, *, color: str | Any = "velo
 
 
 def film(run: Run, frames: Frames, *, color: str = "velocity", forces: bool = True, series: str = "") -> packing_page.Film:
-    """What `bagnold.movie` films: ``film.show(k)`` draws frame k into ``film.figure``."""
+    """Film of `bagnold.movie`: ``film.show(k)`` draws frame k into ``film.figure``."""
     with _styled():
         return packing_page.Film(run, frames, color, forces, series)
 
 
 def analysis(drawn: str | os.PathLike[str], *, style: str = "page", panels: str | None = None) -> Figure:
-    """The picture of an analysis from PREFIX.drawn.csv, which `bagnold analyse` wrote."""
+    """Picture of an analysis from PREFIX.drawn.csv, which `bagnold analyse` wrote."""
     tables = analysis_page.read(os.fspath(drawn))
     with _styled():
         return _as(style, analysis_page.draw(tables), panels)
@@ -104,9 +104,10 @@ def save(figure: Figure, target: str | os.PathLike[str], dpi: int = 110) -> None
 
 def draw_to(source: str | os.PathLike[str], target: str | os.PathLike[str], frames: bool = False,
             style: str = "page", panels: str | None = None) -> None:
-    """The picture that belongs to a file, into a file: of result.h5 (or its folder) the page of the run,
-    of the folder of a sweep or a cascade its points, of PREFIX.drawn.csv the analysis, of recipe.json the
-    figure. frames: of result.h5 profiles, fields and histograms instead, what it has of them; `target` is then a folder, for PNG, or FOLDER/ANY.pdf or .svg."""
+    """Draws the picture that belongs to a file into a file: from result.h5 (or its folder) the page of the run, from
+    the folder of a sweep or a cascade its points, from PREFIX.drawn.csv the analysis, from recipe.json the figure.
+    frames: from result.h5 profiles, fields and histograms instead, as far as it has them; `target` is then a folder,
+    for PNG, or FOLDER/ANY.pdf or .svg."""
     place = pathlib.Path(source)
     if place.suffix == ".csv":
         save(analysis(place, style=style, panels=panels), target)
@@ -130,7 +131,7 @@ def _styled() -> Any:
 
 
 def _as(style: str, drawn: Figure, panels: str | None = None) -> Figure:
-    """A page, or what a journal prints of it."""
+    """A page, or its form for a journal."""
     if style not in ("page", "paper"):
         raise InputError(f"style = {style!r} (must be \"page\" or \"paper\")")
     if style == "page" and panels:

@@ -30,7 +30,7 @@ STRESSES = {"p": "p", "sigma": r"\sigma", "delta_p": r"\delta p", "sigma_dev": r
 
 
 def label(name):
-    """The name of a quantity as the papers write it; the name itself where they have none."""
+    """Name of a quantity as in the papers; the name itself if they have none."""
     if name.startswith("difference of "):
         rest = name[len("difference of "):]
         above, _, below = rest.partition("/")
@@ -106,7 +106,7 @@ def draw_curve(axes, rows, colour, marker, name, solid=False, joined=None, size=
 
 
 def keep_in_view(axes, rows):
-    """Limits from the points and their error bars, but from no bar longer than all points together, and from
+    """Sets limits from the points and their error bars, without bars longer than the range of all points, and from
     marks that are no further away than that."""
     data = [row for row in rows if row["what"] == "data"]
     marks = [row for row in rows if row["what"] == "mark"]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What figures take from the folder of a sweep, or from a table made of it (scripts/figure_tables.py): points
-picked by scene keys, seeds taken together."""
+"""Data of figures from the folder of a sweep, or from a table made of it (scripts/figure_tables.py): points picked by
+scene keys, seeds taken together."""
 
 import json
 import math
@@ -15,7 +15,7 @@ from ..scene import Scene
 
 
 def same(one, other):
-    """Is a value of a scene what is wanted, or one of a list of what is?"""
+    """True if a value of a scene equals the wanted one, or one of a list."""
     if isinstance(other, list) and not isinstance(one, list):
         return any(same(one, value) for value in other)
     if isinstance(one, (int, float)) and isinstance(other, (int, float)):
@@ -48,7 +48,7 @@ class Point:
 
 
 class Stored:
-    """A run of a table NAME.json: as Point, what is kept of it."""
+    """A run of a table NAME.json: the part of a Point that is kept."""
 
     def __init__(self, entry):
         self.scene, self.kept = entry["scene"], entry
@@ -78,13 +78,13 @@ def points_in(source):
 
 
 def points_of(sources, where):
-    """Points of all sources that are there whose scene agrees with `where`."""
+    """Points of all existing sources whose scene agrees with `where`."""
     points = [point for source in sources if os.path.exists(source) for point in points_in(source)]
     return [p for p in points if all(same(p.scene.get(k), v) for k, v in where.items())]
 
 
 def together(points, keys):
-    """{values of keys: their points}: what is left differs in the seed."""
+    """{values of keys: their points}; points of one entry differ in the seed only."""
     groups = {}
     for point in points:
         groups.setdefault(tuple(point.scene[key] for key in keys), []).append(point)
@@ -92,7 +92,7 @@ def together(points, keys):
 
 
 def mean_and_error(values):
-    """Over seeds (axis 0); the error, of the mean, is NaN for one."""
+    """Mean and its error over seeds (axis 0); the error is NaN for one seed."""
     values = np.asarray(values, dtype=float)
     n = len(values)
     error = values.std(axis=0, ddof=1) / np.sqrt(n) if n > 1 else np.full(values.shape[1:], np.nan)
@@ -114,8 +114,8 @@ def smoothed(value):
 
 
 def band_edges(y, value, level):
-    """Where the profile of a sheared box, periodic in y, crosses `level` between bands: of the mean over a
-    twentieth of the box, and of no excursion below a quarter of the largest on its side, which is noise."""
+    """Places where the profile of a sheared box, periodic in y, crosses `level` between bands: of the mean over a
+    twentieth of the box, without excursions below a quarter of the largest on their side, which are noise."""
     mean = smoothed(value) - level
     sides = np.sign(mean)
     for side in (1, -1):
@@ -127,7 +127,7 @@ def band_edges(y, value, level):
 
 
 def runs_of(chosen):
-    """Indices of neighbours that are chosen, the last and the first being neighbours."""
+    """Indices of runs of chosen neighbours, the last and the first being neighbours."""
     if chosen.all():
         return [np.arange(len(chosen))]
     start = int(np.argmin(chosen))  # not chosen: no run goes across

@@ -37,13 +37,13 @@ def curve_name(keys, values):
 
 
 def name_of(curve):
-    """The name of a curve of an analysis, for a legend."""
+    """Name of a curve of an analysis, for a legend."""
     first, comma, rest = curve.partition(", ")
     return pretty(NAMES[first] + comma + rest) if first in NAMES else pretty(curve)
 
 
 def curves_in(rows):
-    """Names of curves in their order, that of their numbers where these go neither up nor down: data of several
+    """Names of curves in their order, or in that of their numbers if these are not monotonic: data of several
     sweeps."""
     names = list(dict.fromkeys(row["curve"] for row in rows))
     parts = [name.rpartition(" = ") for name in names]
@@ -58,13 +58,13 @@ def curves_in(rows):
 
 
 def say(axes, text):
-    """A panel without anything to draw says so."""
+    """Writes into a panel that there is nothing to draw."""
     axes.text(0.5, 0.5, text, transform=axes.transAxes, ha="center", va="center", color=GREY)
     axes.set(xticks=[], yticks=[])
 
 
 def colour_of(k, count):
-    """Few curves: colours told apart by all; many: in order."""
+    """Colour of a curve: distinct colours for few curves, a sequence for many."""
     return COLOURS[k] if count <= len(COLOURS) else plt.cm.viridis(0.92 * k / (count - 1))
 
 
@@ -72,7 +72,7 @@ def colour_of(k, count):
 
 
 def draw_analysis(axes, panel, _):
-    """What `bagnold analyse` drew: points with errors, fits, marks."""
+    """Draws results of `bagnold analyse`: points with errors, fits, marks."""
     rows = panel["rows"]
     if not rows:
         return
@@ -286,8 +286,8 @@ def mark_boundary(axes, name, points, k, panel):
 
 
 def draw_boundary(axes, panel, _):
-    """Where a boundary phi(gammadot), found by an analysis, lies in other quantities: `at` are the
-    two of the axes, each of the sweep's curves against phi taken at the boundary. P2 Figs. 26, 29."""
+    """Draws a boundary phi(gammadot), found by an analysis, in other quantities: `at` are the two of the axes, each of
+    the sweep's curves against phi taken at the boundary. P2 Figs. 26, 29."""
     ends = []
     for k, endings in enumerate((BEGIN, END)):
         found = []
@@ -321,7 +321,7 @@ PANELS = {"analyse": draw_analysis, "histogram": draw_histogram, "profile": draw
 
 
 def kind_of(panel):
-    """What a panel draws is named by the key that it has."""
+    """Kind of a panel, by its key."""
     for key in ("histogram", "profile", "field", "samples", "series", "at", "arrows", "analyse"):
         if key in panel:
             return key
@@ -329,13 +329,13 @@ def kind_of(panel):
 
 
 def tables_of(path):
-    """The panels of an analysis; none where it found nothing."""
+    """Panels of an analysis; none if it found nothing."""
     with open(path, encoding="utf-8") as file:
         return read(path) if file.read(1).strip() else []
 
 
 def load(panel, folder):
-    """Reads what is beside the recipe: tables of analyses, the points of a sweep."""
+    """Reads the files beside the recipe: tables of analyses, the points of a sweep."""
     if "drawn" in panel:
         tables = tables_of(os.path.join(folder, panel["drawn"]))
         show = panel.get("show", 1)
@@ -361,7 +361,7 @@ def height_at(rows, x):
 
 
 def finish(axes, panel, rows):
-    """What any panel may have: scales, limits, lines, texts."""
+    """Adds the options of all panels: scales, limits, lines, texts."""
     if rows:
         keep_in_view(axes, rows)
     for x in panel.get("vertical", []):
@@ -390,8 +390,8 @@ MANY = 6  # names in a legend, beyond which it stands beside its panel
 
 
 def add_legends(grid, panels):
-    """Inside where there is room; long ones to the right of their panel, once for neighbours with the same names.
-    panels: of each axes. Returns whether one stands beside the last column."""
+    """Places legends inside if there is room; long ones to the right of their panel, once for neighbours with the same
+    names. panels: of each axes. Returns True if one is beside the last column."""
     beside = False
     for line in grid:
         asked = False

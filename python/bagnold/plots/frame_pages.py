@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What was measured on frames.
+"""Pictures of the measurements on frames.
 
 profiles.png from /profiles (P2 Fig. 28), fields.png from /samples/fields (P2 Fig. 27) and histograms.png from
-/histograms, each where the result has it; of a ramp maps of its frames (ramp_page.py).
+/histograms, each if the result has it; of a ramp maps of its frames (ramp_page.py).
 """
 
 import os
@@ -53,7 +53,7 @@ def draw_flow(axes, profiles, about, which):
 
 
 def heading_of(figure, file, height, left, strain=None, note="", rate=None):
-    """Above the uppermost inch of a page that many inches high."""
+    """Adds the heading in the uppermost inch of a page of `height` inches."""
     about = {name: plain(value) for name, value in file.attrs.items()}
     replicas = len(file.attrs.get("seeds", [0]))
     add_heading(figure, about, scene_line(about, strain, replicas, rate), note, left, height)
@@ -90,7 +90,7 @@ def draw_disks(figure, axes, place, diameter, value, limits, label, bar_width):
 
 
 def with_images(place, length, height, offset):
-    """Indices and places of all disks, and of the images that reach into the box."""
+    """Indices and positions of all disks, and of the images that overlap the box."""
     index, places = [], []
     for row in (-1, 0, 1):
         for column in (-2, -1, 0, 1, 2):

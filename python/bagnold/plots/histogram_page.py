@@ -16,7 +16,7 @@ def densities(groups, names):
 
 
 def shown(edges, density, least=FOUND):
-    """From which edge to which one all but `least` at either end lies."""
+    """First and last edge of the bins that hold all but `least` at either end."""
     share = np.cumsum(density * np.diff(edges))
     first = int(np.searchsorted(share, least * share[-1]))
     last = int(np.searchsorted(share, (1 - least) * share[-1]))
@@ -24,7 +24,7 @@ def shown(edges, density, least=FOUND):
 
 
 def coarser(edges, density, most=120):
-    """Bins joined until no more than that many lie within what is shown."""
+    """Joins bins until at most that many are within the shown range."""
     low, high = shown(edges, density)
     bins = int(np.sum((edges[:-1] < high) & (edges[1:] > low)))
     join = -(-bins // most)

@@ -48,7 +48,7 @@ def steps_of(decades, across):
 
 
 def log_ticks(axis):
-    """Of a logarithmic axis, once its limits are set: two numbers on it at least."""
+    """Sets ticks of a logarithmic axis, once its limits are set: at least two numbers."""
     low, high = np.log10(axis.get_view_interval())
     if high - low < FEW_DECADES[axis.axis_name]:
         axis.set_major_locator(matplotlib.ticker.LogLocator(subs=steps_of(high - low, axis.axis_name == "x")))

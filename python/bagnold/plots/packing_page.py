@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A packing with its contact forces, right at the images: what is drawn of one frame, alone or in a film."""
+"""A packing with its contact forces, right at the images: the drawing of one frame, alone or in a film."""
 
 import numpy as np
 
@@ -26,7 +26,7 @@ KINDS = {
 
 
 def values_of(frame: Frame, color, contacts: Contacts):
-    """What disks are coloured by, [N]."""
+    """Values that colour the disks, [N]."""
     rate = frame.strain_rate or 1.0
     if not isinstance(color, str):
         values = np.asarray(color, dtype=float)
@@ -64,7 +64,7 @@ def local_rate(frame: Frame):
 
 
 def with_images(place, radius, box):
-    """Indices and places of all disks that show in the rectangle, images too."""
+    """Indices and positions of all disks visible in the rectangle, images too."""
     found = []
     for row in (-1, 0, 1):
         for column in (-2, -1, 0, 1, 2):
@@ -122,7 +122,7 @@ class Packing:
 
     @staticmethod
     def _shown(ends, box):
-        """Lines that cross the rectangle, images too, and which they are."""
+        """Lines that cross the rectangle, images too, and their indices."""
         found = []
         for row in (-1, 0, 1):
             for column in (-1, 0, 1):
@@ -189,7 +189,7 @@ class Film:
         self.mark = self.below.axvline(first.strain, color="#D55E00", lw=1.5)
 
     def _limits(self, color):
-        """Of a dozen frames, that colours mean the same in all."""
+        """Limits from a dozen frames, so that colours mean the same in all."""
         few = range(0, len(self.frames), max(1, len(self.frames) // 12))
         values = np.concatenate([values_of(self.frames[k], color, self.contacts[k]) for k in few])
         if self.packing.limits[0] < 0:
@@ -216,5 +216,5 @@ class Film:
         self.mark.set_xdata([frame.strain, frame.strain])
 
     def close(self):
-        """The figure is not needed any more."""
+        """Closes the figure."""
         plt.close(self.figure)

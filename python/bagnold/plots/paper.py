@@ -24,7 +24,7 @@ def is_bar(axes):
 
 
 def chosen(figure, panels):
-    """Axes of the letters that are asked for, of all where none are."""
+    """Axes of the requested letters, of all if none are."""
     drawn = [axes for axes in figure.axes if axes.axison and not is_bar(axes)]
     letters = string.ascii_lowercase[:len(drawn)]
     if unknown := [one for one in panels or "" if one not in letters]:
@@ -33,7 +33,7 @@ def chosen(figure, panels):
 
 
 def lend_labels(all_axes, shown):
-    """What the lowest panel of a stack says of x, to those above it."""
+    """Copies the labels of x from the lowest panel of a stack to those above it."""
     for axes in shown:
         if not axes.get_xlabel():
             axes.set_xlabel(next((one.get_xlabel() for one in all_axes
@@ -56,7 +56,7 @@ def smaller(axes):
 
 
 def with_legend(axes, handles, labels):
-    """In place of one above the panel, where there is room for it."""
+    """Moves a legend from above the panel into it, if there is room."""
     legend = axes.get_legend()
     if legend:
         legend.remove()
@@ -67,14 +67,14 @@ def with_legend(axes, handles, labels):
 
 
 def names_of(axes):
-    """Handles and words of the legend that it has."""
+    """Handles and words of its legend."""
     legend = axes.get_legend()
     return (legend.legend_handles if hasattr(legend, "legend_handles") else legend.legendHandles,
             [text.get_text() for text in legend.get_texts()]) if legend else ([], [])
 
 
 def fit(figure, panels=None):
-    """The figure, changed. panels: letters, "ac"; all where none are said."""
+    """Changes the figure and returns it. panels: letters, "ac"; all by default."""
     shown = chosen(figure, panels)
     named = {axes: names_of(axes) for axes in shown}
     for legend in list(figure.legends):

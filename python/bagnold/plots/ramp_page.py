@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What was measured on the frames of a ramp: maps over the way that the rate has gone, in decades up and down, of
-profiles over y and of histograms. Of replicas the first one."""
+"""Measurements on the frames of a ramp: maps over the path of the rate, in decades up and down, of profiles over y and
+of histograms. Of replicas the first one."""
 
 import numpy as np
 
@@ -102,7 +102,7 @@ def profiles_page(file):
 
 
 def window(edges, shares):
-    """From which edge to which one nearly all counts lie."""
+    """First and last edge of the bins that hold nearly all counts."""
     total = np.cumsum(np.nansum(shares, axis=0))
     first = int(np.searchsorted(total, SHOWN * total[-1]))
     end = int(np.searchsorted(total, (1 - SHOWN) * total[-1])) + 1
@@ -110,7 +110,7 @@ def window(edges, shares):
 
 
 def joined(bins, shares, most=80):
-    """Bins joined until no more than that many lie in the window."""
+    """Joins bins until at most that many are in the window."""
     low, high = window(bins, shares)
     join = -(-int(np.sum((bins[:-1] < high) & (bins[1:] > low))) // most)
     count = shares.shape[1] // join * join
@@ -118,7 +118,7 @@ def joined(bins, shares, most=80):
 
 
 def told(name, group):
-    """Whether a map of it tells something: it has counts, and they are not all in the last bin, which is open."""
+    """True if a map is meaningful: it has counts, and not all of them are in the last bin, which is open."""
     shares = np.nansum(rows_of(group["density"][()]), axis=0) * np.diff(group["edges"][()])
     return shares.sum() > 0 and not (name == "cluster_disks" and shares[-1] > 0.9 * shares.sum())
 

@@ -30,7 +30,7 @@ MOST_CONTACTS = 5000  # more disks are drawn without their contacts
 
 
 class Run:
-    """What the files say; everything but /series may be missing."""
+    """Data of the files; everything but /series may be missing."""
 
     def __init__(self, path):
         with open_hdf5(path) as file:
@@ -205,7 +205,7 @@ def draw_stress(figure, spot, run):
 
 
 def meaning_of_lines(run):
-    """What is said of all series at once."""
+    """Meaning of the lines of all series."""
     parts = ["grey: not measured"] if run.discarded else []
     parts += ["bold: running mean"] if len(run.strain) >= MANY_WINDOWS else []
     parts += ["pale: each replica"] if run.replicas > 1 else []
@@ -311,7 +311,7 @@ def contacts(position, diameter, length, height, offset):
 
 
 def with_images(position, diameter, tilt, length, height):
-    """Indices and places of all disks and of the images that reach into the cell."""
+    """Indices and positions of all disks and of the images that overlap the cell."""
     index, places = [], []
     for row in (-1, 0, 1):
         for column in (-1, 0, 1):
@@ -415,7 +415,7 @@ def passes_of(run):
 
 
 def colour_of(cycle, cycles):
-    """Of a cycle from 1."""
+    """Colour of a cycle, counted from 1."""
     return COLOURS[cycle - 1] if cycles <= len(COLOURS) else plt.cm.viridis(0.92 * (cycle - 1) / (cycles - 1))
 
 
@@ -444,7 +444,7 @@ def draw_loop(axes, run, name, label):
 
 
 def name_passes(axes, run, others):
-    """What colours and lines of the loops are, of many cycles the first and the last, and other lines."""
+    """Names colours and lines of the loops, of many cycles the first and the last, and other lines."""
     cycles = passes_of(run)[-1][0]
     named = range(1, cycles + 1) if cycles <= len(COLOURS) else (1, cycles)
     handles = [Line2D([], [], color=colour_of(cycle, cycles), label=f"cycle {cycle}") for cycle in named]
@@ -467,8 +467,8 @@ def add_slope(axes, rate, values, slope, style):
 
 
 def add_slopes(axes, rate, stress):
-    """How stresses go with the rate, where disks are hard and where damping rules, if both axes are logarithmic:
-    lines with their names, for a legend."""
+    """Adds slopes of the stresses with the rate, for hard disks and where damping dominates, if both axes are
+    logarithmic: lines with their names, for a legend."""
     if "linear" in (axes.get_xscale(), axes.get_yscale()):
         return []
     lines = [add_slope(axes, rate, stress, 2, DASHED), add_slope(axes, rate, stress, 1, DOTTED)]
@@ -496,7 +496,7 @@ def draw_ramp(run):
 
 
 def rates_of_ramp(run):
-    """What rates it passes, and how often."""
+    """Rates that it passes, and their numbers of passes."""
     rate, cycles = run["strain_rate"][np.isin(run["direction"], (1, -1))], passes_of(run)[-1][0]
     low, high = (power_of_ten(float(f"{one:.1g}")) for one in (rate.min(), rate.max()))
     return rf"$\dot\gamma\tau_e = ${low} to {high}, {cycles} cycle{'s' if cycles > 1 else ''}"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What pictures share: their libraries, style, colours, and how they are written."""
+"""Libraries, style and colours of all pictures, and how they are written."""
 
 import io
 import os
@@ -34,8 +34,8 @@ NO_DATE = {"svg": {"Date": None}, "pdf": {"CreationDate": None}}
 
 
 def save(figure, target, dpi=110, colours=None):
-    """Whole or not at all: a picture that is there is complete. Its form is that of the name: .pdf,
-    .svg, else PNG, of which few colours make a small file."""
+    """Saves a picture whole or not at all, so that an existing picture is complete. Its form is that of the name: .pdf,
+    .svg, else PNG, which is small with few colours."""
     target = os.fspath(target)
     form = os.path.splitext(target)[1][1:].lower() or "png"
     picture = io.BytesIO()

@@ -44,7 +44,7 @@ def key_along(sweep):
 
 
 def places_along(sweep, along):
-    """Where points stand: their numbers; of texts which one it is, from 0."""
+    """Abscissae of points: their numbers; for texts their index, from 0."""
     values = sweep.varied[along]
     if values.dtype.kind == "f":
         return values
@@ -68,8 +68,8 @@ def curves_of(sweep, along):
 
 
 def merged(sweep, name, rows):
-    """Mean over seeds and its standard error: of two by their own errors where they have them, else by the
-    scatter. Runs in which disks hardly met are left out beside others, and where nothing happened in them."""
+    """Mean over seeds and its standard error: for two seeds by their own errors if they have them, otherwise by the
+    scatter. Runs with few collisions are left out beside others, and where nothing happened in them."""
     met = [row for row in rows if "few_collisions" not in sweep[int(row)].warnings]
     rows = met or [row for row in rows if sweep.error(name)[row] != 0]
     values, errors = sweep[name][rows], sweep.error(name)[rows]
@@ -117,7 +117,7 @@ def finish(axes, along, name):
 
 
 def name_curves(figure, axes, curves, height):
-    """Above all panels."""
+    """Names the curves above all panels."""
     drawn = dict(zip(*reversed(axes.get_legend_handles_labels())))
     names = [curve.name for curve in curves if curve.name]
     names = names if len(names) <= MOST_NAMED else [names[0], names[-1]]
@@ -127,7 +127,7 @@ def name_curves(figure, axes, curves, height):
 
 
 def common(sweep, along):
-    """What all points have in common, by the names of a result's attributes."""
+    """Values common to all points, by the names of a result's attributes."""
     def shared(key):
         found = {str(point.scene.get(key)): point.scene.get(key) for point in sweep}
         return next(iter(found.values())) if len(found) == 1 else None
@@ -140,7 +140,7 @@ def common(sweep, along):
 
 
 def provenance(sweep):
-    """Version and git of the first point whose result is there."""
+    """Version and git of the first point that has a result."""
     for point in sweep:
         if (point.folder / "result.h5").exists():
             about = point.load().about
