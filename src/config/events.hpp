@@ -29,8 +29,8 @@ bool is_scheme_of_an_engine(std::string_view scheme);
 /// Smallest Q at which every contact of two disks alone is underdamped, so that it ends.
 double least_underdamped_elasticity(Scene const& scene);
 
-/// What events cannot do of a scene that asks for them, by themselves or by turns with steps, and
-/// their scheme in scenes of others.
+/// Refusals of a scene with events, alone or in turns with steps of all disks, that events cannot
+/// run, and of their scheme in scenes of other engines.
 std::vector<Refusal> not_events(Scene const& scene);
 
 }  // namespace bagnold

@@ -58,7 +58,7 @@ std::unique_ptr<Simulation> make_choosing(Scene const& scene, std::int64_t lengt
                                       });
 }
 
-/// Likewise where events and steps of all disks take turns.
+/// Engine of a scene in which events and steps of all disks take turns.
 std::unique_ptr<Simulation> make_adaptive(Scene const& scene, Snapshot&& snapshot,
                                           std::string const& backend) {
   for (auto const& refusal : not_events(scene)) throw InputError(refusal.message);

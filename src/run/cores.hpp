@@ -13,9 +13,9 @@ int cores();
 /// GOMP_CPU_AFFINITY are set, and threads and processes that are made later inherit that.
 void use_all_cores();
 
-/// The same for a new thread of a program's own, for as long as it lives. OpenMP binds such a
-/// thread to a core where it first comes to a parallel region, so it has come to one before. Some
-/// versions of Kokkos (4.7.00) fill Views in one, also for kernels on the serial backend.
+/// Gives a new thread of the program this affinity mask for as long as it lives. OpenMP binds such
+/// a thread to a core in its first parallel region, so one is entered first here. Some versions of
+/// Kokkos (4.7.00) fill Views in a parallel region, also for kernels on the serial backend.
 void use_all_cores_in_new_thread();
 
 /// In a new process before exec(): use_all_cores(), and no OpenMP environment that would bind each

@@ -26,7 +26,7 @@ struct StartSpins<true> {
   Real i, j;
 };
 
-/// A contact of two disks that touch nobody else, from one instant of it (s = 0) to its end, in
+/// A contact of two disks that touch no other disk, from one instant of it (s = 0) to its end, in
 /// closed form. Harmonic repulsion, a linear law, underdamped classes only.
 ///
 /// In polar form, with delta = d_ij - r, n = r_ij/r, t = z^ x n, v_t = r theta', the angular
