@@ -7,13 +7,13 @@
 
 namespace bagnold {
 
-/// Folder that holds the Python package `bagnold`, which draws, exports and imports. It is the
-/// first that exists of:
+/// Folder that holds the Python package `bagnold`, which draws, exports and imports. If
+/// BAGNOLD_PYTHON_PACKAGE is set, it is the only candidate (an absolute path). Otherwise the first
+/// that exists is taken of
 ///
-/// - the absolute path in BAGNOLD_PYTHON_PACKAGE;
 /// - share/bagnold/python of the build tree or the prefix of the running program;
-/// - for users' programs linked to the libraries, that of the configured prefix or of the `bagnold`
-/// in PATH.
+/// - for users' programs linked to the libraries, that of the configured prefix;
+/// - that of the prefix of the `bagnold` in PATH.
 ///
 /// Empty if there is none; then the interpreter's own (pip install) is tried. Nothing is searched
 /// in the user's working directory.
