@@ -32,7 +32,7 @@ State moving_start(Scene const& scene) {
   return state;
 }
 
-constexpr std::int64_t window = 500, end = 20000;
+constexpr std::int64_t adaptive_window = 500, adaptive_end = 20000;
 
 double by_events(Simulation const& simulation) {
   return simulation.snapshot().counters.at("steps_by_events");
@@ -45,11 +45,12 @@ TEST(AdaptiveEngine, TakesEventsWhereDisksFlyAndStepsWhereTheyTouch) {
   auto const run = [](Scene const& scene) {
     auto simulation = test::simulate(scene, moving_start(scene), "serial");
     OpenWindows windows;
-    simulation->advance(end, {window, 10, end}, windows);
-    for (auto const& of : windows.sums) EXPECT_NEAR(of.weight, window / 10, 1e-9);
+    simulation->advance(adaptive_end, {adaptive_window, 10, adaptive_end}, windows);
+    for (auto const& of : windows.sums) EXPECT_NEAR(of.weight, adaptive_window / 10, 1e-9);
     return simulation;
   };
-  EXPECT_EQ(by_events(*run(dilute)), end - window);  // a window of steps tells how many touch
+  EXPECT_EQ(by_events(*run(dilute)),
+            adaptive_end - adaptive_window);  // a window of steps tells how many touch
   EXPECT_EQ(by_events(*run(dense)), 0);
 }
 
@@ -59,15 +60,15 @@ TEST(AdaptiveEngine, BitsDoNotDependOnCutsOrRestarts) {
   State const start = moving_start(scene);
   auto const straight = test::simulate(scene, start, "serial");
   auto chained = test::simulate(scene, start, "serial");
-  Sampling const sampling{window, 10, end};
+  Sampling const sampling{adaptive_window, 10, adaptive_end};
   OpenWindows a, b;
-  straight->advance(end, sampling, a);
-  for (int k = 0; chained->step() < end; ++k) {
+  straight->advance(adaptive_end, sampling, a);
+  for (int k = 0; chained->step() < adaptive_end; ++k) {
     chained->advance(1 + 97 * (k % 5), sampling, b);
     chained = make_simulation(scene, chained->snapshot(), "serial");
   }
   EXPECT_GT(by_events(*straight), 0);
-  EXPECT_LT(by_events(*straight), end - window);
+  EXPECT_LT(by_events(*straight), adaptive_end - adaptive_window);
   EXPECT_EQ(straight->state().position, chained->state().position);
   EXPECT_EQ(straight->state().velocity, chained->state().velocity);
   EXPECT_EQ(straight->snapshot().memory, chained->snapshot().memory);

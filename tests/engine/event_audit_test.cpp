@@ -16,17 +16,17 @@ class EventAudit : public testing::TestWithParam<std::string> {};
 /// Who overlaps is known to touch, and the other way round: returns how many do.
 std::size_t audit(Simulation const& events, Scene const& scene, std::string const& where) {
   auto const state = events.state();
-  auto const found = touching(events, scene.rotates());
+  auto const found = known_contacts(events, scene.rotates());
   std::set<std::pair<std::uint32_t, std::uint32_t>> const known(found.begin(), found.end());
   EXPECT_EQ(known.size(), found.size()) << where;
   for (auto const& pair : known)
-    EXPECT_LT(gap(state, pair.first, pair.second), 1e-9)
+    EXPECT_LT(gap_of(state, pair.first, pair.second), 1e-9)
         << pair.first << " " << pair.second << " " << where;
   std::size_t there = 0;
   auto const count = static_cast<std::uint32_t>(state.count());
   for (std::uint32_t i = 0; i < count; ++i)
     for (std::uint32_t j = i + 1; j < count; ++j) {
-      double const width = gap(state, i, j);
+      double const width = gap_of(state, i, j);
       if (!(width < 0)) continue;
       ++there;
       EXPECT_TRUE(width > -1e-9 || known.contains({i, j}))
@@ -80,7 +80,7 @@ TEST_P(EventAudit, OfLattices) {
   for (unsigned seed = 1; seed <= 25; ++seed) {
     std::mt19937 random(seed);
     Scene scene = dilute_scene(GetParam(), 0.5 + 0.02 * (seed % 5), 64, seed % 2 == 0 ? 20 : 2);
-    double const speed = 50 * slow;
+    double const speed = 50 * slow_rate;
     State const start = lattice_start(scene, random, speed);
     auto const straight = simulate_events(scene, start);
     auto chained = simulate_events(scene, start);

@@ -11,7 +11,7 @@ class EventClusters : public testing::TestWithParam<std::string> {};
 /// Three disks that touch in a row or each other, and one that is far from all.
 State three_disks(Scene const& scene, bool triangle) {
   State state = flying_start(scene);
-  double const middle = state.box_length / 2, speed = 10 * slow;
+  double const middle = state.box_length / 2, speed = 10 * slow_rate;
   state.diameter = {1, 1.4, 1, 1.4};
   double const to_first = 1.198, to_third = 1.197, between = 0.999;
   state.position[1] = {middle, middle};
@@ -42,12 +42,12 @@ TEST_P(EventClusters, OfThreeDisksAreTheLimitOfShortSteps) {
       double const time = 1.2;
       advance(*events, std::llround(time / time_step(scene)));
       EXPECT_GT(events->snapshot().counters.at("cluster_steps"), 1);
-      EXPECT_EQ(touching(*events, scene.rotates()).size(), triangle ? 3 : 2);
+      EXPECT_EQ(known_contacts(*events, scene.rotates()).size(), triangle ? 3 : 2);
       std::vector<double> off;
       for (double const dt : {0.04, 0.02, 0.01, 0.005}) {
-        auto const plain = simulate_events(stepped(scene, dt), start);
+        auto const plain = simulate_events(in_steps(scene, dt), start);
         advance(*plain, std::llround(time / dt));
-        off.push_back(spread(events->state(), plain->state()));
+        off.push_back(distance_between(events->state(), plain->state()));
       }
       EXPECT_LT(off[1], 0.3 * off[0]) << triangle << " " << elasticity;
       EXPECT_LT(off[3], 2e-8) << triangle << " " << elasticity;  // they move by 1e-3

@@ -31,9 +31,9 @@ TEST_P(Events, AreTheLimitOfStepsOfAllDisks) {
   EXPECT_GT(events->snapshot().counters.at("collisions"), 30);
   std::vector<double> off;
   for (double const dt : {0.02, 0.01, 0.005}) {
-    auto const plain = simulate_events(stepped(scene, dt), start);
+    auto const plain = simulate_events(in_steps(scene, dt), start);
     advance(*plain, std::llround(time / dt));
-    off.push_back(spread(events->state(), plain->state()));
+    off.push_back(distance_between(events->state(), plain->state()));
   }
   EXPECT_LT(off[2], 2e-5);
   EXPECT_LT(off[2], 0.6 * off[0]);
@@ -43,12 +43,12 @@ TEST_P(Events, AreThoseOfTheAllPairsReference) {
   Scene const scene = dilute_scene(law(), 0.6, 16);
   State const start = flying_start(scene);
   auto const events = simulate_events(scene, start);
-  reference::System oracle(reference_parameters(stepped(scene, 0.005)), start);
+  reference::System oracle(reference_parameters(in_steps(scene, 0.005)), start);
   double const time = 200;
   advance(*events, std::llround(time / time_step(scene)));
   for (int k = 0; k < std::llround(time / 0.005); ++k) reference::step(oracle);
   EXPECT_GT(events->snapshot().counters.at("collisions"), 5);
-  EXPECT_LT(spread(events->state(), oracle.s), 2e-5);
+  EXPECT_LT(distance_between(events->state(), oracle.s), 2e-5);
 }
 
 TEST_P(Events, KeepMomentumAndTheEnergyBalance) {
@@ -63,7 +63,7 @@ TEST_P(Events, KeepMomentumAndTheEnergyBalance) {
     auto const momentum = [&](State const& state) {
       std::array<double, 2> sum{};
       for (std::size_t i = 0; i < state.count(); ++i) {
-        sum[0] += masses[i] * (state.velocity[i][0] - slow * state.position[i][1]);
+        sum[0] += masses[i] * (state.velocity[i][0] - slow_rate * state.position[i][1]);
         sum[1] += masses[i] * state.velocity[i][1];
       }
       return sum;
@@ -73,7 +73,7 @@ TEST_P(Events, KeepMomentumAndTheEnergyBalance) {
     auto const after = events->state();
     EXPECT_NEAR(energy_gap(scene, before, sums, after), 0, 1e-4) << packing_fraction;
     auto const p = momentum(before), q = momentum(after);
-    double const scale = 144 * 5 * slow;
+    double const scale = 144 * 5 * slow_rate;
     // dv holds the y of the box: kinetic terms of the flow change the sum along x
     EXPECT_NEAR(q[1] - p[1], 0, 1e-11 * scale);
   }
@@ -147,7 +147,7 @@ TEST_P(Events, SumsEndWithTheirWindows) {
   auto const probe = simulate_events(scene, start);
   for (int k = 0; k < 3000; ++k) {
     advance(*probe, 1);
-    sampled += 2 * static_cast<double>(touching(*probe, scene.rotates()).size());
+    sampled += 2 * static_cast<double>(known_contacts(*probe, scene.rotates()).size());
   }
   EXPECT_NEAR(sampled / whole[SumColumns::contacts], 1, 0.02);
 }
@@ -164,17 +164,17 @@ TEST_P(Events, OfEqualTimes) {
     start.position[i] = {spacing * (0.5 + static_cast<double>(column)),
                          spacing * (0.5 + static_cast<double>(row))};
     double const towards = column % 2 == 0 ? 1 : -1, up = row % 2 == 0 ? 1 : -1;
-    start.velocity[i] = {3 * slow * towards, 3 * slow * up};
+    start.velocity[i] = {3 * slow_rate * towards, 3 * slow_rate * up};
   }
   start.offset = 0;
   auto const events = simulate_events(scene, start);
-  auto const plain = simulate_events(stepped(scene, 0.005), start);
-  double const time = 1.2 * (spacing - 1) / (6 * slow);
+  auto const plain = simulate_events(in_steps(scene, 0.005), start);
+  double const time = 1.2 * (spacing - 1) / (6 * slow_rate);
   advance(*events, std::llround(time / time_step(scene)));
   advance(*plain, std::llround(std::llround(time / time_step(scene)) * time_step(scene) / 0.005));
   EXPECT_GT(events->snapshot().counters.at("collisions"), 32);
   EXPECT_GT(events->snapshot().counters.at("busy_collisions"), 16);
-  EXPECT_LT(spread(events->state(), plain->state()), 1e-5);
+  EXPECT_LT(distance_between(events->state(), plain->state()), 1e-5);
 }
 
 /// As a record has them of steps so short that they are the limit.
@@ -202,7 +202,7 @@ TEST_P(Events, ReportTheirContacts) {
     while (simulation->step() < sampling.last_step) simulation->advance(50, sampling, windows);
     return Measured{windows.sums[0].sums, listener->all, dt, simulation->columns()};
   };
-  auto const events = measure(scene), plain = measure(stepped(scene, 0.01));
+  auto const events = measure(scene), plain = measure(in_steps(scene, 0.01));
   auto const of = [](Measured const& m, int column) {
     return m.sums[static_cast<std::size_t>(m.columns + column)];
   };
@@ -259,7 +259,7 @@ TEST_P(Events, ContactsDoNotDependOnCutsOrRestarts) {
     EXPECT_EQ(one[k].a, other[k].a);
     EXPECT_EQ(one[k].begin, other[k].begin);
   }
-  EXPECT_EQ(one.size(), touching(*straight, scene.rotates()).size());
+  EXPECT_EQ(one.size(), known_contacts(*straight, scene.rotates()).size());
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Events, testing::Values("CD", "CD_n", "CD_rot", "CD_nt"),
@@ -276,7 +276,7 @@ TEST(EventsSteadyState, IsThatOfTheDefaultEngine) {
   };
   auto const measure = [&](Scene const& of) {
     auto const simulation = simulate_events(of, start);
-    auto const block = std::llround(1.0 / (slow * time_step(of)));
+    auto const block = std::llround(1.0 / (slow_rate * time_step(of)));
     advance(*simulation, 2 * block);
     std::array<std::vector<double>, 4> blocks;
     for (int k = 0; k < 10; ++k) {

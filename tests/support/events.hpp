@@ -14,13 +14,13 @@
 /// Dilute scenes, starts and comparisons that the tests of events share.
 namespace bagnold::test {
 
-inline constexpr double slow = 1e-4;  ///< [1/tau_e]
+inline constexpr double slow_rate = 1e-4;  ///< [1/tau_e]
 
 inline Scene dilute_scene(std::string const& model, double packing_fraction = 0.70,
                           std::int64_t count = 64, double elasticity = 20) {
   Scene scene = small_scene(model, packing_fraction, count);
   scene.disks.elasticity = elasticity;
-  scene.shear.strain_rate = slow;
+  scene.shear.strain_rate = slow_rate;
   scene.integration.scheme = automatic;
   scene.integration.engine = event_engine;
   scene.integration.time_step = automatic;
@@ -42,7 +42,7 @@ inline State flying_start(Scene const& scene) {
 }
 
 /// The engine in steps of a plain one.
-inline Scene stepped(Scene scene, double time_step) {
+inline Scene in_steps(Scene scene, double time_step) {
   scene.integration.engine = "many-contacts";
   scene.integration.scheme = papers_scheme;
   scene.integration.time_step = time_step;
@@ -55,7 +55,7 @@ inline std::unique_ptr<Simulation> simulate_events(Scene const& scene, State con
 }
 
 /// Distance of the disks of two states in the mean square, [d_s].
-inline double spread(State const& a, State const& b) {
+inline double distance_between(State const& a, State const& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.count(); ++i) {
     double dx = a.position[i][0] - b.position[i][0], dy = a.position[i][1] - b.position[i][1];
@@ -69,8 +69,8 @@ inline double spread(State const& a, State const& b) {
 }
 
 /// All that overlap, all pairs, and by how much, [d_s].
-inline std::map<std::pair<std::uint32_t, std::uint32_t>, double> overlaps(Scene const& scene,
-                                                                          State const& state) {
+inline std::map<std::pair<std::uint32_t, std::uint32_t>, double> overlapping_pairs(
+    Scene const& scene, State const& state) {
   reference::System const all(reference_parameters(scene), state);
   std::map<std::pair<std::uint32_t, std::uint32_t>, double> found;
   for (auto const& c : reference::contacts(all)) {
@@ -83,7 +83,7 @@ inline std::map<std::pair<std::uint32_t, std::uint32_t>, double> overlaps(Scene 
 }
 
 /// r_ij - d_ij of the nearest image, [d_s].
-inline double gap(State const& s, std::uint32_t i, std::uint32_t j) {
+inline double gap_of(State const& s, std::uint32_t i, std::uint32_t j) {
   double dx = s.position[i][0] - s.position[j][0], dy = s.position[i][1] - s.position[j][1];
   double const n = std::round(dy / s.box_height());
   dx -= n * s.offset;
@@ -95,12 +95,13 @@ inline double gap(State const& s, std::uint32_t i, std::uint32_t j) {
 inline double stored_energy(Scene const& scene, State const& state) {
   double sum = 0;
   for (std::size_t i = 0; i < state.count(); ++i) {
-    double const u = state.velocity[i][0] - slow * state.position[i][1], v = state.velocity[i][1];
+    double const u = state.velocity[i][0] - slow_rate * state.position[i][1],
+                 v = state.velocity[i][1];
     sum += disk_mass(true, state.diameter[i]) * (u * u + v * v) / 2;
     if (scene.rotates())
       sum += disk_inertia(true, state.diameter[i]) * state.spin[i] * state.spin[i] / 2;
   }
-  for (auto const& [pair, overlap] : overlaps(scene, state)) {
+  for (auto const& [pair, overlap] : overlapping_pairs(scene, state)) {
     double const d = (state.diameter[pair.first] + state.diameter[pair.second]) / 2;
     sum += overlap * overlap / (2 * d * d);
   }
@@ -113,13 +114,13 @@ inline double energy_gap(Scene const& scene, State const& before, std::vector<do
   using C = SumColumns;
   double const dt = time_step(scene);
   double const work =
-      -slow * (sums[C::elastic_xy] + sums[C::dissipative_xy] + sums[C::kinetic_xy]) * dt;
+      -slow_rate * (sums[C::elastic_xy] + sums[C::dissipative_xy] + sums[C::kinetic_xy]) * dt;
   double const lost = sums[C::dissipation] * dt;
   return (work - lost - (stored_energy(scene, after) - stored_energy(scene, before))) / lost;
 }
 
-inline std::vector<std::pair<std::uint32_t, std::uint32_t>> touching(Simulation const& simulation,
-                                                                     bool rotates) {
+inline std::vector<std::pair<std::uint32_t, std::uint32_t>> known_contacts(
+    Simulation const& simulation, bool rotates) {
   return rotates ? dynamic_cast<EventEngine<true> const&>(simulation).touching()
                  : dynamic_cast<EventEngine<false> const&>(simulation).touching();
 }
