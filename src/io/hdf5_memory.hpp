@@ -11,8 +11,8 @@ namespace bagnold::io {
 
 /// A new HDF5 file in memory: no disk can fail while it is built. The form is the oldest that any
 /// HDF5 from 1.8 on reads, from 1.10 on where datasets may be virtual; no times are kept, so equal
-/// content gives equal bytes. increment: room added at once, [bytes]. Throws FileError (in practice:
-/// out of memory).
+/// content gives equal bytes. increment: room added at once, [bytes]. Throws FileError (in
+/// practice: out of memory).
 Handle create_in_memory(std::size_t increment = std::size_t{1} << 20,
                         bool virtual_datasets = false);
 
