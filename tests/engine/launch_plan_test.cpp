@@ -24,6 +24,19 @@ class LaunchPlanOf : public testing::Test {
     return scene;
   }
 
+  static Scene ramp() {
+    Scene scene = LaunchPlanOf::scene(0.84, 100);
+    scene.integration.skin = 0.3;
+    auto& shear = scene.shear;
+    shear.protocol = "ramp";
+    shear.ramp_every = 5 * scene.integration.time_step.number.value();
+    shear.ramp_window = 10 * shear.ramp_every;
+    shear.ramp_rate = 0.01 / shear.ramp_every;
+    shear.strain_rate = 5e-3;
+    shear.strain_rate_high = 1e-2;
+    return scene;
+  }
+
   static Engine engine(Scene const& scene, Snapshot const& from, LaunchPlan const& plan) {
     return {make_law<Law>(scene.disks),
             make_species_table(scene.mass_by_area()),
@@ -137,15 +150,7 @@ TYPED_TEST(LaunchPlanOf, ChangesNoBitOfManyDisks) {
 }
 
 TYPED_TEST(LaunchPlanOf, ChangesNoBitOfRamps) {
-  Scene scene = TestFixture::scene(0.84, 100);
-  scene.integration.skin = 0.3;
-  auto& shear = scene.shear;
-  shear.protocol = "ramp";
-  shear.ramp_every = 5 * scene.integration.time_step.number.value();
-  shear.ramp_window = 10 * shear.ramp_every;
-  shear.ramp_rate = 0.01 / shear.ramp_every;
-  shear.strain_rate = 5e-3;
-  shear.strain_rate_high = 1e-2;
+  Scene const scene = TestFixture::ramp();
   Ramp const ramp = make_ramp(scene);
   Snapshot const start = first_snapshot(shaken_start(scene));
   Sampling const sampling{ramp.window_steps, 7, ramp.steps()};
@@ -183,6 +188,23 @@ TYPED_TEST(LaunchPlanOf, ChangesNoContact) {
       TestFixture::expect_equal(*observed.listener, *expected.listener);
     }
   }
+}
+
+/// Velocities are over the rate of their step, also where a queue at the next rate is under way
+/// when the record is told of them.
+TYPED_TEST(LaunchPlanOf, ChangesNoContactOfRamps) {
+  Scene const scene = TestFixture::ramp();
+  Ramp const ramp = make_ramp(scene);
+  Snapshot const start = first_snapshot(shaken_start(scene));
+  Sampling const sampling{ramp.window_steps, 7, ramp.steps()};
+  auto plain = TestFixture::engine(scene, start, {});
+  auto queued = TestFixture::engine(scene, start, {32, true});
+  Observed expected(plain, 100, 0, SampleChoice(11)), observed(queued, 100, 0, SampleChoice(11));
+  plain.advance(ramp.steps(), sampling, expected.windows);
+  queued.advance(ramp.steps(), sampling, observed.windows);
+  EXPECT_GT(expected.listener->picks.size(), 100u);
+  TestFixture::expect_equal(observed.windows, expected.windows);
+  TestFixture::expect_equal(*observed.listener, *expected.listener);
 }
 
 /// With the step, the disk of the start and the number that a failure has without a queue.

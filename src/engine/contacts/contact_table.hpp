@@ -19,15 +19,20 @@ struct OpenContact {
   ContactVelocities velocities = {};       ///< at the last sample
 };
 
-/// All contacts between the disks of one system, which are the edges of the contact graph.
+/// All contacts between the disks of one system, which are the edges of the contact graph. Each
+/// contact is a link in two chains, those of its disks.
 class ContactTable {
  public:
-  explicit ContactTable(std::size_t disks) : of_disk_(disks) {}
+  explicit ContactTable(std::size_t disks) : first_(disks, none) {}
 
   bool is_open(std::uint32_t a, std::uint32_t b) const { return find(a, b) != nullptr; }
 
   /// Contact of two disks; nullptr if there is none. Valid until the table changes.
-  OpenContact const* find(std::uint32_t a, std::uint32_t b) const;
+  OpenContact const* find(std::uint32_t a, std::uint32_t b) const {
+    for (auto place = first_[a]; place != none; place = links_[place].next_of(a))
+      if (links_[place].other(a) == b) return &links_[place].contact;
+    return nullptr;
+  }
   OpenContact* find(std::uint32_t a, std::uint32_t b) {
     return const_cast<OpenContact*>(std::as_const(*this).find(a, b));
   }
@@ -48,21 +53,31 @@ class ContactTable {
   /// Calls use(contact) in no particular order.
   template <class Use>
   void each(Use const& use) const {
-    for (auto const& contact : contacts_)
-      if (contact.a != contact.b) use(contact);
+    for (auto const& link : links_)
+      if (link.contact.a != link.contact.b) use(link.contact);
   }
 
  private:
-  struct Partner {
-    std::uint32_t disk;
-    std::uint32_t contact;  ///< in contacts_
-  };
-  Partner const* partner(std::uint32_t a, std::uint32_t b) const;
-  void forget(std::uint32_t disk, std::uint32_t contact);
-  void add(OpenContact const& contact);
+  static constexpr std::uint32_t none = 0xffffffff;  ///< no place in links_
 
-  std::vector<std::vector<Partner>> of_disk_;  ///< [N]
-  std::vector<OpenContact> contacts_;          ///< a = b in unused places
+  struct Link {
+    OpenContact contact;                           ///< a = b in unused places
+    std::uint32_t after_a = none, after_b = none;  ///< the next links of both disks
+
+    std::uint32_t other(std::uint32_t disk) const {
+      return contact.a == disk ? contact.b : contact.a;
+    }
+    std::uint32_t next_of(std::uint32_t disk) const {
+      return contact.a == disk ? after_a : after_b;
+    }
+    std::uint32_t& next_of(std::uint32_t disk) { return contact.a == disk ? after_a : after_b; }
+  };
+
+  void add(OpenContact const& contact);
+  void unlink(std::uint32_t disk, std::uint32_t place);
+
+  std::vector<std::uint32_t> first_;  ///< [N], in links_
+  std::vector<Link> links_;
   std::vector<std::uint32_t> vacant_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "kernels/device/contacts/detect_contacts.hpp"
@@ -13,8 +14,9 @@
 namespace bagnold {
 
 /// Follows the contacts of one system where its disks are, on a device or not: only what begins,
-/// ends or is sampled comes to the host, after one configuration or several. Plain: pair by pair of
-/// full rows, and what ContactDetector is held against.
+/// ends or is sampled comes to the host, after one configuration or several, and is told to the
+/// record while the device goes on. Plain: pair by pair of full rows, and what ContactDetector is
+/// held against.
 template <class Space>
 class DeviceContacts {
  public:
@@ -59,23 +61,36 @@ class DeviceContacts {
     if (sampled) add_groups(loops, of_disk_, of_group_, totals_, samples_++);
   }
 
-  /// Tells the record of all that was looked at before `end`.
-  void take(std::int64_t end, Sampling const& sampling, OpenWindows& windows) {
-    ContactRecord& record = *windows.contacts;
+  /// Copies to the host what was found before `end`. tell() comes before the next call.
+  void fetch(std::int64_t end, Sampling const& sampling) {
+    untold_.motion.clear();
     if (samples_ > 0) {
       auto const totals = to_host(totals_);
       auto total = totals.begin();
       for (auto step = first_step_; step < end; ++step)
-        if (sampling.sampled(step)) record.add(*total++, step, sampling, windows);
+        if (sampling.sampled(step)) untold_.motion.emplace_back(step, *total++);
     }
-    auto const changes = static_cast<double>(sort_out(record));
+    fetch_found();
+    auto const changes = static_cast<double>(std::ranges::count_if(
+        untold_.found, [](auto const& pair) { return pair.what != FoundContact::picked; }));
     constexpr double margin = 4;  // more than before
     if (end > first_step_)
       changes_a_step_ = margin * (changes + 32) / static_cast<double>(end - first_step_);
+    untold_.begin = first_step_;
+    untold_.end = next_step_ = end;
+    untold_.strain_rate = strain_rate_;
+  }
+
+  /// Adds what was fetched to the record, once. The device may be at work meanwhile.
+  void tell(Sampling const& sampling, OpenWindows& windows) {
+    if (untold_.begin == untold_.end) return;
+    ContactRecord& record = *windows.contacts;
+    for (auto const& [step, motion] : untold_.motion) record.add(motion, step, sampling, windows);
+    sort_out(record);
     record.add(picks_);
     record.add(events_, samples_of_contacts_, sampling, windows);
-    record.evaluated(first_step_, end, sampling, windows);
-    next_step_ = end;
+    record.evaluated(untold_.begin, untold_.end, sampling, windows);
+    untold_.begin = untold_.end;
   }
 
  private:
@@ -110,17 +125,20 @@ class DeviceContacts {
     Kokkos::deep_copy(open_.contacts, on_host.contacts);
   }
 
-  /// From what was found, what the record is told; velocities are sampled last, as it wants it.
-  /// Returns how much changed.
-  std::int64_t sort_out(ContactRecord const& record) {
+  void fetch_found() {
     std::uint32_t count = 0;
     Kokkos::deep_copy(count, Kokkos::subview(found_.count, 0));
     if (count > found_.found.extent(0)) too_many();
-    auto const found = to_host(Kokkos::View<FoundContact*, Space>(found_.found.data(), count));
-    std::int64_t changes = 0;
-    for (auto const& pair : found) {
+    untold_.found.resize(count);
+    Kokkos::deep_copy(view_of(untold_.found),
+                      Kokkos::View<FoundContact*, Space>(found_.found.data(), count));
+  }
+
+  /// From what was found, what the record is told; velocities are sampled last, as it wants it.
+  void sort_out(ContactRecord const& record) {
+    for (auto const& pair : untold_.found) {
       auto const velocities = [&] {
-        return contact_velocities(pair.separation, pair.velocity, pair.spin, strain_rate_);
+        return contact_velocities(pair.separation, pair.velocity, pair.spin, untold_.strain_rate);
       };
       if (pair.what & (FoundContact::begins | FoundContact::ends))
         events_.push_back(contact_event(pair.step, (pair.what & FoundContact::begins) != 0, pair.a,
@@ -129,14 +147,20 @@ class DeviceContacts {
         samples_of_contacts_.push_back({pair.step, pair.a, pair.b, velocities()});
       if (pair.what & FoundContact::picked)
         picks_.push_back({record.choice.rank_at(pair.a, pair.b, pair.step), velocities()});
-      if (pair.what != FoundContact::picked) ++changes;
     }
-    return changes;
   }
 
   [[noreturn]] static void too_many() {
     throw std::runtime_error("more contacts begin and end at once than there is room for");
   }
+
+  /// What was found in steps begin .. end - 1.
+  struct Found {
+    std::int64_t begin = 0, end = 0;
+    double strain_rate = 0;
+    std::vector<FoundContact> found;
+    std::vector<std::pair<std::int64_t, ContactMotion>> motion;  ///< by step
+  };
 
   using Row = Kokkos::View<ContactMotion*, Space>;
   std::int64_t disks_, most_steps_;
@@ -149,6 +173,7 @@ class DeviceContacts {
   std::int64_t first_step_ = 0, next_step_ = 0;
   double strain_rate_ = 0;
   double changes_a_step_ = 0;  ///< that are expected
+  Found untold_;               ///< of which the record has not been told; empty: begin = end
   std::vector<ContactEvent> events_;
   std::vector<ContactSample> samples_of_contacts_;
   std::vector<ContactPick> picks_;

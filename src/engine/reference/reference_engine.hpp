@@ -99,13 +99,15 @@ class ReferenceEngine final : public Simulation {
       if (windows.contacts) {
         contacts_.begin(step, windows);
         detect_contacts(loops_, step, sampling);
-        contacts_.take(step + 1, sampling, windows);
+        contacts_.fetch(step + 1, sampling);
+        contacts_.tell(sampling, windows);
       }
       if (sampled && !drive_) windows.add(sampling.window(step), sums.value, 1);
       auto const power = do_step(sampled && drive_);
       if (sampled && drive_) add_driven(sums, power, sampling.window(step), windows);
       if (step_ == clock_.rate_end) change_rate();
     }
+    if (windows.contacts) contacts_.tell(sampling, windows);
   }
 
   Snapshot snapshot() const override {
@@ -163,6 +165,7 @@ class ReferenceEngine final : public Simulation {
           QueuedLimit::of_list(std::max(std::abs(strain), std::abs(next_strain)), skin_));
       system_.end_step(queued, box_at(step), box_at(step + 1), strain, next_strain);
     }
+    if (windows.contacts) contacts_.tell(sampling, windows);  // of the queue before
     take_queued(steps, totals, sampling, windows);
   }
 
@@ -188,7 +191,7 @@ class ReferenceEngine final : public Simulation {
       sound = limit.by_list && value != std::numeric_limits<Real>::max();
       break;
     }
-    if (windows.contacts) contacts_.take(step_, sampling, windows);
+    if (windows.contacts) contacts_.fetch(step_, sampling);
     if (trial_is_change && steps % 2 != 0)  // taken for done when they were queued
       std::swap(system_.disks.position, system_.disks.trial_position);
     if (!sound) stop_unsound();
