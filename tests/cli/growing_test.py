@@ -189,8 +189,9 @@ class Joined(SweepTest):
     def test_two_sweeps_are_one_table(self):
         """Also where they differ in a key that neither varies, and read from sweep.csv."""
         one, two = self.folder / "one", self.folder / "two"
-        self.sweep(self.sweep_file(grid={"disks.packing_fraction": [0.7, 0.72]}), one, "--quiet")
-        self.sweep(self.sweep_file(grid={"disks.packing_fraction": [0.72, 0.74]},
+        long = {"shear__strain": 8.0}  # so long that disks meet
+        self.sweep(self.sweep_file(grid={"disks.packing_fraction": [0.7, 0.72]}, **long), one, "--quiet")
+        self.sweep(self.sweep_file(grid={"disks.packing_fraction": [0.72, 0.74]}, **long,
                                    disks__elasticity=2.0), two, "--quiet")
         result = self.bagnold("analyse", "table", one, two, "--out", self.folder / "joined")
         self.assertEqual(result.returncode, 0, result.stderr)
