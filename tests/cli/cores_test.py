@@ -152,6 +152,14 @@ class Threads(CliTest):
                                OMP_STACKSIZE="900000G")
         self.assert_words(result)
 
+    def test_more_than_cores_are_told(self):
+        """Of 16 disks, which end before the wait for each other is felt."""
+        few = self.scene(disks__count=16, shear__strain=2.0**-5)
+        many = 3 * len(os.sched_getaffinity(0))
+        result = self.run_with(few, "many", "--backend", "openmp", "--threads", str(many), OMP_WAIT_POLICY="passive")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertRegex(result.stderr, rf"warning: --threads {many} \(more than the .* that this process may use.*; use --threads \d+")
+
     def test_of_replicas(self):
         _, hard = resource.getrlimit(resource.RLIMIT_STACK)
         if hard != resource.RLIM_INFINITY:
