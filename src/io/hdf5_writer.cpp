@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <limits>
 #include <stdexcept>
 
 #include "src/config/errors.hpp"
@@ -37,6 +38,16 @@ Handle text_type(std::size_t length) {
   H5Tset_size(type.get(), length);
   H5Tset_cset(type.get(), H5T_CSET_UTF8);
   return type;
+}
+
+void put_attribute(Handle const& file, std::string const& path, std::string const& name, hid_t type,
+                   void const* data, Handle const& space) {
+  auto const where = path + "@" + name;
+  Handle made(H5Acreate_by_name(file.get(), path.c_str(), name.c_str(), type, space.get(),
+                                H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+              H5Aclose);
+  require(made.valid(), where);
+  require(H5Awrite(made.get(), type, data) >= 0, where);
 }
 
 }  // namespace
@@ -102,16 +113,13 @@ void Hdf5Writer::texts(std::string const& path, std::span<std::string const> val
 }
 
 void Hdf5Writer::attribute(std::string const& path, std::string const& name, Value const& value) {
-  auto const where = path + "@" + name;
   auto const put = [&](hid_t type, void const* data, Handle const& space) {
-    Handle made(H5Acreate_by_name(file_.get(), path.c_str(), name.c_str(), type, space.get(),
-                                  H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-                H5Aclose);
-    require(made.valid(), where);
-    require(H5Awrite(made.get(), type, data) >= 0, where);
+    put_attribute(file_, path, name, type, data, space);
   };
   auto const scalar = [] { return Handle(H5Screate(H5S_SCALAR), H5Sclose); };
-  auto const row = [&](std::size_t length) { return plain_space(where, length, {length}); };
+  auto const row = [&](std::size_t length) {
+    return plain_space(path + "@" + name, length, {length});
+  };
   if (auto const* number = std::get_if<double>(&value)) {
     put(H5T_IEEE_F64LE, number, scalar());
   } else if (auto const* integer = std::get_if<std::int64_t>(&value)) {
@@ -126,6 +134,34 @@ void Hdf5Writer::attribute(std::string const& path, std::string const& name, Val
     char const* const text = std::get<std::string>(value).c_str();
     put(type.get(), &text, scalar());
   }
+}
+
+void Hdf5Writer::letters(std::string const& path, std::string const& name,
+                         std::string const& value) {
+  Handle const type(H5Tcopy(H5T_C_S1), H5Tclose), space(H5Screate(H5S_SCALAR), H5Sclose);
+  H5Tset_size(type.get(), value.size());
+  H5Tset_strpad(type.get(), H5T_STR_NULLPAD);
+  put_attribute(file_, path, name, type.get(), value.data(), space);
+}
+
+void Hdf5Writer::virtual_dataset(std::string const& path, hid_t type, Shape const& shape,
+                                 Source const& source) {
+  auto const space_of = [&](Shape const& of) {
+    Handle space(H5Screate_simple(static_cast<int>(of.size()), of.data(), nullptr), H5Sclose);
+    require(space.valid(), path);
+    return space;
+  };
+  auto const creation = without_times(H5P_DATASET_CREATE);
+  double const none = std::numeric_limits<double>::quiet_NaN();
+  if (H5Tget_class(type) == H5T_FLOAT) H5Pset_fill_value(creation.get(), H5T_NATIVE_DOUBLE, &none);
+  auto const from = space_of(source.shape), to = space_of(shape);
+  require(H5Pset_virtual(creation.get(), to.get(), source.file.c_str(), source.path.c_str(),
+                         from.get()) >= 0,
+          path);
+  Handle made(H5Dcreate2(file_.get(), path.c_str(), type, to.get(), H5P_DEFAULT, creation.get(),
+                         H5P_DEFAULT),
+              H5Dclose);
+  require(made.valid() && made.close(), path);
 }
 
 std::span<std::byte const> Hdf5Writer::content() const { return content_of(file_); }

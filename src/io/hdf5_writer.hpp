@@ -34,6 +34,8 @@ enum class Hashed { no, yes };
 class Hdf5Writer {
  public:
   explicit Hdf5Writer(Hashed hashed = Hashed::no);
+  /// Builds in a new file of create_in_memory().
+  explicit Hdf5Writer(Handle file) : hashed_(Hashed::no), file_(std::move(file)) {}
 
   void group(std::string const& path);
   void dataset(std::string const& path, std::span<double const> values, Shape const& shape,
@@ -47,6 +49,18 @@ class Hdf5Writer {
   /// Texts of any length, UTF-8, as one dataset [n]: each filled up with zeros to the longest.
   void texts(std::string const& path, std::span<std::string const> values);
   void attribute(std::string const& path, std::string const& name, Value const& value);
+  /// An attribute of as many letters as the text has, for readers that want these.
+  void letters(std::string const& path, std::string const& name, std::string const& value);
+
+  /// Dataset of another file.
+  struct Source {
+    std::string file, path;
+    Shape shape;
+  };
+  /// The values of the source in the same order, in another shape; NaN (of integers 0) where its
+  /// file is not there. The file must allow virtual datasets.
+  void virtual_dataset(std::string const& path, hid_t type, Shape const& shape,
+                       Source const& source);
 
   /// The file as it would be on the disk: HDF5's own memory, while this lives and nothing is added.
   std::span<std::byte const> content() const;
