@@ -62,11 +62,7 @@ std::unique_ptr<Simulation> make_choosing(Scene const& scene, std::int64_t lengt
 std::unique_ptr<Simulation> make_adaptive(Scene const& scene, Snapshot&& snapshot,
                                           std::string const& backend) {
   for (auto const& refusal : not_events(scene)) throw InputError(refusal.message);
-  if (is_device_backend(backend))
-    throw InputError(
-        fmt::format("--backend {} (integration.engine = \"{}\" needs the host); use "
-                    "--backend serial",
-                    backend, adaptive_engine));
+  require_host(backend, adaptive_engine, "needs the host");
   return std::make_unique<AdaptiveEngine>(
       scene, std::move(snapshot),
       [backend](Scene const& of, Snapshot&& from) { return make_engine(of, from, backend); });
@@ -87,6 +83,13 @@ std::vector<std::string> backend_names() { return names(static_cast<Backends con
 
 bool is_device_backend(std::string const& backend) {
   return is_any_device(static_cast<Backends const*>(nullptr), backend);
+}
+
+void require_host(std::string const& backend, std::string_view engine, std::string_view why) {
+  if (is_device_backend(backend))
+    throw InputError(
+        fmt::format("--backend {} (integration.engine = \"{}\" {}); use --backend serial", backend,
+                    engine, why));
 }
 
 std::string why_no_start() {

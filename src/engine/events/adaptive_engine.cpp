@@ -71,8 +71,7 @@ void AdaptiveEngine::go_by_events(Sampling const& sampling, OpenWindows& windows
   Sampling part = sampling;
   part.last_step = std::min(window_end, sampling.last_step);
   part.whole = false;
-  auto const count = [&](char const* name) { return engine_->snapshot().counters.at(name); };
-  double const collisions = count("collisions"), cluster_steps = count("cluster_steps");
+  auto const before = engine_->snapshot().counters;
   OpenWindows held;
   held.first = window;
   while (step() < part.last_step) engine_->advance(part.last_step - step(), part, held);
@@ -84,8 +83,9 @@ void AdaptiveEngine::go_by_events(Sampling const& sampling, OpenWindows& windows
   for (double& sum : of.sums) sum *= share;
   windows.add(window, of.sums, share * of.weight);
   double const time = time_step_ * static_cast<double>(step() - from);
-  if (choice_.leaves(count("collisions") - collisions, count("cluster_steps") - cluster_steps,
-                     disks_ * time)) {
+  auto const after = engine_->snapshot().counters;
+  auto const count = [&](char const* name) { return after.at(name) - before.at(name); };
+  if (choice_.leaves(count("collisions"), count("cluster_steps"), disks_ * time)) {
     choice_.left(number);
     change();
   }
@@ -111,17 +111,21 @@ void AdaptiveEngine::go_by_steps(std::int64_t end, Sampling const& sampling, Ope
 void AdaptiveEngine::change() {
   by_events_ = !by_events_;
   Snapshot now = engine_->snapshot();
-  for (auto const& [name, value] : now.counters) counters_[name] = value;
-  now.counters = counters_;
+  now.counters = counters_ = counters(now.counters);
   engine_ = make_(by_events_ ? of_events_ : of_steps_, handed_over(std::move(now)));
+}
+
+/// Those of the engine at work, and the others of engines before.
+AdaptiveEngine::Counters AdaptiveEngine::counters(Counters const& of_engine) const {
+  Counters all = of_engine;
+  all.insert(counters_.begin(), counters_.end());
+  return all;
 }
 
 Snapshot AdaptiveEngine::snapshot() const {
   auto& self = const_cast<AdaptiveEngine&>(*this);  // visits do not change what they write down
   Snapshot snapshot = engine_->snapshot();
-  auto counters = counters_;
-  for (auto const& [name, value] : snapshot.counters) counters[name] = value;
-  snapshot.counters = std::move(counters);
+  snapshot.counters = counters(snapshot.counters);
   self.for_each_memory(WriteDown{snapshot.memory});
   WriteDown{snapshot.counters}("steps_by_events", event_steps_);
   return snapshot;

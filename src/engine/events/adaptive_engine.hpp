@@ -39,6 +39,7 @@ class AdaptiveEngine final : public Simulation {
   void go_by_events(Sampling const& sampling, OpenWindows& windows);
   void go_by_steps(std::int64_t end, Sampling const& sampling, OpenWindows& windows);
   void change();
+  Counters counters(Counters const& of_engine) const;
 
   template <class Visit>
   void for_each_memory(Visit const& visit);

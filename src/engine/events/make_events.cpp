@@ -19,11 +19,7 @@ std::unique_ptr<Simulation> make_events(Scene const& scene, Snapshot const& snap
                                         std::string const& backend) {
   for (auto const& refusal : not_events(scene)) throw InputError(refusal.message);
   if (std::ranges::count(backend_names(), backend) == 0) return nullptr;
-  if (is_device_backend(backend))
-    throw InputError(
-        fmt::format("--backend {} (integration.engine = \"{}\" goes from event to event on one "
-                    "thread of the host); use --backend serial",
-                    backend, event_engine));
+  require_host(backend, event_engine, "goes from event to event on one thread of the host");
   auto const constants = law_of(scene.disks).constants(scene.disks);
   auto const table = make_species_table(scene.mass_by_area());
   auto const make = [&]<bool rotates>() -> std::unique_ptr<Simulation> {

@@ -21,11 +21,7 @@ std::unique_ptr<Simulation> make_quasi_static(Scene const& scene, Snapshot const
                                               std::string const& backend) {
   for (auto const& refusal : not_quasi_static(scene)) throw InputError(refusal.message);
   if (std::ranges::count(backend_names(), backend) == 0) return nullptr;
-  if (is_device_backend(backend))
-    throw InputError(
-        fmt::format("--backend {} (integration.engine = \"{}\" solves on one thread of "
-                    "the host); use --backend serial",
-                    backend, quasi_static_engine));
+  require_host(backend, quasi_static_engine, "solves on one thread of the host");
   auto const constants = law_of(scene.disks).constants(scene.disks);
   quasi_static::Material material{species_of(snapshot.state.diameter),
                                   make_species_table(scene.mass_by_area()), constants.normal,
