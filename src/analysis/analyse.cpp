@@ -14,11 +14,8 @@ namespace {
 Report run_kind(Kind const& kind, SweepTable const& table, Request const& request) try {
   return kind.run(table, request);
 } catch (InputError const& error) {
-  if (table.hardly_met == 0) throw;
-  throw InputError(
-      fmt::format("{}; {} of {} points are left out: disks hardly met in them "
-                  "(few_collisions), longer runs would tell",
-                  error.what(), table.hardly_met, table.points));
+  if (table.left_out().empty()) throw;
+  throw InputError(fmt::format("{}; {}", error.what(), table.left_out()));
 }
 
 std::filesystem::path with_ending(std::filesystem::path path, char const* ending) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "src/analysis/panel.hpp"
 
@@ -108,11 +109,7 @@ void note_fits(Report& report, std::vector<Outcome> const& outcomes,
 }
 
 void note_left_out(Report& report, SweepTable const& table, std::vector<Series> const& series) {
-  if (table.hardly_met != 0)
-    report.notes.push_back(fmt::format(
-        "{} of {} points are left out: disks hardly met in them (few_collisions); longer runs "
-        "would tell",
-        table.hardly_met, table.points));
+  if (auto note = table.left_out(); !note.empty()) report.notes.push_back(std::move(note));
   if (auto const failed = count_failed(table) - table.hardly_met)
     report.notes.push_back(
         fmt::format("{} of {} points have no result and are left out", failed, table.points));

@@ -201,6 +201,14 @@ void refuse_twice(SweepTable const& table) {
 
 }  // namespace
 
+std::string SweepTable::left_out() const {
+  if (hardly_met == 0) return {};
+  return fmt::format(
+      "{} of {} points are left out: disks hardly met in them (few_collisions); longer runs would "
+      "tell",
+      hardly_met, points);
+}
+
 bool SweepTable::failed(std::size_t point) const {
   return std::ranges::none_of(
       observables, [&](auto const& one) { return std::isfinite(one.second.mean[point]); });

@@ -38,6 +38,9 @@ struct SweepTable {
   std::shared_ptr<std::map<std::string, std::vector<double>>> ratio_errors =
       std::make_shared<std::map<std::string, std::vector<double>>>();
 
+  /// Note on the points that are left out because disks hardly met in them; "" if there are none.
+  std::string left_out() const;
+
   /// True if a point has no value of anything: it has failed.
   bool failed(std::size_t point) const;
 

@@ -117,7 +117,7 @@ class Reader {
 
   /// Refuses a value of another type than the key's, with a suggestion.
   [[noreturn]] void refuse_kind(Key const& key, toml::node const& node, std::string why,
-                                bool whole = false) const {
+                                Wanted wanted = Wanted::number) const {
     if (node.is_array() && key.name == "shear.strain_rate")
       why +=
           "; several rates in one run are shear.strain_rates of shear.protocol = \"cascade\", runs "
@@ -127,10 +127,7 @@ class Reader {
       why += fmt::format(
           "; a run for each of several is a sweep: [sweep] grid = {{ \"{}\" = [...] }}", key.name);
     if (auto const* text = node.as_string()) {
-      auto advice = value_advice(text->get());
-      bool const is_choice = advice.starts_with("a choice is"), of_choice = why.ends_with("false");
-      if (is_choice != of_choice) advice.clear();
-      if (whole && advice.ends_with(".0")) advice.resize(advice.size() - 2);
+      auto const advice = value_advice(text->get(), wanted);
       why += advice.empty() ? ", without quotes" : "; " + advice;
     }
     refuse(key, node, why);
@@ -173,7 +170,7 @@ class Reader {
 
   void take(Key const& key, toml::node const& node, bool& member) const {
     auto const* flag = node.as_boolean();
-    if (!flag) refuse_kind(key, node, "must be true or false");
+    if (!flag) refuse_kind(key, node, "must be true or false", Wanted::choice);
     member = flag->get();
   }
 
@@ -182,7 +179,7 @@ class Reader {
     if (auto const* real = node.as_floating_point();
         real != nullptr && std::abs(real->get()) < 1e15 && std::floor(real->get()) == real->get())
       refuse(key, node, fmt::format("must be an integer; write {:.0f}", real->get()));
-    if (!number) refuse_kind(key, node, "must be an integer", /*whole=*/true);
+    if (!number) refuse_kind(key, node, "must be an integer", Wanted::whole);
     member = number->get();
     in_range(key, node, static_cast<double>(member));
   }

@@ -34,24 +34,16 @@ std::optional<Warning> few_collisions(FinishedRun const& finished) {
                                     : collisions_per_disk(finished.run.scene, finished.mean("Z"),
                                                           finished.measured_strain());
   if (!(collisions < fewest_collisions)) return {};
-  if (is_ramp)
-    return Warning{
-        "few_collisions",
-        {{"collisions_per_disk", collisions}},
-        fmt::format("a disk collides {:.2g} times at most in the ramp; it takes {:.0f} to "
-                    "forget the start",
-                    collisions, fewest_collisions),
-        "take a slower ramp (shear.ramp_rate), or denser disks",
-        ""};
+  auto const where =
+      is_ramp ? "in the ramp"
+              : fmt::format("in the measured strain of {:.3g}", finished.measured_strain());
   return Warning{
       "few_collisions",
       {{"collisions_per_disk", collisions}},
-      fmt::format(
-          "a disk collides {:.2g} times at most in the measured strain of {:.3g}; it takes {:.0f} "
-          "to forget the start",
-          collisions, finished.measured_strain(), fewest_collisions),
-      "make the run longer",
-      longer_run(finished.run, 1.5 * fewest_collisions / collisions)};
+      fmt::format("a disk collides {:.2g} times at most {}; it takes {:.0f} to forget the start",
+                  collisions, where, fewest_collisions),
+      is_ramp ? "take a slower ramp (shear.ramp_rate), or denser disks" : "make the run longer",
+      is_ramp ? "" : longer_run(finished.run, 1.5 * fewest_collisions / collisions)};
 }
 
 }  // namespace bagnold
