@@ -5,6 +5,7 @@
 #include "kernels/physics/sums/sums.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/events.hpp"
+#include "tests/support/events.hpp"
 #include "tests/support/simulations.hpp"
 
 namespace bagnold::test {
@@ -20,18 +21,6 @@ Scene adaptive_scene(double packing_fraction, double rate, double elasticity) {
   return scene;
 }
 
-/// Disks that move at a few times the rate.
-State moving_start(Scene const& scene) {
-  State state = shaken_start(scene);
-  double const rate = scene.shear.strain_rate;
-  for (std::size_t i = 0; i < state.count(); ++i) {
-    double const k = static_cast<double>(i);
-    state.velocity[i] = {rate * (state.position[i][1] + 4 * std::sin(12.9898 * k)),
-                         4 * rate * std::cos(78.233 * k)};
-  }
-  return state;
-}
-
 constexpr std::int64_t adaptive_window = 500, adaptive_end = 20000;
 
 double by_events(Simulation const& simulation) {
@@ -43,7 +32,7 @@ double by_events(Simulation const& simulation) {
 TEST(AdaptiveEngine, TakesEventsWhereDisksFlyAndStepsWhereTheyTouch) {
   Scene const dilute = adaptive_scene(0.6, 1e-4, 20), dense = adaptive_scene(0.84, 1e-3, 1);
   auto const run = [](Scene const& scene) {
-    auto simulation = test::simulate(scene, moving_start(scene), "serial");
+    auto simulation = test::simulate(scene, flying_start(scene), "serial");
     OpenWindows windows;
     simulation->advance(adaptive_end, {adaptive_window, 10, adaptive_end}, windows);
     for (auto const& of : windows.sums) EXPECT_NEAR(of.weight, adaptive_window / 10, 1e-9);
@@ -57,7 +46,7 @@ TEST(AdaptiveEngine, TakesEventsWhereDisksFlyAndStepsWhereTheyTouch) {
 /// Steps, events, steps and so on: contacts of Q = 1 gather in clusters.
 TEST(AdaptiveEngine, BitsDoNotDependOnCutsOrRestarts) {
   Scene const scene = adaptive_scene(0.7, 1e-4, 1);
-  State const start = moving_start(scene);
+  State const start = flying_start(scene);
   auto const straight = test::simulate(scene, start, "serial");
   auto chained = test::simulate(scene, start, "serial");
   Sampling const sampling{adaptive_window, 10, adaptive_end};
@@ -89,7 +78,7 @@ TEST(AdaptiveEngine, RefusesWhatEventsCannotDo) {
   ASSERT_EQ(refused.size(), 2u);
   for (auto const& one : refused)
     EXPECT_NE(one.message.find("engine = \"adaptive\""), std::string::npos) << one.message;
-  EXPECT_THROW(test::simulate(scene, moving_start(scene), "serial"), InputError);
+  EXPECT_THROW(test::simulate(scene, flying_start(scene), "serial"), InputError);
 }
 
 }  // namespace bagnold::test

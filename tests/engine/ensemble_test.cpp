@@ -133,14 +133,8 @@ TYPED_TEST(EnsembleOf, HasThemOnRamps) {
   for (double const packing_fraction : {0.84, 0.55}) {
     Scene scene = TestFixture::scene(packing_fraction);
     scene.integration.skin = 0.3;
-    auto& shear = scene.shear;
-    shear.protocol = "ramp";
-    shear.ramp_every = 5 * scene.integration.time_step.number.value();
-    shear.ramp_window = 10 * shear.ramp_every;
-    shear.ramp_rate = 0.01 / shear.ramp_every;
-    shear.strain = 50 * 5e-3 * shear.ramp_every / 5;
-    shear.strain_rate = 5e-3;
-    shear.strain_rate_high = 1e-2;
+    ramp_every_five_steps(scene);
+    scene.shear.strain = 50 * 5e-3 * scene.shear.ramp_every / 5;
     Ramp const ramp = make_ramp(scene);
     auto const steps = packing_fraction > 0.8 ? ramp.steps() : 33;
     TestFixture::expect_same(scene, 3, {ramp.window_steps, 7, ramp.steps()}, steps);

@@ -27,13 +27,7 @@ class LaunchPlanOf : public testing::Test {
   static Scene ramp() {
     Scene scene = LaunchPlanOf::scene(0.84, 100);
     scene.integration.skin = 0.3;
-    auto& shear = scene.shear;
-    shear.protocol = "ramp";
-    shear.ramp_every = 5 * scene.integration.time_step.number.value();
-    shear.ramp_window = 10 * shear.ramp_every;
-    shear.ramp_rate = 0.01 / shear.ramp_every;
-    shear.strain_rate = 5e-3;
-    shear.strain_rate_high = 1e-2;
+    ramp_every_five_steps(scene);
     return scene;
   }
 

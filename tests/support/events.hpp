@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <string>
@@ -54,15 +55,20 @@ inline std::unique_ptr<Simulation> simulate_events(Scene const& scene, State con
   return simulate(scene, state, "serial");
 }
 
+/// Shortest image of a difference of two positions, [d_s].
+inline std::array<double, 2> nearest_image(State const& box, double dx, double dy) {
+  double const n = std::round(dy / box.box_height());
+  dy -= n * box.box_height();
+  dx -= n * box.offset;
+  return {dx - std::round(dx / box.box_length) * box.box_length, dy};
+}
+
 /// Distance of the disks of two states in the mean square, [d_s].
 inline double distance_between(State const& a, State const& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.count(); ++i) {
-    double dx = a.position[i][0] - b.position[i][0], dy = a.position[i][1] - b.position[i][1];
-    double const n = std::round(dy / a.box_height());
-    dy -= n * a.box_height();
-    dx -= n * a.offset;
-    dx -= std::round(dx / a.box_length) * a.box_length;
+    auto const [dx, dy] =
+        nearest_image(a, a.position[i][0] - b.position[i][0], a.position[i][1] - b.position[i][1]);
     sum += dx * dx + dy * dy;
   }
   return std::sqrt(sum / static_cast<double>(a.count()));
@@ -84,11 +90,9 @@ inline std::map<std::pair<std::uint32_t, std::uint32_t>, double> overlapping_pai
 
 /// r_ij - d_ij of the nearest image, [d_s].
 inline double gap_of(State const& s, std::uint32_t i, std::uint32_t j) {
-  double dx = s.position[i][0] - s.position[j][0], dy = s.position[i][1] - s.position[j][1];
-  double const n = std::round(dy / s.box_height());
-  dx -= n * s.offset;
-  dx -= std::round(dx / s.box_length) * s.box_length;
-  return std::hypot(dx, dy - n * s.box_height()) - (s.diameter[i] + s.diameter[j]) / 2;
+  auto const [dx, dy] =
+      nearest_image(s, s.position[i][0] - s.position[j][0], s.position[i][1] - s.position[j][1]);
+  return std::hypot(dx, dy) - (s.diameter[i] + s.diameter[j]) / 2;
 }
 
 /// Kinetic energy of what leaves the mean flow, and elastic energy of contacts.

@@ -53,6 +53,17 @@ inline Scene small_scene(std::string const& model, double packing_fraction = 0.8
   return scene;
 }
 
+/// Makes the scene a ramp from 5e-3 to 1e-2 whose rate changes every five steps.
+inline void ramp_every_five_steps(Scene& scene) {
+  auto& shear = scene.shear;
+  shear.protocol = "ramp";
+  shear.ramp_every = 5 * scene.integration.time_step.number.value();
+  shear.ramp_window = 10 * shear.ramp_every;
+  shear.ramp_rate = 0.01 / shear.ramp_every;
+  shear.strain_rate = 5e-3;
+  shear.strain_rate_high = 1e-2;
+}
+
 /// A test runs once for every (law, backend, engine); devices have the reference engine alone.
 class EverySimulation
     : public testing::TestWithParam<std::tuple<std::string, std::string, std::string>> {
