@@ -1,0 +1,556 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Numbers of README and docs against where they come from: docs/data, other tables of the pages, inputs/ and the program.
+
+A number on a page is its source's value to the digits shown, and so is the error beside it. What is said of many
+numbers ("0.3 to 0.5%", "within 1%") is their least and greatest. A phrase that changes has to be changed here too.
+"""
+
+import csv
+import itertools
+import re
+import tomllib
+import unittest
+from decimal import Decimal
+
+import numpy as np
+
+from bagnold import SOURCE, CliTest
+
+NUMBER = r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?"
+PAPERS, DEFAULT, IMPLICIT = "modified-velocity-verlet", "two-stage-leapfrog", "implicit-damping"
+KEYS = ("p", "sigma", "Z", "T_g")
+
+
+def text_of(page):
+    return (SOURCE / page).read_text().replace("−", "-")
+
+
+def table_of(page, header):
+    """The cells of the table whose header begins so, row after row."""
+    below = text_of(page).split(f"\n| {header}", 1)[1].split("\n")[2:]
+    lines = itertools.takewhile(lambda line: line.startswith("|"), below)
+    return [[cell.strip() for cell in re.split(r"(?<!\\)\|", line)[1:-1]] for line in lines]
+
+
+def data(name):
+    """Rows of docs/data/NAME.csv, numbers as such."""
+    with open(SOURCE / f"docs/data/{name}.csv", newline="") as file:
+        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    return [{key: float(text) if re.fullmatch(NUMBER, text) else text for key, text in row.items()} for row in rows]
+
+
+def where(rows, **wanted):
+    return [row for row in rows if all(row[key] == value for key, value in wanted.items())]
+
+
+def is_shown(text, value):
+    """Tables are rounded too: half a unit of the last digit still counts."""
+    unit = 10.0 ** Decimal(text).as_tuple().exponent
+    return abs(float(text) - value) <= unit * (0.5 + 1e-6)
+
+
+def rounded(value, digits=3):
+    return float(f"{value:.{digits}g}")
+
+
+def with_errors(row, keys=KEYS, error="{}_err", factor=1):
+    return [factor * row[name] for key in keys for name in (key, error.format(key))]
+
+
+def state_of(cell):
+    """Model, phi, Q and rate of "CD_n 0.78, Q = 50, 1e-4"; Q is 1 where it is not told."""
+    model, phi, q, rate = re.match(r"(CD\w*) ([\d.]+)(?:,? Q ?= ?([\d.]+))?(?:,? ([\d.e-]+))?$", cell).groups()
+    return model, float(phi), float(q or 1), rate and float(rate)
+
+
+def name_of(cell):
+    """The same as the tables of long steps call it."""
+    return "{} {:g} Q={:g} {:g}".format(*state_of(cell))
+
+
+class Shown(CliTest):
+    def compare(self, text, values, about=""):
+        """All numbers of a text, in their order."""
+        found = re.findall(NUMBER, text)
+        self.assertEqual(len(found), len(values), f"{about}: {text}: {values}")
+        for number, value in zip(found, values):
+            self.assertTrue(is_shown(number, value), f"{about}: {text}: {number} is {value:.6g}")
+
+    def says(self, page, phrase, *values):
+        """The page has the phrase once, with these numbers for {}."""
+        pattern = f"({NUMBER})".join(map(re.escape, phrase.split("{}")))
+        found = [match.groups() for match in re.finditer(rf"(?<![\w.]){pattern}(?!\w)", text_of(page))]
+        self.assertEqual(len(found), 1, f"{page}: {phrase}")
+        self.compare(" ".join(found[0]), values, f"{page}: {phrase}")
+
+
+class Accuracy(Shown):
+    page = "docs/accuracy.md"
+
+    def test_gain(self):
+        rows = {(row["state"], row["engine"], row["scheme"]): row for row in data("accuracy/engines")}
+        table = table_of(self.page, "state | step of the papers")
+        gains = []
+        for state, *cells in table:
+            model, phi, q, _ = state_of(state)
+            rate = state.split()[-1]
+            name = f"cd_n-q{q:g}-{rate}-1024" if model == "CD_n" else f"{model.lower()}{100 * phi:.0f}-{rate}-1024"
+            papers, default = rows[name, "auto", PAPERS], rows[name, "auto", DEFAULT]
+            gains.append(papers["seconds"] / default["seconds"])
+            others = [rows.get((name, engine, DEFAULT), {}).get("seconds")
+                      for engine in ("few-contacts", "many-contacts", "lookahead", "reference")]
+            self.assertEqual([cell == "-" for cell in cells[4:]], [value is None for value in others], state)
+            self.compare(" ".join(cell for cell in cells if cell != "-"), [
+                papers["time_step"], papers["seconds"], default["seconds"], gains[-1], *filter(None, others)], state)
+        self.assertEqual(len(table), len({state for state, *_ in rows}))
+        self.assertEqual(table[np.argmin(gains)][0], "CD_n 0.78, Q = 1, 1e-5")
+        self.says(self.page, "In Newtonian CD_rot a step of two stages costs {} steps", 0.2 / 0.05 / gains[0])
+        self.says("docs/scenes.md", "it takes {}, {} and {} s of one core at γ̇ = 1e-4, 1e-5 and 1e-6", *(
+            rows[f"cd_n-q50-{rate}-1024", "auto", DEFAULT]["seconds"] for rate in ("1e-4", "1e-5", "1e-6")))
+
+    def test_one_collision(self):
+        rows = [row for row in data("accuracy/collision") if row["Q"] >= 1]
+
+        def percent(key, **wanted):
+            return [100 * row[key] for row in where(rows, **wanted)]
+
+        expected = [[max(map(abs, percent("loss_error", scheme="two-stage", dt=0.2))), 1, 500]]
+        for scheme, dt, sign in (("two-stage", 0.3, -1), ("two-stage", 0.4, -1), (PAPERS, 0.05, 1), (PAPERS, 0.2, 1)):
+            lost = [sign * loss for loss in percent("loss_error", scheme=scheme, dt=dt, Q=500)]
+            expected.append([min(lost), max(lost)])
+        for (_, dt, cell), wanted in zip(table_of(self.page, "scheme | dt | energy lost"), expected, strict=True):
+            self.compare(cell, wanted, dt)
+        short = [-error for error in percent("duration_error", scheme="two-stage", dt=0.2)]
+        self.says(self.page, "Durations are {} to {}% short at 0.2; {}% is that of equal masses at Q = 1", min(short), max(short),
+                  *{-error for error in percent("duration_error", scheme="two-stage", dt=0.2, Q=1, mass="equal")})
+        self.says("docs/plan.md", "They are {} to {}% short", min(short), max(short))
+        short = [-error for q in (50, 500) for error in percent("duration_error", scheme="two-stage", dt=0.2, Q=q, model="CD_n")]
+        self.says("docs/physics.md", "dt = 0.2 makes τ_dur {} to {}% short at these Q", min(short), max(short))
+
+    def test_short_stretches(self):
+        rows = data("accuracy/stretch")
+        for state, scheme, dt, *cells in table_of(self.page, "state | scheme | dt | p, 1e-3"):
+            model, phi, q, _ = state_of(state)
+            pairs = [(row, key) for rate in (1e-3, 1e-4) for row in where(
+                rows, model=model, phi=phi, Q=q, scheme=scheme.replace(" ", "-"), dt=float(dt), rate=rate) for key in KEYS]
+            for cell, (row, key) in zip(cells, pairs, strict=True):
+                values = with_errors(row, [key], "{}_error", 100)
+                if "(" not in cell:  # no error that the digits show
+                    self.assertLess(values.pop(), 0.005, (state, key, cell))
+                self.compare(cell, values, f"{state}, {scheme}, {key}")
+
+        def percent(*keys, **wanted):
+            return [100 * row[key] for row in where(rows, **wanted) for key in keys]
+
+        low = [-value for value in percent("sigma", model="CD_rot", phi=0.82, dt=0.2, scheme="pairwise-sweep")]
+        self.says(self.page, "CD_rot at φ = 0.82, Q = 1 by {} to {}% (`pairwise-sweep`)", min(low), max(low))
+        sweep = percent("sigma", model="CD_rot", phi=0.82, dt=0.4, scheme="increment-sweep")
+        self.assertLess(max(map(abs, sweep)), float(re.search(r"is right to ([\d.]+)% even at 0.4", text_of(self.page))[1]))
+        papers = where(rows, scheme=PAPERS, dt=0.1)
+        self.says(self.page, "at dt = 0.1 its bias is within {}% in all of them but CD_n at Q = 0.1",
+                  max(100 * abs(row[key]) for row in papers if row["Q"] != 0.1 for key in KEYS))
+        low = [[-value for value in percent("p_el", model="CD_n", Q=0.1, scheme="two-stage", dt=dt)] for dt in (0.1, 0.05)]
+        self.says(self.page, "its elastic share is {} to {}% low at dt = 0.1, and {}% at 0.05", min(low[0]), max(low[0]), max(low[1]))
+        dense = [value for model in ("CD", "CD_rot") for value in percent(
+            "p", "sigma", "Z", model=model, phi=0.82, dt=0.2, scheme="two-stage")]
+        self.says("docs/scenes.md", "in Newtonian flow by {}%", max(map(abs, dense)))
+
+    def test_steady_states(self):
+        rows = data("accuracy/steady")
+        names = {"two stages": "two-stage", "papers'": PAPERS}
+        for state, scheme, *cells in table_of(self.page, "state | scheme, dt | B_p | B_sigma"):
+            name, dt = scheme.rsplit(" ", 1)
+            model, phi, q, _ = state_of(state)
+            row, = where(rows, model=model, phi=phi, Q=q, rate=1e-4, scheme=names[name], dt=float(dt))
+            self.compare(" ".join(cells), [*with_errors(row, ("B_p", "B_sigma", "Z"), "{}_error"), 100 * row["gap"]], state)
+        papers = where(rows, rate=1e-3, scheme=PAPERS)
+        self.assertEqual(len(papers), 7)  # "in seven states": within 1%, and two errors where both are known
+        for one in papers:
+            for other in where(rows, rate=1e-3, scheme="two-stage", model=one["model"], phi=one["phi"], Q=one["Q"]):
+                for key in ("B_p", "B_sigma", "Z"):
+                    error = np.hypot(float(one[f"{key}_error"]), float(other[f"{key}_error"]))
+                    self.assertLess(abs(other[key] - one[key]), min(0.01 * one[key], 2 * np.nan_to_num(error, nan=np.inf)))
+        three = [where(rows, model="CD", rate=1e-3, scheme=scheme)[0] for scheme in (PAPERS, "two-stage", "increment-sweep")]
+        self.says(self.page, "CD at φ = 0.82 gave {} ({}), {} ({}) and {} ({}) in three runs",
+                  *(value for row in three for value in with_errors(row, ["B_p"], "{}_error")))
+
+    def test_deviations_are_counted(self):
+        """Of the tables on the page itself, whose sweeps take half an hour."""
+        cells = [cell for row in table_of(self.page, "state | rate | B_p") for cell in row[2:]]
+        pairs = [tuple(map(float, re.findall(NUMBER, cell))) for cell in cells]
+        self.assertEqual(len(pairs), 45)
+        self.assertEqual(sum(abs(value) > 2 * error for value, error in pairs), 4)
+        self.assertIn("Four of these 45 deviations exceed two standard errors", text_of(self.page))
+        found = [cell for row in table_of(self.page, "| B_p | B_sigma | Z | R_v") if "beyond 2" in row[0] for cell in row[1:]]
+        self.says(self.page, "Of {} deviations {} are within 2", 72, 72 - len(list(filter(None, found))))
+
+    def test_exact_contacts(self):
+        rows = {}
+        for state, engine, duration, gap, _ in table_of(self.page, "φ, rate | engine | τ_dur"):
+            key = state or key
+            value, digits = re.match(r"([\d.]+)\((\d+)\)", duration).groups()
+            rows[key, engine] = float(value), float(digits) * 10 ** -len(value.split(".")[1]), float(gap.rstrip("%"))
+        shown = []
+        for key in ("0.78, 1e-5", "0.60, 1e-4"):
+            (steps, error, _), (exact, other, _) = rows[key, "auto"], rows[key, "events"]
+            shown += [100 * (exact - steps) / exact, 1e4 * np.hypot(error, other) / exact]
+        self.says(self.page, "durations are {}% ({}) and {}% ({}) short", *shown)
+        gaps = [gap for (_, engine), (*_, gap) in rows.items() if engine == "auto"]
+        self.says(self.page, "It dissipates {} to {}% less than the shear puts in", min(gaps), max(gaps))
+
+    def test_precision(self):
+        rows = data("accuracy/precision")
+
+        def percent(key, precision, scheme, *rates, model="CD_rot"):
+            return [100 * row[key] for rate in rates for row in where(
+                rows, model=model, precision=precision, scheme=scheme, rate=rate)]
+
+        pairs = {key: [max(map(abs, percent(key, "float-pairs", "two-stage", *rates) + percent(key, "float-pairs", PAPERS, *rates)))
+                       for rates in ((1e-3, 1e-4, 1e-5), (1e-6,))] for key in ("p", "Z")}
+        table = [row[2] for row in table_of(self.page, "arithmetic | rate | deviation")]
+        self.compare(table[0], [pairs["p"][0], pairs["Z"][0]])
+        self.compare(table[1], [pairs["p"][1], pairs["Z"][1]])
+        for cell, scheme in zip(table[3:], ("two-stage", PAPERS), strict=True):
+            heat = percent("T_g", "float", scheme, 1e-4, 1e-5, 1e-6)
+            self.compare(cell, [heat[0], *percent("T_g_error", "float", scheme, 1e-4), *heat[1:]], scheme)
+        late = percent("p", "float", "two-stage", 1e-5) + percent("p", "float", PAPERS, 1e-5)
+        self.says(self.page, "p is within {}% at 1e-5 after 20 τ_e", max(late))
+        scatter = [percent("p_error", "float", scheme, 1e-5, model="CD_n")[0] for scheme in ("two-stage", PAPERS)]
+        self.says(self.page, "collisions scatter (p ± {} to {}% at 1e-5)", *scatter)
+
+
+class Stability(Shown):
+    page = "docs/stability.md"
+
+    def test_packing(self):
+        rows = data("accuracy/stability_packing")
+        dt = {}
+        for scheme, *cells in table_of(self.page, "scheme | CD | CD_n | CD_rot | bound"):
+            arrangement = "packs 8x8" if "8 x 8" in scheme else "index"
+            for name in re.findall(r"`([\w-]+)`", scheme):
+                for cell, model in zip(cells, ("CD", "CD_n", "CD_rot")):
+                    row, = where(rows, scheme=name, model=model, arrangement=arrangement)
+                    dt[name, model] = row["largest_dt_over_Q"]
+                    if cell == "∞":
+                        self.assertEqual(dt[name, model], "inf")
+                    else:
+                        self.compare(cell, [dt[name, model]], f"{scheme}, {model}")
+        table = {row[0]: row[1:] for row in table_of(self.page, "| CD_rot | CD, CD_n")}
+        factors = []
+        for name, scheme, bound in (("two stages", "two-stage", 7), ("papers' scheme", PAPERS, 2)):
+            self.compare(table[name][0].split("= ")[-1], [bound / 36])
+            self.compare(table[name][1], [bound / 12])
+            factors += [dt[scheme, "CD_rot"] * 36 / bound, *(dt[scheme, model] * 12 / bound for model in ("CD", "CD_n"))]
+        self.says(self.page, "takes n = 6, a factor {} to {} from what the packing bears", min(factors), max(factors))
+        self.says(self.page, "and the edge at {}", dt["two-stage", "CD_rot"])
+        self.says(self.page, "`contact_network` warns from {} on", dt["two-stage", "CD_rot"])
+        rates = re.findall(r"inline constexpr Real \w+ = ([\d.]+)", text_of("kernels/physics/laws/dense_flow.hpp"))
+        self.says(self.page, "has a rate of {}/Q for CD_rot, {}/Q for CD, {}/Q for CD_n", *map(float, rates))
+        self.says(self.page, "the rate is {} k_t + {} max{0, k_n - k_t}", float(rates[0]), float(rates[2]))
+
+
+class LongSteps(Shown):
+    page = "docs/long_steps.md"
+
+    def test_implicit_damping(self):
+        rows = where(data("accuracy/implicit"), scheme=IMPLICIT)
+        table = table_of(self.page, "state | dt | p_kin/p | p | σ | Z | T_g | larger dt")
+        states = {row["state"] for row in rows}
+        large = {state for state in states if "N=" in state}
+        self.assertEqual({name_of(row[0]) for row in table}, states - large)
+        self.assertEqual(len(large), 6)  # "and six states of 16384 disks"
+        for state, dt, *cells, larger in table:
+            row, = where(rows, state=name_of(state), time_step=float(dt))
+            self.compare(" ".join(cells), [row["p_kin_share"], *with_errors(row)], state)
+            if larger:
+                row, = where(rows, state=name_of(state), time_step=float(larger.split(":")[0]))
+                self.compare(larger.split(":")[1], with_errors(row, ["T_g"])[:1 + ("(" in larger)], state)
+        rule = [row for row in rows if not re.match(r"CD_n |CD_rot 0.(76|8) |CD 0.82 Q=50", row["state"])
+                for model, _, q, _ in [state_of(row["state"].split(" N=")[0])]
+                if abs(row["time_step"] - (1.6 if model == "CD" else 1.4) * max(1, q) ** -0.3) < 0.03]
+        worst = max(abs(row[key]) for row in rule for key in ("p", "sigma"))
+        self.says(self.page, "At the rule's step p and σ are within {}% in Newtonian flows", worst)
+        self.says("docs/scenes.md", "p and σ within {}% ([where", worst)
+        low = {large: -min(row["Z"] for row in rule if (" 0.001 N=" in row["state"]) == large) for large in (False, True)}
+        self.says(self.page, "Z is {}% low ({}% at 1e-3, N = 16384)", low[False], low[True])
+        heat = [-row["T_g"] for row in rule if row["state"].startswith("CD_")]
+        self.says(self.page, "T_g is up to {}% low where disks roll, and {}% in CD_rot at Q = 0.1", *sorted(heat)[-2:])
+
+    def test_bias_where_inertia_has_a_part(self):
+        """Beside what other schemes do there."""
+        rows = where(data("accuracy/implicit"), scheme=IMPLICIT)
+        cells = {row[0]: row[2] for row in table_of(self.page, "state, dt | θ = 1/2 | θ = 1")}
+        at = {name: where(rows, state=name, time_step=0.8)[0] for name in ("CD_rot 0.8 Q=1 0.0001", "CD_n 0.84 Q=1 0.0001")}
+        self.compare(cells["CD_rot 0.80, 1e-4, 0.8"], with_errors(at["CD_rot 0.8 Q=1 0.0001"], ["T_g"]))
+        self.compare(cells["CD_n 0.84, 0.8"], with_errors(at["CD_n 0.84 Q=1 0.0001"], ["p"]))
+
+    def test_auto(self):
+        rows = data("accuracy/auto")
+        table = table_of(self.page, "state | strain, starts | share")
+        for state, *cells in table:
+            row, = where(rows, state=name_of(state))
+            self.compare(" ".join(cells), [row["strain"], row["starts"], row["implicit_share"], row["refused"],
+                                           row["p_kin_share"], row["gain"], *with_errors(row)], state)
+        others = [row for row in rows if row["state"] not in {name_of(row[0]) for row in table}]
+        self.assertEqual([len(others), {row["implicit_share"] for row in others}], [7, {0}])  # "In seven more states"
+        deviations, gains = ([abs(row[key]) for row in others for key in keys] for keys in (KEYS, ["gain"]))
+        self.says(self.page, "Deviations are {} at most, the gain is {} to {}", max(deviations), min(gains), max(gains))
+        loose, = where(rows, state="CD 0.7 Q=1 1e-05")
+        near, = where(rows, state="CD_rot 0.8 Q=1 1e-05")
+        self.says(self.page, "p, σ, Z {}, {}, {}% low", -loose["p"], -loose["sigma"], -loose["Z"])
+        self.says("docs/plan.md", "CD at 0.70, 1e-5, where it is {}% off", -loose["p"])
+        self.says(self.page, "p and σ {} ({}) and {} ({})% higher over a strain of {}, {} of the steps",
+                  *with_errors(near, ("p", "sigma")), near["strain"], near["implicit_share"])
+
+    def test_quasi_static(self):
+        rows = data("accuracy/quasi_static")
+        for state, step, *cells in table_of(self.page, "state | step, strain | p"):
+            model, rate = state.split()
+            name = f"{model} 0.82 Q=1 {float(rate):g}"
+            row, = where(rows, state=name, method="quasi-static", step_strain=float(step))
+            other, = where(rows, state=name, method=IMPLICIT)
+            self.compare(" ".join(cells), [*with_errors(row), row["newton_iterations"], row["seconds_per_strain"],
+                                           other["seconds_per_strain"]], f"{state} {step}")
+
+        def seconds(model, rate, method="quasi-static", **more):
+            return where(rows, state=f"{model} 0.82 Q=1 {rate:g}", method=method, **more)[0]["seconds_per_strain"]
+
+        fast = [seconds(model, 1e-5, method) for method in ("quasi-static", DEFAULT) for model in ("CD", "CD_rot")]
+        self.says(self.page, "a unit of strain takes {} s (CD) and {} s (CD_rot) with steps of 1e-3, {} and {} s with two stages", *fast)
+        pays = []
+        for model in ("CD", "CD_rot"):  # where the curves of both cross
+            ratios = np.log([seconds(model, rate) / seconds(model, rate, IMPLICIT) for rate in (1e-6, 1e-5)])
+            pays.append(1e-6 * 10 ** (ratios[0] / (ratios[0] - ratios[1])))
+        self.says(self.page, "against implicit damping below {} (CD) and {} (CD_rot)", *pays)
+        self.says(self.page, "Steps of 3e-4 cost {} times as much as those of 1e-3",
+                  seconds("CD_rot", 1e-7, step_strain=3e-4) / seconds("CD_rot", 1e-7, step_strain=1e-3))
+
+
+class Performance(Shown):
+    page = "docs/performance.md"
+
+    def median(self, row, column, engine="auto"):
+        """Of the table of rows that scripts/bench writes."""
+        cells, = (cells for cells in table_of(self.page, "row | engine | seconds") if cells[:2] == [row, engine])
+        return float(cells[column].split()[0])
+
+    def test_tables_of_scripts_bench(self):
+        targets = {row[0]: float(row[2].split()[0]) for row in table_of(self.page, "target |  | measured")}
+        self.says(self.page, "one at 1e-4. It costs {} times as much", targets["1e-6 over 1e-4"])
+        dilute = [self.median(f"cd_n-q50-{rate}-1024", 3, "LAMMPS") for rate in ("1e-4", "1e-5")]
+        self.says(self.page, "of LAMMPS in the dilute state; it does {} to {} here", *dilute)
+        self.says(self.page, "(table: {})", targets["CD_rot 0.82: CPU time of a disk-step, N = 1048576 over 16384"])
+        equal = {row[0]: (row[4].split()[0], row[5].split()[0]) for row in table_of(self.page, "row | LAMMPS, dt = 0.05")}
+        self.says("README.md", "γ̇ = 1e-5) takes {} s of one core. LAMMPS with its longest step of equal bias takes {} times as long, "
+                  "{} times at N = 65536", *map(float, (*equal["cd_n-q50-1e-5-1024"], equal["cd_n-q50-1e-5-65536"][1])))
+        core = [1024 / (1e-4 * 0.2) / float(equal[f"{row}-1e-4-1024"][0]) / 1e6 for row in ("cd_rot82", "cd_n-q50")]
+        self.says("docs/cuda.md", "(performance.md#measured-by-scriptsbench)) | {} | {}, more at lower rates", *map(rounded, core))
+        card = [max(row["million_disk_steps_per_second"] for row in where(data("performance/device"), model=model, every=10))
+                for model in ("CD_rot", "CD_n")]
+        for page, phrase in (("docs/cuda.md", "the card is at best {} cores in dense flow, and {} in a dilute one at this rate"),
+                             (self.page, "One H200 is at best {} cores in dense flow, and {} in a dilute one at 1e-4")):
+            self.says(page, phrase, *np.divide(card, core))
+
+    def test_large_systems(self):
+        ratios = [float(re.match(NUMBER, row[-1])[0]) for row in table_of(self.page, "| 16384 | 10^6 | ratio")]
+        self.says("docs/plan.md", "A disk-step costs {} to {} times that of 16384 disks", min(ratios), max(ratios))
+
+    def test_events(self):
+        rows = table_of(self.page, "φ, Q | γ̇ | hard disks")
+        for state, rates, hard, events, ratios, _, _ in rows:
+            hard, events = ([float(one) for one in cell.split(", ")] for cell in (hard, events))
+            self.assertEqual(len(rates.split(", ")), len(events), state)
+            for one, other, ratio in zip(hard * (len(events) // len(hard)), events, ratios.split(", "), strict=True):
+                self.assertAlmostEqual(other / one, float(ratio), delta=0.05 * other / one, msg=state)
+        ratios = rows[1][4].split(", ")
+        self.says("README.md", "costs {} times that of a compact code of hard disks at γ̇ = 1e-5. At 1e-7 it is {} times, at 1e-8 {} times",
+                  *map(float, (ratios[0], *ratios[2:])))
+        seconds = rows[1][3].split(", ")
+        self.says(self.page, "A unit of strain at 1e-8 costs {} times one at 1e-5", float(seconds[3]) / float(seconds[0]))
+
+    def test_run_time(self):
+        rows = data("run_time")
+        ratios = {row["scene"]: row["estimate_over_run"] for row in rows}
+        table = table_of("docs/run_time.md", "scene | estimate over run")
+        for scene, cell in table[1:-1]:
+            name = next(name for name in ratios if name.startswith(scene.split(":")[0]) and name.endswith(scene.split(", ")[-1]))
+            self.compare(cell, [ratios.pop(name)], scene)
+        self.compare(" ".join(table[0]), [len(ratios), len(rows), min(ratios.values()), max(ratios.values())])
+        slow, = where(rows, scene="CD_n 0.78, Q = 50, 1e-6")
+        bounds = [float(bound) / slow["run_s"] for bound in slow["by_steps_alone_s"].split(" to ")]
+        self.compare(table[-1][1], [rounded(bound, 2) for bound in bounds])
+        self.says("docs/run_time.md", "The {} scenes have all four laws", len(rows))
+
+
+class Cuda(Shown):
+    page = "docs/cuda.md"
+
+    def speeds(self, **wanted):
+        """Million disk-steps/s of both laws, three digits."""
+        rows = where(data("performance/device"), **{"scheme": DEFAULT, "every": 10, **wanted})
+        return [[rounded(row["million_disk_steps_per_second"]) for row in where(rows, model=model)] for model in ("CD_rot", "CD_n")]
+
+    def test_speed(self):
+        def both(*wanted):
+            return [[value for one in wanted for value in self.speeds(**one)[law]] for law in (0, 1)]
+
+        expected = {"N = 65536, any order of disks": [[min(one), max(one)] for one in self.speeds(disks=65536)],
+                    "the same without samples": self.speeds(disks=65536, every=1e6),
+                    "N = 1048576, in order; shuffled": [one[:2] for one in self.speeds(disks=1048576)],
+                    "the same without samples (1048576)": self.speeds(disks=1048576, every=1e6),
+                    "1 system of 1024": self.speeds(disks=1024, replicas=1, engine="ensemble"),
+                    "16": self.speeds(replicas=16), "132": self.speeds(replicas=132),
+                    "528; 2112": both({"replicas": 528}, {"replicas": 2112}),
+                    "528 without samples": self.speeds(replicas=528, every=1e6)}
+        table = table_of(self.page, "| CD_rot, φ = 0.82, Q = 1 | CD_n, φ = 0.78, Q = 50 |")
+        for (name, *cells), (wanted, values) in zip(table, expected.items()):
+            self.assertEqual(name, wanted.split(" (")[0])
+            self.compare(" ".join(cells), sum(values, []), name)
+        explicit, implicit = (self.speeds(disks=1048576, order="start", scheme=scheme)[0][0] for scheme in (DEFAULT, IMPLICIT))
+        self.says(self.page, "| implicit damping, N = 1048576, a step of 1.4 | {} |", implicit)
+        self.says(self.page, "gains {} more in simulated time: a step of 1.4 costs {} of 0.2", 7 * implicit / explicit, explicit / implicit)
+
+    def test_last_row_of_the_log(self):
+        name, *cells = table_of("docs/performance_log.md", "idea | N = 1024 | 65536 | 65536, shuffled")[-1]
+        rotating = [self.speeds(disks=disks, engine="reference", **more)[0][0] for disks, more in (
+            (1024, {}), (65536, {}), (65536, {"order": "shuffled"}), (1048576, {}), (1048576, {"order": "shuffled"}),
+            (1048576, {"every": 1e6}))]
+        self.compare(" ".join(cells), [rounded(rotating[0], 2), *rotating[1:]], name)
+
+    def test_contacts(self):
+        rows = data("performance/device_contacts")
+        table = text_of(self.page).split("us a step without and with it")[1]
+        for disks in (65536, 1048576):
+            cells = re.search(rf"^\| N = {disks} \| (.*) \| (.*) \|$", table, re.M).groups()
+            for cell, model in zip(cells, ("CD_rot", "CD_n")):
+                self.compare(cell, [rounded(row["us_per_step"], 3 if row["us_per_step"] < 1000 else 4)
+                                    for row in where(rows, disks=disks, model=model)], model)
+
+
+class Pages(Shown):
+    def test_figures(self):
+        """The list of docs/figures.md is that of inputs/figures."""
+        with open(SOURCE / "inputs/figures/figures.toml", "rb") as file:
+            figures = tomllib.load(file)
+        listed = [[name, one["title"].rsplit(", CD", 1)[0], f"{one['hours']:g}" + "+" * ("quick" in one)] for name, one in figures.items()]
+        self.assertEqual(table_of("docs/figures.md", "figure | shows | hours"), listed)
+        self.assertIn("`--quick` draws twelve figures", text_of("docs/figures.md"))
+        self.assertEqual(sum("quick" in one for one in figures.values()), 12)
+        for page, phrase in (("docs/reproduction.md", "P1 and P2 have {} figures with data"), ("docs/gallery.md", "some of the {}, drawn")):
+            self.says(page, phrase, len(figures))
+
+    def test_kinetic_share(self):
+        """P1 Fig. 4 at 0.60, means over five seeds."""
+        rows = where(data("figures/cd_n"), **{"disks.packing_fraction": 0.6, "shear.strain_rate": 1e-5})
+        share = {}
+        for q in {row["disks.elasticity"] for row in rows}:
+            sums = {key: np.mean([row[key] for row in where(rows, **{"disks.elasticity": q})])
+                    for key in ("B_p", "B_p_kin", "B_sigma", "B_sigma_kin")}
+            share[q] = sums["B_p_kin"] / sums["B_p"], sums["B_sigma_kin"] / sums["B_sigma"]
+        low, high = ([share[q][0] for q in share if least <= q <= most] for least, most in ((0, 2), (50, 500)))
+        for value in high:
+            self.says("docs/figures.md", "Our runs (1e-5) have {} from Q = 50 to 500 and {} at Q = 10", value, share[10][0])
+        self.says("docs/figures.md", "For Q of 2 and below they have {} to {}", min(low), max(low))
+        sigma = [one for _, one in share.values()]
+        self.says("docs/figures.md", "The share of σ goes from {} to {}", max(sigma), min(sigma))
+
+    def test_bands(self):
+        """States of P2 Fig. 28 of P2's own size."""
+        rows = where(data("figures/bands_profiles_large"), **{"disks.count": 65536})
+        loose, = where(rows, **{"disks.packing_fraction": 0.7984})
+        dense, = where(rows, **{"disks.packing_fraction": 0.802})
+        self.says("docs/physics.md", "So μ = σ/p is {}, while σ/p_el, without it, is {}({})", loose["sigma"] / loose["p"],
+                  loose["sigma/p_el"], 1e4 * loose["sigma/p_el_error"])
+        narrow, = where(data("figures/bands_profiles"), **{"disks.packing_fraction": 0.792, "shear.strain_rate": 5e-5})
+        self.says("docs/long_steps.md", "| bands: p | {}({})e-5 |", 1e5 * narrow["p"], 1e6 * narrow["p_error"])
+        self.says("docs/long_steps.md", "| bands: μ | {}({}) |", narrow["mu"], 1e3 * narrow["mu_error"])
+        self.says("docs/reproduction.md", "p includes the flow of the bands; p_el is {}({})e-5", 1e5 * dense["p_el"], 1e7 * dense["p_el_error"])
+
+    def test_coverage(self):
+        """Of the tables of docs/statistics.md, whose runs take hours: scripts/coverage and tests/statistics."""
+        made = [float(row[3].rstrip("%")) for row in table_of("docs/statistics.md", "series | target | replicas | off by")]
+        self.assertLess(max(made), float(re.search(r"In less than (\d+)% of runs means are off", text_of("docs/scenes.md"))[1]))
+        flow = table_of("docs/statistics.md", "discarded | replicas | runs | off")
+        self.says("README.md", "Of {} runs with a target error {}% were off by more than 2 errors", float(flow[0][2]),
+                  float(flow[0][3].rstrip("%")))
+
+    def test_attacks(self):
+        trials = {row[0]: row[3] for row in table_of("docs/reliability.md", "attack | a trial")}
+        self.says("README.md", "{} runs were stopped or killed (`kill -9`) 1 to 4 times each", float(re.match(r"\d+", trials["`kills`"])[0]))
+
+    def test_the_tutorial(self):
+        """What its sentences say of the run stands in the table of the run."""
+        page = text_of("docs/tutorial.md")
+        shown = re.findall(r"^```text\n(.*?)^```$", page, re.M | re.S)[0]
+        told = re.findall(r"[\d.]+\(\d+\)", re.sub(r"^```.*?^```$", "", page, flags=re.M | re.S))
+        self.assertTrue(told)
+        for number in told:
+            self.assertIn(f" {number} ", shown)
+        value, error = re.match(r"([\d.]+)\((\d+)\)", told[0]).groups()
+        self.says("docs/tutorial.md", "is {} ± {}. Two errors", float(value), float(error) / 10)
+
+
+class Program(Shown):
+    """What `bagnold` says in a second."""
+
+    def validated(self, **keys):
+        """The remarks and keys of a scene with table__key=value."""
+        scene = self.scene(disks__count=64, shear__strain=0.125, integration__time_step=None, **keys)
+        result = self.bagnold("validate", scene, "--allow-unstable")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return result.stdout
+
+    def step(self, model, q, **keys):
+        mass = "area" if model == "CD_n" else "equal"
+        text = self.validated(disks__model=model, disks__elasticity=float(q), disks__mass=mass, **keys)
+        return float(re.search(r"^time_step = (\S+)$", text, re.M)[1])
+
+    def test_time_steps(self):
+        for model, told, default, papers, evaluations in table_of("docs/accuracy.md", "law | Q | two-stage | the papers"):
+            low, *high = re.findall(NUMBER, told)
+            steps = [(self.step(model, q), self.step(model, q, integration__scheme=PAPERS)) for q in (low, *high)]
+            self.compare(default, [steps[0][0]], f"{model} {told}")
+            self.assertEqual(len({step for step, _ in steps}), 1)
+            found = [step for _, step in steps]
+            shown = sorted({float(one) for one in re.findall(NUMBER, papers)})
+            self.assertEqual([shown[0], shown[-1]], [rounded(min(found)), rounded(max(found))], f"{model} {told}")
+            rate = [rounded(2 / step) for step in found]
+            self.compare(evaluations, [1 / steps[0][0], *sorted(set(rate))], f"{model} {told}")
+        for page in ("docs/accuracy.md", "docs/scenes.md"):
+            self.assertRegex(text_of(page), r"min{0.2, 0.5 Q}")
+        for model, wanted in (("CD", 1.6), ("CD_rot", 1.4), ("CD_n", 0.2)):
+            self.assertEqual(self.step(model, 1, integration__scheme=IMPLICIT), wanted)
+        self.says("docs/long_steps.md", "The step is {} τ_e, {} where disks roll, times Q^{} above Q = 1. For CD_n it is {}", 1.6, 1.4,
+                  np.log(self.step("CD", 10, integration__scheme=IMPLICIT) / 1.6) / np.log(10), 0.2)
+
+    def test_stable_steps(self):
+        """A sufficient bound, and what a packing bears, in units of Q."""
+        table = {row[0]: row[1:] for row in table_of("docs/stability.md", "| CD_rot | CD, CD_n")}
+        for name, scheme in (("two stages", DEFAULT), ("papers' scheme", PAPERS)):
+            for model, cell in zip(("CD_rot", "CD", "CD_n"), (table[name][0].split("= ")[-1], table[name][1], table[name][1])):
+                text = self.validated(disks__model=model, disks__elasticity=0.01, disks__mass="equal", integration__scheme=scheme)
+                self.compare(cell, [rounded(100 * float(re.search(r"^# stable +up to (\S+)", text, re.M)[1]))], f"{name}, {model}")
+
+    def test_defaults(self):
+        """Of options of `analyse` and of keys, where pages name them."""
+        helped = self.bagnold("analyse", "--help").stdout
+        told = re.findall(r"`(--[a-z-]+)` \((\d+)\)", text_of("docs/analysis.md"))
+        self.assertEqual(len(told), 3)
+        for option, default in told:
+            self.assertRegex(helped, rf"\n +{option} [^\n]*(?:\n {{20,}}[^\n]*)? \[{default}\]", option)
+        ramp = self.bagnold("validate", SOURCE / "inputs/ramp_cd_rot.toml").stdout
+        for page, phrase, key in (("docs/scenes.md", "Ramps** change the rate every `ramp_every` = {} τ_e", "ramp_every"),
+                                  ("docs/engines.md", "The outer list, of reach d_ij + {}, lives", "skin")):
+            self.says(page, phrase, float(re.search(rf"^{key} = (\S+)$", ramp, re.M)[1]))
+
+    def test_sweeps_have_as_many_points_as_the_pages_say(self):
+        flow = next(block for block in re.findall(r"^```toml\n(.*?)^```$", text_of("docs/tutorial.md"), re.M | re.S) if "[sweep]" in block)
+        (self.folder / "flow.toml").write_text(flow)
+        for page, path, words, told in (("docs/tutorial.md", self.folder / "flow.toml", "ten points in two chains", "10 in 2 chains"),
+                                        ("README.md", SOURCE / "inputs/sweep_elasticity.toml", "twenty scenes", "20 in 20 chains")):
+            self.assertIn(words, text_of(page))
+            self.assertRegex(self.bagnold("validate", path).stdout, f"# points +{told}")
+
+
+if __name__ == "__main__":
+    unittest.main()
