@@ -538,7 +538,8 @@ class Program(Shown):
         self.assertEqual(len(told), 3)
         for option, default in told:
             self.assertRegex(helped, rf"\n +{option} [^\n]*(?:\n {{20,}}[^\n]*)? \[{default}\]", option)
-        ramp = self.bagnold("validate", SOURCE / "inputs/ramp_cd_rot.toml").stdout
+        ramp = self.validated(shear__protocol="ramp", shear__ramp_rate=1e-4, shear__strain_rate_high=1e-2, shear__discard=None,
+                              output__sample_strain=None)
         for page, phrase, key in (("docs/scenes.md", "Ramps** change the rate every `ramp_every` = {} τ_e", "ramp_every"),
                                   ("docs/engines.md", "The outer list, of reach d_ij + {}, lives", "skin")):
             self.says(page, phrase, float(re.search(rf"^{key} = (\S+)$", ramp, re.M)[1]))
