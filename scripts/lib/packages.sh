@@ -13,7 +13,7 @@ test_packages=(
   libgtest-dev libbenchmark-dev clang-format-14 python3-numpy python3-yaml zsh
   "${package_packages[@]}"
   # Other programs that read what is written here; not MDAnalysis, whose 2.4 opens observables of particles in no H5MD.
-  mypy python3-ase python3-gsd python3-pandas python3-xarray python3-jsonschema
+  mypy python3-ase python3-gsd python3-pandas python3-xarray python3-h5netcdf python3-jsonschema
   munge slurm-wlm # a cluster of our own
   make snakemake # workflows
   python3-nbclient python3-ipykernel # notebooks

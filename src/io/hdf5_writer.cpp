@@ -164,6 +164,46 @@ void Hdf5Writer::virtual_dataset(std::string const& path, hid_t type, Shape cons
   require(made.valid() && made.close(), path);
 }
 
+void Hdf5Writer::scale_axes(std::vector<std::string> const& scales,
+                            std::vector<std::string> const& datasets) {
+  struct User {  // a dataset with this scale, and along which of its axes
+    hobj_ref_t dataset;
+    int axis;
+  };
+  Handle const scalar(H5Screate(H5S_SCALAR), H5Sclose);
+  Handle const list(H5Tvlen_create(H5T_STD_REF_OBJ), H5Tclose);
+  Handle const user(H5Tcreate(H5T_COMPOUND, sizeof(User)), H5Tclose);
+  H5Tinsert(user.get(), "dataset", HOFFSET(User, dataset), H5T_STD_REF_OBJ);
+  H5Tinsert(user.get(), "dimension", HOFFSET(User, axis), H5T_NATIVE_INT);
+  auto const reference = [&](std::string const& path) {
+    hobj_ref_t made{};
+    require(H5Rcreate(&made, file_.get(), path.c_str(), H5R_OBJECT, -1) >= 0, path);
+    return made;
+  };
+  auto const word = [&](std::string const& path, char const* name, std::string const& value) {
+    Handle const type(H5Tcopy(H5T_C_S1), H5Tclose);
+    H5Tset_size(type.get(), value.size() + 1);
+    put_attribute(file_, path, name, type.get(), value.c_str(), scalar);
+  };
+  std::vector<hobj_ref_t> axes;
+  for (auto const& path : scales) axes.push_back(reference(path));
+  for (auto const& path : datasets) {
+    std::vector<hvl_t> names;
+    for (auto& axis : axes) names.push_back({1, &axis});
+    put_attribute(file_, path, "DIMENSION_LIST", list.get(), names.data(),
+                  plain_space(path, names.size(), {names.size()}));
+  }
+  for (std::size_t k = 0; k < scales.size(); ++k) {
+    std::vector<User> users;
+    for (auto const& path : datasets) users.push_back({reference(path), static_cast<int>(k)});
+    word(scales[k], "CLASS", "DIMENSION_SCALE");
+    word(scales[k], "NAME", scales[k].substr(scales[k].rfind('/') + 1));
+    if (users.empty()) continue;
+    put_attribute(file_, scales[k], "REFERENCE_LIST", user.get(), users.data(),
+                  plain_space(scales[k], users.size(), {users.size()}));
+  }
+}
+
 std::span<std::byte const> Hdf5Writer::content() const { return content_of(file_); }
 
 }  // namespace bagnold::io

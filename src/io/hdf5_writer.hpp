@@ -62,6 +62,10 @@ class Hdf5Writer {
   void virtual_dataset(std::string const& path, hid_t type, Shape const& shape,
                        Source const& source);
 
+  /// Names axes by dimension scales (H5DS of HDF5, whose own library is not needed): axis k of each
+  /// dataset has the scale k, a dataset of as many numbers as that axis is long.
+  void scale_axes(std::vector<std::string> const& scales, std::vector<std::string> const& datasets);
+
   /// The file as it would be on the disk: HDF5's own memory, while this lives and nothing is added.
   std::span<std::byte const> content() const;
 

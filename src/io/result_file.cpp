@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <numeric>
+
 #include "src/io/atomic_file.hpp"
 
 namespace bagnold::io {
@@ -40,6 +42,29 @@ void put(Hdf5Writer& file, statistics::Samples const& s) {
       {{"description", s.description}, {"columns", fmt::format("{}", fmt::join(s.columns, ", "))}});
 }
 
+/// Names the axes of all series, as netCDF and xarray read it: the strain is that of one system; of
+/// replicas it is a series of each, and seeds and windows are counted.
+void scale_series(Hdf5Writer& file, Result const& result) {
+  std::vector<std::string> paths;
+  bool strain = false;
+  for (auto const& series : result.series) {
+    bool const is_scale = series.name == "strain" && result.replicas == 1;
+    if (!is_scale) paths.push_back("/series/" + series.name);
+    strain = strain || is_scale;
+  }
+  if (strain) file.scale_axes({"/series/strain"}, paths);
+  if (result.replicas == 1 || paths.empty()) return;
+  std::vector<std::int64_t> seed(result.replicas);
+  std::iota(seed.begin(), seed.end(), 0);
+  for (auto const& [name, value] : result.attributes)
+    if (name == "seeds") seed = std::get<std::vector<std::int64_t>>(value);
+  std::vector<std::int64_t> window(result.series.front().value.size() / result.replicas);
+  std::iota(window.begin(), window.end(), 0);
+  file.dataset("/seed", seed, {seed.size()}, {{"description", "of each replica"}});
+  file.dataset("/window", window, {window.size()}, {{"description", "number, from 0"}});
+  file.scale_axes({"/seed", "/window"}, paths);
+}
+
 /// A group with its tables, where there are any.
 template <class Table>
 void put_all(Hdf5Writer& file, std::string const& group, std::vector<Table> const& tables) {
@@ -61,6 +86,7 @@ void write_result(std::filesystem::path const& path, Result const& result) {
     file.dataset("/series/" + series.name, series.value, shape,
                  {{"unit", series.unit}, {"description", series.description}});
   }
+  scale_series(file, result);
   put_all(file, "/histograms", result.histograms);
   put_all(file, "/profiles", result.profiles);
   put_all(file, "/samples", result.samples);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/io/result_file.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -57,6 +58,27 @@ TEST(ResultFile, H5pyGivesText) {
                        "assert f[\"series/p\"].attrs[\"description\"] == \"pressure\"\n"
                        "assert list(f[\"series/p\"]) == [1, 2, 3]"),
             0);
+}
+
+TEST(ResultFile, AxesHaveScales) {
+  if (!have_h5py()) GTEST_SKIP() << "no h5py";
+  TestFolder folder;
+  auto result = some_result();
+  result.series.push_back({"strain", "1", "at the end of the window", {0.5, 1.0, 1.5}});
+  write_result(folder / "one.h5", result);
+  result.replicas = 3;
+  result.attributes.emplace_back("seeds", std::vector<std::int64_t>{7, 5, 6});
+  write_result(folder / "three.h5", result);
+  std::string program = "import h5py; from h5py import h5ds\n";
+  for (auto const* name : {"one", "three"})
+    program += fmt::format("{0} = h5py.File(\"{1}/{0}.h5\")\n", name, (folder / "").string());
+  program += R"(
+assert list(one["series/mu"].dims[0]["strain"]) == [0.5, 1, 1.5]
+assert list(three["series/mu"].dims[0]["seed"]) == [7, 5, 6]
+assert list(three["series/strain"].dims[1]["window"]) == [0]
+assert h5ds.is_attached(one["series/p"].id, one["series/strain"].id, 0)
+assert h5ds.is_attached(three["series/p"].id, three["window"].id, 1))";
+  EXPECT_EQ(run_python(program), 0);
 }
 
 TEST(ResultFile, LongTextsAreKept) {

@@ -9,6 +9,7 @@ import unittest
 import warnings
 from unittest import mock
 
+import h5py
 import numpy as np
 
 from made import FOLDER, SCENE, Folder, bagnold, made, run
@@ -127,6 +128,23 @@ class Shown(Folder):
         for k, point in enumerate(s):
             one = grid.sel({"disks.elasticity": point.scene["disks.elasticity"], "disks.seed": point.scene["disks.seed"]})
             self.assertEqual(float(one["Z"]), float(s["Z"][k]))
+
+    @unittest.skipUnless(importlib.util.find_spec("h5netcdf"), "h5netcdf is not installed")
+    def test_series_have_named_axes(self):
+        """Dimension scales of result.h5, as h5py and, with h5netcdf, xarray read them."""
+        import xarray
+        for r, names in ((made(), ("strain",)), (made(disks__replicas=2), ("seed", "window"))):
+            with h5py.File(r.folder / "result.h5") as file:
+                for name in set(r.series) - set(names):
+                    for axis, scale in enumerate(names):
+                        self.assertEqual(file["series"][name].dims[axis].keys(), [scale])
+                        self.assertEqual(file["series"][name].dims[axis][0].shape, file["series"][name].shape[axis:axis + 1])
+                if len(names) == 2:
+                    self.assertEqual(list(file["seed"]), r.seeds)
+            with xarray.open_dataset(r.folder / "result.h5", group="series", engine="h5netcdf") as data:
+                self.assertEqual(data["Z"].dims, names)
+                np.testing.assert_array_equal(data["Z"], r.series["Z"])
+                np.testing.assert_array_equal(data["strain"], r.series["strain"])
 
     def test_the_names_of_the_package(self):
         self.assertEqual(set(dir(bagnold)), {*bagnold.__all__, "__doc__", "__version__"})

@@ -155,7 +155,8 @@ class Packages(Scripts):
         OVITO and signac, of which there is none, VTK, which is a hundred more, and MDAnalysis, which is too old."""
         packages = {"ase": "python3-ase", "gsd": "python3-gsd", "mypy": "mypy", "nbclient": "python3-nbclient",
                     "nbformat": "python3-nbclient", "ipykernel": "python3-ipykernel", "pandas": "python3-pandas",
-                    "xarray": "python3-xarray", "jsonschema": "python3-jsonschema"}
+                    "xarray": "python3-xarray", "h5netcdf": "python3-h5netcdf",
+                    "jsonschema": "python3-jsonschema"}
         text = "".join(path.read_text() for path in (SOURCE / "tests").rglob("*_test.py"))
         named = set(re.findall(r'(?:find_spec|needs|other_program)\("(\w+)"', text))
         self.assertIn("gsd", named)
