@@ -12,13 +12,29 @@
 #include "src/config/toml_table.hpp"
 
 namespace bagnold {
+namespace {
+
+/// The file itself, or, of `inputs/NAME` that is not there, what came with the program.
+std::filesystem::path here_or_installed(std::filesystem::path const& file) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  auto const name = file.lexically_normal();
+  if (name.is_absolute() || *name.begin() != "inputs" || fs::exists(file, ignored)) return file;
+  auto const program = fs::read_symlink("/proc/self/exe", ignored).parent_path();
+  for (auto const& folder : {program / "../share/bagnold", program / "../../inputs"})
+    if (auto const found = folder / name.lexically_relative("inputs"); fs::exists(found, ignored))
+      return found;
+  return file;
+}
+
+}  // namespace
 
 std::string read_text(std::filesystem::path const& file) {
   constexpr std::size_t most = 1 << 20;
   std::error_code error;
   if (std::filesystem::is_directory(file, error))
     throw InputError(fmt::format("{}: is a folder, not a scene file", file.string()));
-  std::ifstream in(file, std::ios::binary);
+  std::ifstream in(here_or_installed(file), std::ios::binary);
   if (!in)
     throw InputError(fmt::format("{}: cannot be read ({}); check the path", file.string(),
                                  std::strerror(errno)));

@@ -40,6 +40,18 @@ class Init(CliTest):
         self.assertEqual((self.folder / "scene.toml").read_bytes(), before)
 
 
+class Installed(CliTest):
+    def test_a_scene_that_is_not_here_came_with_the_program(self):
+        """As README names it, from any folder; what is here goes first."""
+        title = tomllib.loads((SOURCE / "inputs/quickstart.toml").read_text())["title"]
+        self.assertIn(title, self.bagnold("validate", "inputs/quickstart.toml").stdout)
+        self.assertEqual(self.bagnold("validate", "./inputs/sweep_elasticity.toml").returncode, 0)
+        self.scene(name="inputs/quickstart.toml")
+        self.assertNotIn(title, self.bagnold("validate", "inputs/quickstart.toml").stdout)
+        for name in ("inputs/none.toml", "quickstart.toml", self.folder / "inputs/band.toml"):
+            self.assert_clean_error(self.bagnold("validate", name), 2, str(name), "cannot be read")
+
+
 class Schema(CliTest):
     def setUp(self):
         super().setUp()
