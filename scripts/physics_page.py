@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes the tables of docs/physics.md that sweeps of inputs/checks make: scripts/physics_page.py [NAME...]
+"""Writes the tables of docs/physics.md and docs/accuracy.md that sweeps of inputs/checks make: scripts/physics_page.py [NAME...]
 
 Runs inputs/checks/NAME.toml into RESULTS/NAME (what is done there is kept) and puts its table between the marks of the
 page; the text around them stays. With --check nothing is written: tables that come out otherwise are printed, and the
@@ -16,7 +16,11 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "python"))
 
-PAGE = ROOT / "docs/physics.md"
+PAGES = [ROOT / "docs/physics.md", ROOT / "docs/accuracy.md"]
+
+
+def page_of(name):
+    return next(page for page in PAGES if marks(name)[0] in page.read_text(encoding="utf-8"))
 
 
 def marks(name):
@@ -47,6 +51,10 @@ def rows(title, keys, **columns):
     """A table that lies on its side: a column a key."""
     lines = [[title, *map("{:g}".format, keys)], ["---"] * (1 + len(keys))]
     lines += [[name, *cells] for name, cells in columns.items()]
+    return table(lines)
+
+
+def table(lines):
     return "".join("| " + " | ".join(line) + " |\n" for line in lines)
 
 
@@ -84,7 +92,53 @@ def kink(sweep):
                                        "their ratio": [digits(value, 2) for value in fast / slow]})
 
 
-TABLES = {"durations": durations, "contact_number": contact_number, "kink": kink}
+def power_of_ten(value):
+    return f"{value:.0e}".replace("e-0", "e-")
+
+
+def drag(sweep):
+    """A row a rate: Q sigma/gammadot at each drag, and the share of the power that the drag takes."""
+    import numpy as np
+    rates, drags = (np.unique(sweep[key])[::-1] for key in ("shear.strain_rate", "drive.drag"))
+    lines = [["γ̇", *(f"ζ = {one:g}" if one else "none" for one in drags)], ["---"] * (1 + len(drags))]
+    for rate in rates:
+        cells = [power_of_ten(rate)]
+        for one in drags:
+            at, = np.flatnonzero((sweep["shear.strain_rate"] == rate) & (sweep["drive.drag"] == one))
+            cells.append(measured(sweep["eta_sigma"][at], sweep.error("eta_sigma")[at]))
+            if one:
+                cells[-1] += f"; {100 * sweep['drag_power'][at]:.3g}%"
+        lines.append(cells)
+    return table(lines)
+
+
+def boxes(sweep):
+    lines = [["law", "Q", "N", "L_x × L_y", "R_v", "B_p", "B_σ", "Z"], ["---"] * 8]
+    keys = [sweep[f"disks.{key}"] for key in ("model", "elasticity", "count", "packing_fraction", "box_aspect")]
+    for k, (model, q, count, phi, aspect) in enumerate(zip(*keys)):
+        width = math.sqrt(count * math.pi / 4 * (1 + 1.4**2) / 2 / phi / aspect)
+        lines.append([model, f"{q:g}", f"{count:g}", f"{width:.1f} × {width * aspect:.1f}",
+                      *(measured(sweep[name][k], sweep.error(name)[k]) for name in ("R_v", "B_p", "B_sigma", "Z"))])
+    return table(lines)
+
+
+def identities(sweep):
+    lines = [["law, φ, Q, rate", "scheme", "dt", "p_dis/p", "P/σγ̇A", "corr(V^C_T, V^R)", "B_p"], ["---"] * 7]
+    for k, model in enumerate(sweep["disks.model"]):
+        def cell(name, factor=1, unit=""):
+            value, error = sweep[name][k], sweep.error(name)[k]
+            return "" if math.isnan(value) else measured(factor * value, factor * error) + unit
+
+        lines.append([f"{model} {sweep['disks.packing_fraction'][k]:g}, {sweep['disks.elasticity'][k]:g}, "
+                      + power_of_ten(sweep["shear.strain_rate"][k]),
+                      {"two-stage-leapfrog": "two stages"}.get(sweep["integration.scheme"][k], "papers'"),
+                      f"{sweep['integration.time_step'][k]:g}", cell("p_dis_share", 100, "%"), cell("torque_power", 100, "%"),
+                      cell("contact_rotation_correlation"), cell("B_p")])
+    return table(lines)
+
+
+TABLES = {"durations": durations, "contact_number": contact_number, "kink": kink, "drag": drag, "boxes": boxes,
+          "identities": identities}
 
 
 def main():
@@ -100,14 +154,15 @@ def main():
         subprocess.run([given.program, "sweep", ROOT / f"inputs/checks/{name}.toml", "--out", given.out / name],
                        stdout=subprocess.DEVNULL, check=True)
         begin, end = marks(name)
-        before, rest = PAGE.read_text(encoding="utf-8").split(begin)
+        page = page_of(name)
+        before, rest = page.read_text(encoding="utf-8").split(begin)
         old, after = rest.split(end)
         new = TABLES[name](bagnold.sweep(given.out / name))
         if given.check and new != old:
             print(f"{name} is kept as\n{old}and comes out as\n{new}")
             wrong = True
         elif not given.check:
-            PAGE.write_text(before + begin + new + end + after, encoding="utf-8")
+            page.write_text(before + begin + new + end + after, encoding="utf-8")
     return wrong
 
 

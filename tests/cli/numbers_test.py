@@ -12,6 +12,7 @@ import tomllib
 import unittest
 from decimal import Decimal
 
+import h5py
 import numpy as np
 
 from bagnold import SOURCE, CliTest
@@ -248,6 +249,36 @@ class Stability(Shown):
         self.says(self.page, "has a rate of {}/Q for CD_rot, {}/Q for CD, {}/Q for CD_n", *map(float, rates))
         self.says(self.page, "the rate is {} k_t + {} max{0, k_n - k_t}", float(rates[0]), float(rates[2]))
 
+    def test_thresholds_of_warnings(self):
+        """Of src/run/warnings."""
+        def limit(file, name):
+            return float(re.search(rf"\b{name} = ([\de.-]+)", text_of(f"src/run/warnings/{file}"))[1])
+
+        errors = limit("checks.hpp", "standard_errors")
+        power, gap, creep = limit("rotation_balance.cpp", "most_power"), limit("energy_balance.cpp", "most_gap"), limit(
+            "quasi_static_inertia.cpp", "most_gap_of_creep")
+        drift = [limit("steady_state.cpp", name) for name in ("least_drift", "most_if_settled", "most_if_not", "least_without_error")]
+        durations = {limit("contact_durations.cpp", name) for name in ("longest_share", "largest_gap")}
+        for phrase, *values in (
+                ("where B or η is {}% less than hard disks'", 100 * limit("hard_core_limit.cpp", "most_off")),
+                ("above {}%: the deepest overlaps", 100 * limit("large_overlap.cpp", "most_overlap")),
+                ("beyond {}%, {} standard errors and the change of kinetic and elastic energy: the step", 100 * gap, errors),
+                ("beyond {}%, {} standard errors and the change of kinetic and elastic energy: long steps", 100 * creep, errors),
+                ("beyond {}%, {} standard errors and the change of rotational energy", 100 * power, errors),
+                ("beyond {}% and {} standard errors; [what", 100 * limit("dissipative_pressure.cpp", "small_share"), errors),
+                ("beyond {}%. The defaults come to", 100 * limit("collision_loss.cpp", "most_off")),
+                ("above {}: inertia has a part", limit("implicit_inertia.cpp", "most_kinetic")),
+                ("a change above {}% that is {} standard errors, or {} where MSER-5 would cut off over a quarter; without a known error "
+                 "above {}%", 100 * drift[0], *drift[1:3], 100 * drift[3]),
+                ("a ratio above {}: replicas", limit("error_bar.cpp", "most_scatter")),
+                ("above {}% of p_kin; with a drive above {}/N", 100 * limit("net_momentum.cpp", "most"), limit("net_momentum.cpp", "many")),
+                ("from R_v above {} and", limit("box_size.cpp", "most_anisotropy")),
+                ("above {} γ̇L_y", limit("box_size.cpp", "least_of_bands")),
+                ("either length below {} d_s", limit("box_size.cpp", "least_length")),
+                ("Where p_kin is above {}% of p", 100 * limit("box_size.cpp", "worth_a_word")),
+                ("either above {}, or no contact ended", *durations)):
+            self.says(self.page, phrase, *values)
+
 
 class LongSteps(Shown):
     page = "docs/long_steps.md"
@@ -283,6 +314,10 @@ class LongSteps(Shown):
         at = {name: where(rows, state=name, time_step=0.8)[0] for name in ("CD_rot 0.8 Q=1 0.0001", "CD_n 0.84 Q=1 0.0001")}
         self.compare(cells["CD_rot 0.80, 1e-4, 0.8"], with_errors(at["CD_rot 0.8 Q=1 0.0001"], ["T_g"]))
         self.compare(cells["CD_n 0.84, 0.8"], with_errors(at["CD_n 0.84 Q=1 0.0001"], ["p"]))
+        for name, dt in (("CD and CD_rot 0.82, Q = 1, 1e-4, 0.8", 0.8), ("the same, 1.2", 1.2), ("the same, 1.6", 1.6)):
+            both = [where(rows, state=f"{model} 0.82 Q=1 0.0001", time_step=dt)[0] for model in ("CD", "CD_rot")]
+            p, sigma, z, heat = (max(abs(row[key]) for row in both) for key in KEYS)
+            self.compare(cells[name], [max(p, sigma), z, heat], name)
 
     def test_auto(self):
         rows = data("accuracy/auto")
@@ -365,6 +400,8 @@ class Performance(Shown):
         ratios = rows[1][4].split(", ")
         self.says("README.md", "costs {} times that of a compact code of hard disks at γ̇ = 1e-5. At 1e-7 it is {} times, at 1e-8 {} times",
                   *map(float, (ratios[0], *ratios[2:])))
+        gains = [float(row[3].split()[0]) for row in table_of(self.page, "law, rate, N | two stages | implicit")]
+        self.says("docs/scenes.md", "steps of 1.4 to 1.6 τ_e, {} to {} times less time", rounded(min(gains), 1), rounded(max(gains), 1))
         seconds = rows[1][3].split(", ")
         self.says(self.page, "A unit of strain at 1e-8 costs {} times one at 1e-5", float(seconds[3]) / float(seconds[0]))
 
@@ -466,6 +503,14 @@ class Pages(Shown):
         self.says("docs/long_steps.md", "| bands: μ | {}({}) |", narrow["mu"], 1e3 * narrow["mu_error"])
         self.says("docs/reproduction.md", "p includes the flow of the bands; p_el is {}({})e-5", 1e5 * dense["p_el"], 1e7 * dense["p_el_error"])
 
+    def test_what_is_said_of_the_contact_number(self):
+        lines = text_of("docs/physics.md").split("<!-- table contact_number")[1].split("\n")
+        q, eta = ([float(cell.split()[0]) for cell in lines[row].split("|")[2:-1]] for row in (1, 5))
+        eta = dict(zip(q, eta, strict=True))
+        flat = [value for at, value in eta.items() if 3 <= at <= 60]
+        self.says("docs/physics.md", "η_p is constant within {}% from Q = 3 to 60. At Q = 1 it is {}% less",
+                  100 * max(abs(value / np.mean(flat) - 1) for value in flat), 100 * (1 - eta[1] / np.mean(flat)))
+
     def test_coverage(self):
         """Of the tables of docs/statistics.md, whose runs take hours: scripts/coverage and tests/statistics."""
         made = [float(row[3].rstrip("%")) for row in table_of("docs/statistics.md", "series | target | replicas | off by")]
@@ -522,6 +567,17 @@ class Program(Shown):
             self.assertEqual(self.step(model, 1, integration__scheme=IMPLICIT), wanted)
         self.says("docs/long_steps.md", "The step is {} τ_e, {} where disks roll, times Q^{} above Q = 1. For CD_n it is {}", 1.6, 1.4,
                   np.log(self.step("CD", 10, integration__scheme=IMPLICIT) / 1.6) / np.log(10), 0.2)
+
+    def test_starts(self):
+        """Iterations of small ones. Other compilers and processors make other bits."""
+        if not re.search(r"^compiler +g\+\+ 12\b(?s:.*)^SIMD +avx", self.bagnold("info").stdout, re.M):
+            self.skipTest("numbers of another compiler or processor")
+        for phi, few, _ in table_of("docs/run_time.md", "φ | iterations at N = 1024")[:2]:
+            scene = self.scene(disks__count=1024, disks__packing_fraction=float(phi), integration__time_step=None,
+                               output__sample_strain=0.01, shear__strain=0.02, shear__strain_rate=1e-2)
+            self.run_scene(scene, self.folder / phi)
+            with h5py.File(self.folder / phi / "result.h5") as file:
+                self.compare(few, [file.attrs["start_iterations"]], phi)
 
     def test_stable_steps(self):
         """A sufficient bound, and what a packing bears, in units of Q."""
