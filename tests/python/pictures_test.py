@@ -371,6 +371,12 @@ class PaperFigures(unittest.TestCase):
         axes = self.drawn({"name": "1e-6"}, self.rows(["Q_down"]))
         self.assertEqual(axes.get_legend_handles_labels()[1], ["1e-6"])
 
+    def test_numbers_of_curves_have_few_digits(self):
+        from bagnold.plots.analysis_page import pretty
+        self.assertTrue(pretty("Q = 5, gammadot = 2.1544346900318822e-06").endswith("= 2.154e-06"))
+        self.assertTrue(pretty("phi = 0.79845").endswith("= 0.79845"))
+        self.assertTrue(pretty("law = constant_pressure").endswith("= constant_pressure"))
+
     def test_slopes_are_written(self):
         axes = self.drawn({"only": ["fit"], "slope": "above", "dashed": True}, self.rows([""], "fit"))
         self.assertEqual([text.get_text() for text in axes.texts], ["1.0"])

@@ -156,7 +156,15 @@ def draw_panel(axes, rows):
     axes.set_xlabel(label(rows[0]["x_name"]))
     axes.set_ylabel(label(rows[0]["y_name"]))
     if axes.get_legend_handles_labels()[1]:
-        axes.legend(ncols=1 if len(names) < 9 else 2)
+        axes.legend(ncols=1 if len(names) < 7 else 2)
+
+
+def rounded(value):
+    """A number of many digits with four: names of curves tell them apart."""
+    try:
+        return f"{float(value):.4g}" if len(value) > 8 else value
+    except ValueError:
+        return value
 
 
 def pretty(name):
@@ -164,7 +172,7 @@ def pretty(name):
     parts = []
     for part in name.split(", "):
         key, _, value = part.partition(" = ")
-        parts.append(f"{label(key)} = {value}" if value else label(part))
+        parts.append(f"{label(key)} = {rounded(value)}" if value else label(part))
     return ", ".join(parts)
 
 
