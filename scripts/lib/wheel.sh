@@ -56,5 +56,5 @@ gather_source() {
   rm "$to.tar"
   cp -r "$sources" "$scratch/source/third_party"
   git -C "$root" describe --always --dirty --abbrev=12 --exclude '*' >"$scratch/source/third_party/git_hash"
-  rsync -a --checksum --delete "$scratch/source/" "$to/"
+  rsync -a --no-times --checksum --delete "$scratch/source/" "$to/"
 }
