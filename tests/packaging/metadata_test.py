@@ -64,8 +64,12 @@ class Metadata(unittest.TestCase):
             self.assertEqual(paper["doi"], f"10.1103/PhysRevE.{paper['volume']}.{paper['start']}")
 
     def test_the_changes_end_with_this_version(self):
-        newest = re.search(r"^## (\d[\w.]*)", (SOURCE / "CHANGELOG.md").read_text(), re.M)
-        self.assertEqual(newest[1], VERSION)
+        newest = re.search(r"^## (\d[\w.]*) \((.*)\)$", (SOURCE / "CHANGELOG.md").read_text(), re.M)
+        self.assertEqual(newest.groups(), (VERSION, read("CITATION.cff")["date-released"]))
+
+    def test_what_the_release_was_checked_by(self):
+        about = json.loads((SOURCE / "docs/data/releases" / VERSION / "release.json").read_text())
+        self.assertEqual(about["version"], VERSION)
 
     def test_the_workflow_calls_the_check_of_the_repository(self):
         workflow = read(".github/workflows/check.yml")
