@@ -95,13 +95,6 @@ std::vector<Refusal> not_events(Scene const& scene) {
                        "overdamped, disks.elasticity = {}",
                        least_underdamped_elasticity(scene), scene.disks.elasticity),
            other);
-  if (scene.shear.protocol == "ramp")
-    refuse({"shear.protocol"},
-           "needs one strain rate for each contact, of shear.protocol = \"ramp\" it changes",
-           other);
-  if (scene.measure.correlations)
-    refuse({"measure.correlations"}, "does not sample contacts in single configurations",
-           "set measure.correlations = false, or integration.engine = \"auto\"");
   if (adaptive && scene.measure.contacts)
     refuse({"measure.contacts"}, "does not follow contacts from one engine to the other",
            "set measure.contacts = false, or another engine");

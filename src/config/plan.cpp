@@ -73,11 +73,16 @@ void refuse_many_windows(double windows, std::string const& key, double value, d
                                  key, value, windows, most_windows, least));
 }
 
+/// Whether the engine adds up all contacts, and looks at no single configuration.
+bool knows_all_contacts(Scene const& scene) {
+  return is_quasi_static(scene) || (has_events(scene) && !scene.measure.correlations);
+}
+
 Plan plan_of_ramp(Scene const& scene) {
   Plan plan;
   plan.ramp = make_ramp(scene);
   plan.time_step = plan.ramp->time_step;
-  plan.every = scene.measure.every;
+  plan.every = knows_all_contacts(scene) ? 1 : scene.measure.every;
   plan.steps = plan.ramp->steps();
   plan.window_steps = plan.ramp->window_steps;
   plan.windows = plan.steps / plan.window_steps;
@@ -103,8 +108,7 @@ Plan make_plan(Scene const& scene) {
   Plan plan;
   plan.strain_rate = scene.shear.strain_rate;
   plan.time_step = time_step(scene);
-  bool const each = is_quasi_static(scene) || has_events(scene);  // the engine knows all contacts
-  plan.every = each ? 1 : scene.measure.every;
+  plan.every = knows_all_contacts(scene) ? 1 : scene.measure.every;
   double const step_strain = plan.time_step * scene.shear.strain_rate;
   double const steps = round_up(scene.shear.strain / step_strain);
   if (!(steps * static_cast<double>(scene.disks.replicas) <= most_steps))

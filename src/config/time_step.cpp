@@ -55,10 +55,12 @@ double time_step(Scene const& scene) {
   auto const& given = scene.integration.time_step;
   if (given.number) return *given.number;
   if (is_quasi_static(scene)) return quasi_static_time_step(scene);
-  if (has_events(scene)) return event_time_unit;
-  double const rule = given.word == of_papers ? paper_time_step(scene.disks)
-                                              : std::min(rule_time_step(scene, scheme_of(scene)),
-                                                         drag_time_step(scene));
+  auto const longest = [&] {
+    if (has_events(scene)) return event_time_unit;
+    if (given.word == of_papers) return paper_time_step(scene.disks);
+    return std::min(rule_time_step(scene, scheme_of(scene)), drag_time_step(scene));
+  };
+  double const rule = longest();
   double const piece = scene.shear.ramp_every;
   if (scene.shear.protocol != "ramp") return rule;
   return piece / std::ceil(piece / rule * (1 - 1e-12));

@@ -262,6 +262,64 @@ TEST_P(Events, ContactsDoNotDependOnCutsOrRestarts) {
   EXPECT_EQ(one.size(), known_contacts(*straight, scene.rotates()).size());
 }
 
+/// Velocities in contact, of all in each evaluated configuration and of each contact once: those of
+/// steps of all disks, whose contacts differ by less than a step; and cuts change no bit.
+TEST_P(Events, SampleVelocitiesInContact) {
+  Scene scene = dilute_scene(law(), 0.78, 100, 5);
+  scene.measure.contacts = scene.measure.correlations = true;
+  State const start = flying_start(scene);
+  SampleChoice const choice(3);
+  double const time = 200, dt = 0.02;
+  auto const measure = [&](Scene const& of, std::int64_t every, std::int64_t cut) {
+    auto simulation = simulate_events(of, start);
+    auto seen = std::make_unique<Observed>(*simulation, start.count(), 0, choice);
+    Sampling sampling;
+    sampling.every = every;
+    sampling.last_step = std::llround(time / time_step(of));
+    while (simulation->step() < sampling.last_step) {
+      simulation->advance(cut, sampling, seen->windows);
+      auto const open = seen->windows.contacts->table.sorted();
+      simulation = make_simulation(of, simulation->snapshot(), "serial");
+      seen->windows.contacts->restore(open);
+    }
+    return seen;
+  };
+  auto const events = measure(scene, 2, 1000), cut = measure(scene, 2, 13),
+             plain = measure(in_steps(scene, dt), 20, 1000000);
+  auto const squares = [](auto const& all, auto const& of) {
+    std::array<double, 4> sum{};
+    for (auto const& one : all) {
+      ContactVelocities const& v = of(one);
+      sum[0] += v.normal * v.normal;
+      sum[1] += v.tangential * v.tangential;
+      sum[2] += v.rotational * v.rotational;
+      sum[3] += v.normal * v.tangential;
+    }
+    return sum;
+  };
+  auto const velocities_of_pick = [](auto const& one) { return one.second; };
+  auto const &of_events = *events->listener, &of_plain = *plain->listener;
+  ASSERT_GT(of_plain.picks.size(), 300u);
+  EXPECT_NEAR(
+      static_cast<double>(of_events.picks.size()) / static_cast<double>(of_plain.picks.size()), 1,
+      0.01);
+  auto const a = squares(of_events.picks, velocities_of_pick),
+             b = squares(of_plain.picks, velocities_of_pick);
+  for (std::size_t c = 0; c < 4; ++c) EXPECT_NEAR(a[c], b[c], 0.02 * (b[0] + b[1])) << c;
+  auto const ended = std::ranges::count(of_events.all, false, &Happened::begins);
+  EXPECT_EQ(of_events.samples.size(), static_cast<std::size_t>(ended));
+  auto const one = squares(of_events.samples, [](auto const&s) { return s.velocities; }),
+             other = squares(of_plain.samples, [](auto const&s) { return s.velocities; });
+  EXPECT_NEAR((one[0] + one[1]) / (other[0] + other[1]), 1, 0.15);  // each at another moment of it
+  ASSERT_EQ(cut->listener->picks.size(), of_events.picks.size());
+  for (auto const& [rank, v] : of_events.picks)
+    EXPECT_EQ(cut->listener->picks.at(rank).normal, v.normal);
+  ASSERT_EQ(cut->listener->samples.size(), of_events.samples.size());
+  for (std::size_t k = 0; k < of_events.samples.size(); ++k)
+    EXPECT_EQ(cut->listener->samples[k].velocities.tangential,
+              of_events.samples[k].velocities.tangential);
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Events, testing::Values("CD", "CD_n", "CD_rot", "CD_nt"),
                          [](auto const& info) { return info.param; });
 
@@ -322,8 +380,6 @@ TEST(EventsRefuse, WhatTheyCannotDo) {
   has(refused([](Scene& s) { s.disks.force_exponent = 2.5; }), "harmonic repulsion alone");
   has(refused([](Scene& s) { s.disks.elasticity = 0.5; }), "overdamped");
   has(refused([](Scene& s) { s.drive.kind = "stokes"; }), "fly straight");
-  has(refused([](Scene& s) { s.shear.protocol = "ramp"; }), "one strain rate");
-  has(refused([](Scene& s) { s.measure.correlations = true; }), "single configurations");
   has(refused([](Scene& s) { s.integration.scheme = papers_scheme; }), "exact-contacts");
   has(refused(
           [](Scene& s) { s.integration.engine = "auto", s.integration.scheme = exact_contacts; }),

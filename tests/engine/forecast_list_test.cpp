@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "kernels/physics/box/list_criterion.hpp"
 #include "src/engine/blocks/block_lists.hpp"
 #include "src/engine/law_engines.hpp"
 #include "tests/support/simulations.hpp"

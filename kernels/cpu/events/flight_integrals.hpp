@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "kernels/cpu/events/speeds.hpp"
 #include "kernels/physics/motion.hpp"
 #include "kernels/physics/sums/sums.hpp"
 
@@ -27,6 +28,27 @@ void add_flight(Real* to, Real mass, Vec2<Real> const& position, Motion<Rotates>
   if constexpr (Rotates) {
     to[C::spin] += w * motion.spin;
     to[C::spin2] += w * motion.spin * motion.spin;
+  }
+}
+
+/// The same of a flight over which the speed of time changes. mass: at speed 1.
+template <bool Rotates>
+void add_flight(Real* to, Real mass, Vec2<Real> const& position, Motion<Rotates> const& motion,
+                Real strain_rate, Speeds::Integrals const& over, Real weight) {
+  using C = SumColumns;
+  Real const vy = motion.velocity.y;
+  Real const u = peculiar_x(motion.velocity.x, position.y, strain_rate), slope = -strain_rate * vy;
+  Real const xx = weight * (u * u * over.one + slope * (2 * u * over.time + slope * over.time2));
+  Real const xy = weight * (u * over.one + slope * over.time) * vy;
+  Real const yy = weight * over.one * vy * vy;
+  to[C::kinetic_xx] += mass * xx;
+  to[C::kinetic_xy] += mass * xy;
+  to[C::kinetic_yy] += mass * yy;
+  to[C::velocity_x2] += xx;
+  to[C::velocity_y2] += yy;
+  if constexpr (Rotates) {
+    to[C::spin] += weight * over.length * motion.spin;
+    to[C::spin2] += weight * over.one * motion.spin * motion.spin;
   }
 }
 

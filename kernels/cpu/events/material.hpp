@@ -34,6 +34,14 @@ struct Material {
     material.longest_step = 1 / fastest;
     return material;
   }
+
+  /// The same where times are `speed` times as long: masses grow with its square, the damping with
+  /// it, and forces, energies and kinetic stresses stay what they are.
+  static Material of(LinearDamping<Rotates> const& damping, SpeciesTable table, Real speed) {
+    for (auto* const of_disks : {&table.inverse_mass, &table.inverse_inertia})
+      *of_disks = {of_disks->small / (speed * speed), of_disks->big / (speed * speed)};
+    return of(LinearDamping<Rotates>{speed * damping.normal, speed * damping.tangential}, table);
+  }
 };
 
 }  // namespace bagnold::events

@@ -85,7 +85,8 @@ void AdaptiveEngine::go_by_events(Sampling const& sampling, OpenWindows& windows
   double const time = time_step_ * static_cast<double>(step() - from);
   auto const after = engine_->snapshot().counters;
   auto const count = [&](char const* name) { return after.at(name) - before.at(name); };
-  if (choice_.leaves(count("collisions"), count("cluster_steps"), disks_ * time)) {
+  if (choice_.leaves(count("collisions"), count("cluster_steps"), count("carried_contacts"),
+                     disks_ * time)) {
     choice_.left(number);
     change();
   }

@@ -12,9 +12,11 @@ class EventChoice {
   /// Of steps of all disks, by the contact number of a window: whether events are tried.
   bool enters(double contact_number) const { return contact_number < enter_below_; }
 
-  /// Of events: whether they are given up. disk_time: N times the time of the window, [tau_e].
-  bool leaves(double collisions, double cluster_steps, double disk_time) const {
-    return collisions + cost_of_cluster_step * cluster_steps > most_collisions * disk_time;
+  /// Of events: whether they are given up. carried: contacts over changes of the rate; disk_time: N
+  /// times the time of the window, [tau_e].
+  bool leaves(double collisions, double cluster_steps, double carried, double disk_time) const {
+    return collisions + carried + cost_of_cluster_step * cluster_steps >
+           most_collisions * disk_time;
   }
 
   /// They were, at a contact number: no new trial until there are clearly fewer contacts.

@@ -14,12 +14,21 @@ namespace bagnold {
 
 namespace {
 
+/// Motion in a time that goes at another speed.
 template <bool Rotates>
-std::vector<DiskMotion<Rotates>> moving_disks(State const& state) {
+Motion<Rotates> scaled(Motion<Rotates> motion, double factor) {
+  motion.velocity = factor * motion.velocity;
+  if constexpr (Rotates) motion.spin *= factor;
+  return motion;
+}
+
+/// Disks in a time that goes `speed` times as fast.
+template <bool Rotates>
+std::vector<DiskMotion<Rotates>> moving_disks(State const& state, double speed) {
   auto const motion = motions<Rotates>(state);
   std::vector<DiskMotion<Rotates>> disks(state.count());
   for (std::size_t i = 0; i < disks.size(); ++i)
-    disks[i] = {{state.position[i][0], state.position[i][1]}, motion[i]};
+    disks[i] = {{state.position[i][0], state.position[i][1]}, scaled(motion[i], 1 / speed)};
   return disks;
 }
 
@@ -31,7 +40,8 @@ EventEngine<Rotates>::EventEngine(events::Material<Rotates> const& material,
                                   Snapshot const& snapshot)
     : clock_(rates, time_step, snapshot),
       diameter_(snapshot.state.diameter),
-      system_(material, species_of(snapshot.state.diameter), skin, time_step),
+      system_(material, species_of(snapshot.state.diameter), skin,
+              events::StepTimes(rates, time_step)),
       step_(snapshot.step),
       list_step_(snapshot.step),
       builds_(snapshot.list_builds),
@@ -41,19 +51,29 @@ EventEngine<Rotates>::EventEngine(events::Material<Rotates> const& material,
     restore(snapshot);
     return;
   }
-  auto disks = moving_disks<Rotates>(snapshot.state);
-  auto const box = clock_.box(clock_.mark(step_));
+  auto const box = box_at(step_);
+  auto disks = moving_disks<Rotates>(snapshot.state, clock_.strain_rate / box.strain_rate);
   for (auto& disk : disks) wrap(box, disk.position, disk.motion.velocity.x);
-  system_.place(disks, box);
+  system_.place(disks, box, step_);
   ++builds_;
+}
+
+/// The box at a step, sheared as in the time of events.
+template <bool Rotates>
+ShearedBox EventEngine<Rotates>::box_at(std::int64_t step) const {
+  auto const clock = clock_.at(step);
+  auto box = clock.box(clock.mark(step));
+  box.strain_rate = system_.all().times.unit_rate();
+  return box;
 }
 
 template <bool Rotates>
 void EventEngine<Rotates>::restore(Snapshot const& snapshot) {
   list_step_ = snapshot.list_step;
-  system_.restore(snapshot.arrays, vectors(snapshot.list_position),
-                  clock_.box(clock_.mark(list_step_)));
+  system_.restore(snapshot.arrays, vectors(snapshot.list_position), box_at(list_step_), list_step_,
+                  step_);
   visit_memory(*this, RestoreMemory{snapshot.memory});
+  if (in_window_) system_.windows().recall_rates(begun_, step_);
   system_.predict_all();
 }
 
@@ -80,13 +100,22 @@ void EventEngine<Rotates>::advance(std::int64_t steps, Sampling const& sampling,
     auto const window_end = std::min((window + 1) * sampling.window_steps, sampling.last_step);
     auto const from = step_;
     open_window(columns_of(window, windows));
-    go_to(std::min(end, window_end));
+    auto to = std::min(end, window_end);
+    if (windows.contacts && windows.contacts->choice) {
+      look_at_contacts(sampling, *windows.contacts);
+      to = std::min(to, next_look(sampling, *windows.contacts));
+    }
+    go_to(to);
     windows.of(window).weight += static_cast<double>(step_ - from);
     if (step_ == window_end) {
       system_.windows().end(now());
       in_window_ = false;
     }
     if (windows.contacts) tell_contacts(from, sampling, windows);
+    if (step_ == clock_.rate_end) {
+      if (in_window_) open_window(columns_of(window, windows));  // they may have moved
+      change_rate();
+    }
     if (step_ - list_step_ == system_.all().build_step) renew();
   }
 }
@@ -101,28 +130,74 @@ void EventEngine<Rotates>::tell_contacts(std::int64_t from, Sampling const& samp
   system_.contact_motion() = {};
 }
 
+/// The first step after this one at which contacts may have to be sampled: a contact that begins is
+/// in the first configuration that has it.
+template <bool Rotates>
+std::int64_t EventEngine<Rotates>::next_look(Sampling const& sampling,
+                                             ContactRecord const& record) const {
+  auto const happens = system_.next_event();
+  auto const& times = system_.all().times;
+  bool const soon = happens < times.time(system_.all().build_step);
+  auto const event_step = soon ? list_step_ + times.step_at(happens) : StrainRates::never;
+  auto due = SampleChoice::never;
+  record.table.each([&](OpenContact const& contact) {
+    if (contact.due > step_) due = std::min(due, contact.due);
+  });
+  return std::max(step_ + 1, std::min({sampling.next(step_ + 1), due, event_step}));
+}
+
+/// Samples the contacts of the configuration at this step.
+template <bool Rotates>
+void EventEngine<Rotates>::look_at_contacts(Sampling const& sampling, ContactRecord& record) const {
+  auto const due = record.due(step_);
+  bool const sampled = sampling.sampled(step_);
+  if (due.empty() && !sampled) return;
+  auto const picker = record.picker();
+  std::vector<ContactPick> picks;
+  auto const& all = system_.all();
+  for (auto const& pair : events::touching_pairs(all, now())) {
+    auto const velocities = [&] {
+      return contact_velocities(pair.motion.separation, pair.motion.velocity, pair.spin,
+                                all.times.unit_rate());
+    };
+    if (sampled) picker(picks, step_, pair.i, pair.j, velocities);
+    for (auto const& contact : due)
+      if (contact.a == pair.i && contact.b == pair.j)
+        record.add(ContactSample{step_, pair.i, pair.j, velocities()});
+  }
+  record.add(picks);
+}
+
 template <bool Rotates>
 void EventEngine<Rotates>::open_window(double* columns) {
-  if (in_window_) return system_.windows().resume(columns, system_.all().time(begun_ - list_step_));
+  if (in_window_)
+    return system_.windows().resume(columns, system_.all().times.between(list_step_, begun_));
   system_.windows().begin(columns, now());
   begun_ = step_;
   in_window_ = true;
   if (!std::exchange(touches_known_, true)) system_.find_touches();
 }
 
-/// To a step, or to where the lists are to be built.
+/// To a step, or to where the rate changes or the lists are to be built.
 template <bool Rotates>
 void EventEngine<Rotates>::go_to(std::int64_t step) {
-  step_ = list_step_ + system_.run(step - list_step_);
+  step_ = list_step_ + system_.run(std::min(step, clock_.rate_end) - list_step_);
   if (auto const& deep = system_.all().too_deep)
     failure::too_deep(clock_, step_, deep->disk, deep->relative_overlap);
 }
 
 template <bool Rotates>
 void EventEngine<Rotates>::renew() {
-  system_.renew(now(), clock_.box(clock_.mark(step_)));
+  system_.renew(step_, box_at(step_));
   list_step_ = step_;
   ++builds_;
+}
+
+template <bool Rotates>
+void EventEngine<Rotates>::change_rate() {
+  clock_.move_to(step_);
+  system_.change_rate(step_);
+  if (in_window_) system_.windows().add_rate(begun_, step_);
 }
 
 template <bool Rotates>
@@ -133,9 +208,10 @@ void EventEngine<Rotates>::add_motions(State& state) const {
   if constexpr (Rotates) state.spin.resize(disks.count());
   for (std::uint32_t i = 0; i < disks.count(); ++i) {
     auto const of = disks.at(i, now());
+    auto const motion = scaled(of.motion, system_.all().times.speed());
     state.position[i] = {of.position.x, of.position.y};
-    state.velocity[i] = {of.motion.velocity.x, of.motion.velocity.y};
-    if constexpr (Rotates) state.spin[i] = of.motion.spin;
+    state.velocity[i] = {motion.velocity.x, motion.velocity.y};
+    if constexpr (Rotates) state.spin[i] = motion.spin;
   }
 }
 

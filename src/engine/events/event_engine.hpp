@@ -12,8 +12,9 @@ namespace bagnold {
 
 /// Contacts as events, on one thread of the host: no time step where disks fly (docs/events.md).
 ///
-/// A step is a unit of time for windows, frames and lists; it acts on nothing else. Sums are
-/// integrals over time in the place of sums over configurations, one a step.
+/// Where the rate changes, velocities and spins are scaled with it. A step is a unit of time for
+/// windows, frames and lists; it acts on nothing else. Sums are integrals over time in the place of
+/// sums over configurations, one a step.
 template <bool Rotates>
 class EventEngine final : public Simulation {
  public:
@@ -38,6 +39,7 @@ class EventEngine final : public Simulation {
     visit("collisions", counts.collisions);
     visit("busy_collisions", counts.busy_collisions);
     visit("cluster_steps", counts.cluster_steps);
+    visit("carried_contacts", counts.carried_contacts);
   }
 
   /// What the bits depend on, beside paths and lists.
@@ -52,12 +54,16 @@ class EventEngine final : public Simulation {
     visit("events_window_begun", self.begun_);
   }
 
-  double now() const { return system_.all().time(step_ - list_step_); }
+  double now() const { return system_.all().times.time(step_ - list_step_); }
+  ShearedBox box_at(std::int64_t step) const;
   double* columns_of(std::int64_t window, OpenWindows& windows) const;
   void open_window(double* columns);
   void tell_contacts(std::int64_t from, Sampling const& sampling, OpenWindows& windows);
+  std::int64_t next_look(Sampling const& sampling, ContactRecord const& record) const;
+  void look_at_contacts(Sampling const& sampling, ContactRecord& record) const;
   void go_to(std::int64_t step);
   void renew();
+  void change_rate();
   void restore(Snapshot const& snapshot);
   void add_motions(State& state) const;
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cmath>
 #include <optional>
 #include <vector>
 
 #include "src/engine/events/contact_log.hpp"
 #include "src/engine/events/event_sums.hpp"
 #include "src/engine/events/predictions.hpp"
+#include "src/engine/events/step_times.hpp"
 
 namespace bagnold::events {
 
@@ -16,6 +16,7 @@ struct EventCounts {
   std::int64_t collisions = 0;       ///< contacts that began
   std::int64_t busy_collisions = 0;  ///< of these, with a disk that touched another one
   std::int64_t cluster_steps = 0;
+  std::int64_t carried_contacts = 0;  ///< of two disks alone, over a change of the rate
 };
 
 /// A disk that overlaps too much, and how much.
@@ -24,21 +25,23 @@ struct DeepOverlap {
   Real relative_overlap;
 };
 
-/// All that moves on from event to event, in times since the lists were built.
+/// All that moves on from event to event, in times since the lists were built (StepTimes).
 template <bool Rotates>
 struct EventState {
   EventState(Material<Rotates> const& material, std::vector<Species> const& species, Real skin,
-             Real step)
-      : time_step(step),
+             StepTimes const& of_steps)
+      : at_first_rate(material),
+        times(of_steps),
         disks(material, species),
         lists(skin),
         queue(disks.count()),
         predictions(disks, lists, queue),
-        sums(disks, step),
+        sums(disks, times.time_step()),
         steps(disks.material, disks.shifts) {}
   EventState(EventState const&) = delete;
 
-  Real const time_step;  ///< [tau_e]
+  Material<Rotates> const at_first_rate;
+  StepTimes times;
   EventDisks<Rotates> disks;
   EventLists lists;
   EventQueue queue;
@@ -48,22 +51,21 @@ struct EventState {
   EventCounts counts;
   ContactLog log;
   std::int64_t build_step = 0;  ///< after which the lists are built anew at the latest
-  Real now = 0;                 ///< of the last event, [tau_e]
+  Real now = 0;                 ///< of the last event
   std::optional<DeepOverlap> too_deep;
 
-  Real time(std::int64_t step) const { return time_step * static_cast<Real>(step); }
-
-  /// The first step that ends at a time, or after it.
-  std::int64_t step_at(Real from) const {
-    auto const step = static_cast<std::int64_t>(std::ceil(from / time_step));
-    if (time(step) < from) return step + 1;
-    return time(step - 1) >= from ? step - 1 : step;
+  /// Takes the rate from a step of the run on.
+  void move_to(std::int64_t step) {
+    times.move_to(step);
+    disks.material =
+        Material<Rotates>::of(at_first_rate.damping, at_first_rate.table, times.speed());
+    sums.set_speed(times.speed());
   }
 
   /// The lists are to be built at the first end of a step from a time on.
   void ask_for_build(Real from) {
     predictions.watch_reach = false;
-    build_step = std::min(build_step, step_at(from));
+    build_step = std::min(build_step, times.step_at(from));
   }
 
   void check_overlap(std::uint32_t disk, Real relative_overlap) {

@@ -15,11 +15,25 @@ struct Columns {
 
 }  // namespace
 
+/// Units of the columns in a time that goes `speed` times as fast; masses make up for it in forces,
+/// energies and kinetic stresses.
+template <bool Rotates>
+void EventSums<Rotates>::set_speed(Real speed) {
+  using C = SumColumns;
+  speed_ = speed;
+  for (auto& unit : unit_) unit = 1;
+  unit_[C::velocity_x2] = unit_[C::velocity_y2] = unit_[C::spin2] = speed * speed;
+  unit_[C::dissipation] = unit_[C::spin] = unit_[C::torque_power] = speed;
+  for (int c = 0; c < ContactMotion::count; ++c)
+    unit_of_motion_[c] = c < ContactMotion::tangential ? speed * speed : speed;
+  unit_of_motion_[ContactMotion::contacts] = 1;
+}
+
 template <bool Rotates>
 void EventSums<Rotates>::step(Cluster<Rotates> const& cluster, Real until) {
   Real const from = std::max(cluster.time, begin_);
-  if (!(until > from)) return;
-  Real const half = (until - from) / 2, weight = half * inverse_step_;
+  if (!(until > from) || !to_) return;
+  Real const half = (until - from) / 2, weight = half * inverse_step_ / speed_;
   AtNodes const s = AtNodes(from - cluster.time + half) + AtNodes(half) * AtNodes::abscissas();
   Columns columns;
   for (auto& c : columns.value) c = AtNodes(0.0);
@@ -37,16 +51,19 @@ void EventSums<Rotates>::step(Cluster<Rotates> const& cluster, Real until) {
     }
   }
   AtNodes const time = AtNodes(cluster.time) + s;
-  for (auto const& link : cluster.links) add(columns.value, cluster, link, time, weight);
-  for (int c = 0; c < Sums<Rotates>::columns; ++c)
-    if (c != SumColumns::contacts) to_[c] += weight * columns[c].integral();
-  to_[SumColumns::contacts] += 4 * weight * static_cast<Real>(cluster.links.size());
+  in_units([&](Real* to, ContactMotion* of_motion) {
+    for (auto const& link : cluster.links)
+      add(columns.value, cluster, link, time, weight, of_motion);
+    for (int c = 0; c < Sums<Rotates>::columns; ++c)
+      if (c != SumColumns::contacts) to[c] += weight * columns[c].integral();
+    to[SumColumns::contacts] += 4 * weight * static_cast<Real>(cluster.links.size());
+  });
 }
 
 /// A contact of a cluster.
 template <bool Rotates>
 void EventSums<Rotates>::add(AtNodes* columns, Cluster<Rotates> const& cluster, Link const& link,
-                             AtNodes const& time, Real weight) {
+                             AtNodes const& time, Real weight, ContactMotion* of_motion) {
   using C = SumColumns;
   auto const &a = nodes_[link.a], &b = nodes_[link.b];
   auto const &i = cluster.members[link.a], &j = cluster.members[link.b];
@@ -67,11 +84,11 @@ void EventSums<Rotates>::add(AtNodes* columns, Cluster<Rotates> const& cluster, 
   for (int c = 0; c < pair_columns; ++c) columns[c] += of.value[c];
   if constexpr (Rotates)
     columns[C::torque_power] += spins * pair.torque_per_diameter(AtNodes(inverse_distance));
-  if (!motion) return;
+  if (!of_motion) return;
   auto const& share = AtNodes::weights().v;
   for (int k = 0; k < AtNodes::count; ++k)
-    motion->add(weight * share[k], {r.x.v[k], r.y.v[k]}, {v.x.v[k], v.y.v[k]},
-                spins.v[k] * inverse_distance / 2);
+    of_motion->add(weight * share[k], {r.x.v[k], r.y.v[k]}, {v.x.v[k], v.y.v[k]},
+                   spins.v[k] * inverse_distance / 2);
 }
 
 template class EventSums<false>;

@@ -9,7 +9,10 @@
 namespace bagnold::events {
 
 template <bool Rotates>
-void EventSystem<Rotates>::place(std::vector<Moving> const& disks, ShearedBox const& box) {
+void EventSystem<Rotates>::place(std::vector<Moving> const& disks, ShearedBox const& box,
+                                 std::int64_t step) {
+  s_.times.count_from(step);
+  s_.move_to(step);
   std::vector<Vec2<Real>> position;
   for (std::uint32_t i = 0; i < disks.size(); ++i) {
     s_.disks.fly(i, disks[i], 0);
@@ -21,7 +24,10 @@ void EventSystem<Rotates>::place(std::vector<Moving> const& disks, ShearedBox co
 
 template <bool Rotates>
 void EventSystem<Rotates>::restore(Arrays const& from, std::vector<Vec2<Real>> list_position,
-                                   ShearedBox const& box) {
+                                   ShearedBox const& box, std::int64_t list_step,
+                                   std::int64_t step) {
+  s_.times.count_from(list_step);
+  s_.move_to(step);
   build(std::move(list_position), box);
   events::restore(from, s_);
 }
@@ -35,9 +41,7 @@ void EventSystem<Rotates>::build(std::vector<Vec2<Real>> position, ShearedBox co
   s_.lists.build(std::move(position), species, disks.material.table, box);
   s_.sums.strain_rate = box.strain_rate;
   s_.predictions.watch_reach = true;
-  Real const longest = s_.lists.longest() / (box.strain_rate * s_.time_step);
-  s_.build_step = longest < 1e18 ? std::max<std::int64_t>(1, static_cast<std::int64_t>(longest))
-                                 : std::numeric_limits<std::int64_t>::max() / 4;
+  s_.build_step = s_.times.last_within(s_.lists.longest());
 }
 
 template <bool Rotates>
@@ -82,7 +86,7 @@ std::int64_t EventSystem<Rotates>::run(std::int64_t step) {
   while (!s_.too_deep) {
     auto const slot = times.first();
     Real const time = times.time(slot);
-    if (time > s_.time(std::min(step, s_.build_step))) break;
+    if (time > s_.times.time(std::min(step, s_.build_step))) break;
     s_.now = std::max(s_.now, time);
     Event const event = s_.queue.event[slot];
     switch (event.kind) {
@@ -127,14 +131,84 @@ void EventSystem<Rotates>::predict_all() {
   }
 }
 
+/// Calls of_contact(contact, its number) and of_cluster(cluster, its number) for all that touch at
+/// a time, by disk.
 template <bool Rotates>
-void EventSystem<Rotates>::renew(Real time, ShearedBox const& box) {
+template <class OfContact, class OfCluster>
+void EventSystem<Rotates>::for_each_under_way(Real time, OfContact const& of_contact,
+                                              OfCluster const& of_cluster) {
   auto& disks = s_.disks;
+  for (std::uint32_t i = 0; i < disks.count(); ++i) {
+    Path const& p = disks.path[i];
+    auto const k = disks.touching[i];
+    if (p.manner == Manner::contact && p.straight > time) {
+      if (auto& contact = disks.contacts[k]; contact.i == i) of_contact(contact, k);
+    } else if (p.manner == Manner::cluster) {
+      if (auto& cluster = disks.clusters[k]; cluster.slot() == i) of_cluster(cluster, k);
+    }
+  }
+}
+
+/// Disks whose contacts have ended fly on from the end: all of these, which are to be predicted
+/// anew.
+template <bool Rotates>
+std::vector<std::uint32_t> EventSystem<Rotates>::forget_ended_contacts(Real time) {
+  auto& disks = s_.disks;
+  std::vector<std::uint32_t> forgotten;
+  for (std::uint32_t i = 0; i < disks.count(); ++i)
+    if (disks.path[i].manner == Manner::contact && disks.path[i].straight <= time) {
+      disks.forget_contact(i);
+      forgotten.push_back(i);
+    }
+  return forgotten;
+}
+
+template <bool Rotates>
+void EventSystem<Rotates>::change_rate(std::int64_t step) {
+  Real const time = s_.times.time(step - s_.times.counted_from());
+  auto slots = forget_ended_contacts(time);  // their constants will not be known
+  std::vector<std::pair<Moving, Moving>> pairs;
+  for_each_under_way(
+      time,
+      [&](LoneContact<Rotates> const& contact, std::uint32_t) {
+        pairs.push_back(cut_short(s_, contact, time));
+      },
+      [&](Cluster<Rotates>& cluster, std::uint32_t) {
+        s_.sums.step(cluster, time);
+        for (auto& m : cluster.members) {
+          m.begin = m.at(time - cluster.time);
+          ++s_.disks.path[m.disk].changes;  // touches in the rest of the step are stale
+        }
+        cluster.time = time;
+      });
+  s_.move_to(step);
+  auto pair = pairs.cbegin();
+  for_each_under_way(
+      time,
+      [&](LoneContact<Rotates>& contact, std::uint32_t k) {
+        ++s_.counts.carried_contacts;
+        touches_.solve(contact, pair->first, pair->second, false, time);
+        ++pair;
+        s_.disks.begin_contact(k);
+        slots.insert(slots.end(), {contact.i, contact.j()});
+      },
+      [&](Cluster<Rotates>& cluster, std::uint32_t k) {
+        touches_.plan(k);
+        slots.push_back(cluster.slot());
+      });
+  for (auto const slot : slots) predict(slot);
+}
+
+template <bool Rotates>
+void EventSystem<Rotates>::renew(std::int64_t step, ShearedBox const& box) {
+  auto& disks = s_.disks;
+  Real const time = s_.times.time(step - s_.times.counted_from());
+  s_.times.count_from(step);
   Frames<Rotates> frames(disks, s_.lists.box(), box, time);
   std::vector<std::uint32_t> clusters;
+  forget_ended_contacts(time);
   for (std::uint32_t i = 0; i < disks.count(); ++i) {
-    Path& p = disks.path[i];
-    if (p.manner == Manner::contact && p.straight <= time) disks.forget_contact(i);
+    Path const& p = disks.path[i];
     if (p.manner == Manner::contact && disks.contacts[disks.touching[i]].i == i)
       frames.move(disks.contacts[disks.touching[i]]);
     if (p.manner == Manner::cluster && disks.clusters[disks.touching[i]].slot() == i) {

@@ -24,14 +24,15 @@ class EventSystem {
   using Moving = DiskMotion<Rotates>;
 
   EventSystem(Material<Rotates> const& material, std::vector<Species> const& species, Real skin,
-              Real time_step)
-      : s_(material, species, skin, time_step), touches_(s_), windows_(s_) {}
+              StepTimes const& times)
+      : s_(material, species, skin, times), touches_(s_), windows_(s_) {}
 
-  /// Disks that fly from time 0 on, in the box, whether they overlap or not.
-  void place(std::vector<Moving> const& disks, ShearedBox const& box);
+  /// Disks that fly from a step on, in the box, whether they overlap or not.
+  void place(std::vector<Moving> const& disks, ShearedBox const& box, std::int64_t step);
 
-  /// Goes on from what was saved, with the lists of positions then.
-  void restore(Arrays const& from, std::vector<Vec2<Real>> list_position, ShearedBox const& box);
+  /// Goes on from what was saved at a step, with the lists of positions then.
+  void restore(Arrays const& from, std::vector<Vec2<Real>> list_position, ShearedBox const& box,
+               std::int64_t list_step, std::int64_t step);
 
   /// Predicts everything anew.
   void predict_all();
@@ -53,13 +54,20 @@ class EventSystem {
   /// they are to be built: returns that step.
   std::int64_t run(std::int64_t step);
 
-  /// Builds the lists at a time, which is 0 from then on. box: there, its offset in [0, L_x).
-  void renew(Real time, ShearedBox const& box);
+  /// Builds the lists at a step, from which times are counted then. box: there, its offset in
+  /// [0, L_x).
+  void renew(std::int64_t step, ShearedBox const& box);
+
+  /// The rate changes at a step: contacts and clusters go on from there with other constants.
+  void change_rate(std::int64_t step);
 
   /// Windows of measurement.
   EventWindows<Rotates>& windows() { return windows_; }
 
   EventState<Rotates> const& all() const { return s_; }
+
+  /// When something happens next.
+  Real next_event() const { return s_.queue.times.time(s_.queue.times.first()); }
   EventCounts& counts() { return s_.counts; }
   EventCounts const& counts() const { return s_.counts; }
 
@@ -74,8 +82,8 @@ class EventSystem {
   void tell_contacts(std::int64_t step, std::int64_t list_step, Sampling const& sampling,
                      OpenWindows& windows) {
     s_.log.tell(
-        s_.time(step - list_step), [&](Real t) { return list_step + s_.step_at(t); }, sampling,
-        windows);
+        s_.times.time(step - list_step), [&](Real t) { return list_step + s_.times.step_at(t); },
+        sampling, windows);
   }
 
   /// All that touch at a time that has been reached, i < j.
@@ -89,6 +97,9 @@ class EventSystem {
   }
 
   void predict(std::uint32_t slot);
+  std::vector<std::uint32_t> forget_ended_contacts(Real time);
+  template <class OfContact, class OfCluster>
+  void for_each_under_way(Real time, OfContact const& of_contact, OfCluster const& of_cluster);
   void build(std::vector<Vec2<Real>> position, ShearedBox const& box);
 
   EventState<Rotates> s_;

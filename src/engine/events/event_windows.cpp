@@ -5,9 +5,30 @@
 
 namespace bagnold::events {
 
+namespace {
+
+/// Calls visit(i, the image of j) for all that touch at a time that has been reached, i < j.
+template <bool Rotates, class Visit>
+void for_each_touch(EventDisks<Rotates> const& disks, Real time, Visit const& visit) {
+  for (std::uint32_t i = 0; i < disks.count(); ++i) {
+    Path const& p = disks.path[i];
+    if (p.manner == Manner::contact && p.straight > time) {
+      if (auto const& c = disks.contacts[disks.touching[i]]; c.i == i) visit(i, c.other);
+    } else if (p.manner == Manner::cluster) {
+      auto const& cluster = disks.clusters[disks.touching[i]];
+      for (auto const& link : cluster.links)
+        if (cluster.members[link.a].disk == i) visit(i, link.other);
+    }
+  }
+}
+
+}  // namespace
+
 template <bool Rotates>
 void EventWindows<Rotates>::begin(Real* columns, Real time) {
   s_.sums.begin(columns, time);
+  s_.sums.speeds().clear();
+  s_.sums.speeds().add(0, s_.times.speed());
   add_ahead(time, 1);
 }
 
@@ -21,6 +42,18 @@ void EventWindows<Rotates>::end(Real time) {
     } else if (auto const& cluster = disks.clusters[disks.touching[i]]; cluster.slot() == i) {
       s_.sums.step(cluster, std::min(time, cluster.end()));
     }
+  }
+  s_.sums.close();
+}
+
+template <bool Rotates>
+void EventWindows<Rotates>::recall_rates(std::int64_t begun, std::int64_t step) {
+  auto& speeds = s_.sums.speeds();
+  speeds.clear();
+  for (auto from = begun; from <= step;) {
+    auto const stretch = s_.times.rates().at(from);
+    speeds.add(s_.times.between(begun, from), stretch.rate / s_.times.unit_rate());
+    from = stretch.end;
   }
 }
 
@@ -37,19 +70,28 @@ void EventWindows<Rotates>::add_ahead(Real time, Real sign) {
 }
 
 template <bool Rotates>
-std::vector<std::pair<std::uint32_t, std::uint32_t>> who_touches(EventDisks<Rotates> const& disks,
-                                                                 Real time) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> all;
-  for (std::uint32_t i = 0; i < disks.count(); ++i) {
-    Path const& p = disks.path[i];
-    if (p.manner == Manner::contact && p.straight > time) {
-      if (auto const& c = disks.contacts[disks.touching[i]]; c.i == i) all.push_back({i, c.j()});
-    } else if (p.manner == Manner::cluster) {
-      auto const& cluster = disks.clusters[disks.touching[i]];
-      for (auto const& link : cluster.links)
-        if (cluster.members[link.a].disk == i) all.push_back({i, link.other.index()});
+std::vector<TouchingPair<Rotates>> touching_pairs(EventState<Rotates> const& state, Real time) {
+  auto const& disks = state.disks;
+  std::vector<TouchingPair<Rotates>> all;
+  auto const add = [&](std::uint32_t i, Neighbor n) {
+    auto const j = n.index();
+    auto const motion = pair_motion(disks.at(i, time), disks.image(disks.at(j, time), n, time));
+    Real spin = 0;
+    if constexpr (Rotates) {
+      auto const& d = disks.material.table.diameter;
+      Real const a = d[disks.path[i].species], b = d[disks.path[j].species];
+      spin = (a * motion.spin_i + b * motion.spin_j) / (a + b);
     }
-  }
+    all.push_back({i, j, motion, spin});
+  };
+  for_each_touch(disks, time, add);
+  return all;
+}
+
+template <bool Rotates>
+TouchingPairs who_touches(EventDisks<Rotates> const& disks, Real time) {
+  TouchingPairs all;
+  for_each_touch(disks, time, [&](std::uint32_t i, Neighbor n) { all.push_back({i, n.index()}); });
   return all;
 }
 
@@ -57,5 +99,7 @@ template class EventWindows<false>;
 template class EventWindows<true>;
 template TouchingPairs who_touches(EventDisks<false> const&, Real);
 template TouchingPairs who_touches(EventDisks<true> const&, Real);
+template std::vector<TouchingPair<false>> touching_pairs(EventState<false> const&, Real);
+template std::vector<TouchingPair<true>> touching_pairs(EventState<true> const&, Real);
 
 }  // namespace bagnold::events

@@ -16,8 +16,15 @@ class EventWindows {
 
   /// A window begins: all from then on is added to these columns.
   void begin(Real* columns, Real time);
-  /// It goes on in these.
+  /// It goes on in these. begun: when it began.
   void resume(Real* columns, Real begun) { s_.sums.begin(columns, begun); }
+
+  /// The window under way began at a step of the run: what rates it has had up to another one.
+  void recall_rates(std::int64_t begun, std::int64_t step);
+  /// At that step it has the present rate.
+  void add_rate(std::int64_t begun, std::int64_t step) {
+    s_.sums.speeds().add(s_.times.between(begun, step), s_.times.speed());
+  }
   /// It ends: all before that is in it, and nothing of what lies ahead.
   void end(Real time);
 
@@ -32,7 +39,19 @@ extern template class EventWindows<true>;
 
 using TouchingPairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-/// All that touch at a time that has been reached, i < j.
+/// A contact at a time, i < j.
+template <bool Rotates>
+struct TouchingPair {
+  std::uint32_t i, j;
+  PairMotion<Rotates> motion;
+  Real spin;  ///< see contact_velocities
+};
+
+/// All that touch at a time that has been reached, i < j, with their motion.
+template <bool Rotates>
+std::vector<TouchingPair<Rotates>> touching_pairs(EventState<Rotates> const& state, Real time);
+
+/// The same without it.
 template <bool Rotates>
 TouchingPairs who_touches(EventDisks<Rotates> const& disks, Real time);
 

@@ -16,10 +16,9 @@ void Gathering<Rotates>::take_in(std::uint32_t disk, Real time) {
 template <bool Rotates>
 void Gathering<Rotates>::take_contact(std::uint32_t k, Real time) {
   auto const& contact = s_.disks.contacts[k];
-  s_.sums.contact(contact, time, -1);
-  s_.log.cut(contact.number);
-  group.disks.push_back({contact.i, s_.disks.first_of(contact, time)});
-  group.disks.push_back({contact.j(), s_.disks.second_of(contact, time)});
+  auto const [first, second] = cut_short(s_, contact, time);
+  group.disks.push_back({contact.i, first});
+  group.disks.push_back({contact.j(), second});
   group.touches.push_back({contact.i, contact.other, contact.touched});
 }
 

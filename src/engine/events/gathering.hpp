@@ -1,10 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <utility>
+
 #include "src/engine/events/event_state.hpp"
 #include "src/engine/events/touching_group.hpp"
 
 namespace bagnold::events {
+
+/// Cuts a contact of two short at a time: both disks as they are there.
+template <bool Rotates>
+std::pair<DiskMotion<Rotates>, DiskMotion<Rotates>> cut_short(EventState<Rotates>& state,
+                                                              LoneContact<Rotates> const& contact,
+                                                              Real time) {
+  state.sums.contact(contact, time, -1);
+  state.log.cut(contact.number);
+  return {state.disks.first_of(contact, time), state.disks.second_of(contact, time)};
+}
 
 /// Takes disks out of what they do at a time, into a group: what was added up for later is taken
 /// back.

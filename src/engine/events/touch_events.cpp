@@ -53,19 +53,26 @@ std::uint32_t TouchEvents<Rotates>::add_contact(Moving const& a, Moving const& b
   auto& contact = s_.disks.contacts[k];
   contact.i = touch.i;
   contact.other = touch.other;
-  contact.fresh = contact.binary = fresh;
-  contact.begun = time;
+  contact.binary = fresh;
   contact.touched = touch.touched;
   contact.paths = 0;
+  solve(contact, a, b, fresh, time);
+  return k;
+}
+
+template <bool Rotates>
+void TouchEvents<Rotates>::solve(LoneContact<Rotates>& contact, Moving const& a, Moving const& b,
+                                 bool fresh, Real time) {
+  contact.fresh = fresh;
+  contact.begun = time;
   auto const& c = s_.disks.contact_class(contact);
-  auto const image = s_.disks.image(b, touch.other, time);
+  auto const image = s_.disks.image(b, contact.other, time);
   contact.start = pair_motion(a, image);
   contact.centre = c.centre(a, image);
   contact.solve(c);
   s_.sums.contact(contact, time, 1);
   expect_end(contact);
-  s_.check_overlap(touch.i, contact.closed.largest_overlap() * c.inverse_distance);
-  return k;
+  s_.check_overlap(contact.i, contact.closed.largest_overlap() * c.inverse_distance);
 }
 
 /// New paths for all of a group, by what hangs together in it, and what happens to them next.

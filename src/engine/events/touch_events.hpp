@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 #include "src/engine/events/gathering.hpp"
 
 namespace bagnold::events {
@@ -28,6 +30,10 @@ class TouchEvents {
   std::uint32_t add_contact(Moving const& a, Moving const& b, Touch const& touch, bool fresh,
                             Real time);
   void plan(std::uint32_t k);
+
+  /// Closed form of a contact of two from a time on, at which both disks are known.
+  void solve(LoneContact<Rotates>& contact, Moving const& a, Moving const& b, bool fresh,
+             Real time);
 
   /// Tells the log when a contact will end.
   void expect_end(LoneContact<Rotates>& contact);
