@@ -53,7 +53,7 @@ def frame_of(run, frames, number, strain, sigma):
 def main():
     folder = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else "results/band")
     if not (folder / "summary.json").exists():
-        program = bagnold.find_program()
+        program = ROOT / "build/openmp/bagnold"
         subprocess.run([program, "run", ROOT / "inputs/band.toml", "--out", folder], check=True)
     run = bagnold.load(folder)
     strain, sigma = run.series["strain"], np.abs(run.series["sigma"])
