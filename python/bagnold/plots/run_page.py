@@ -15,6 +15,7 @@ from .labels import (add_heading, log_ticks, plain_ticks, power_of_ten, scale_of
 from .style import BLUE, COLOURS, DASHED, DOTTED, GREEN, GREY, ORANGE, SKY, VERMILION, plt
 from ..errors import InputError
 from ..hdf5 import open_hdf5
+from ..observables import rounded
 
 from matplotlib.collections import EllipseCollection, LineCollection
 from matplotlib.lines import Line2D
@@ -117,21 +118,13 @@ def read_state(path):
         return None
 
 
-def rounded(mean, error):
-    """3.14(2)e-05: the digits in brackets are the standard error of the last ones, two of them
-    where the first is a 1."""
-    if not np.isfinite(mean):
-        return "undefined"
+def as_formula(mean, error):
+    """``rounded`` with its power of ten as a formula."""
     if not (np.isfinite(error) and 0 < error < abs(mean)):
-        return short_power(float(f"{mean:.3g}"))
-    place = int(np.floor(np.log10(error)))
-    place -= round(error / 10.0 ** (place - 1)) < 20
-    power = int(np.floor(np.log10(abs(mean))))
-    power = 0 if -3 <= power <= 3 and place <= 0 else power
-    digits = max(0, power - place)
-    last = round(error / 10.0**power * 10**digits)
-    exponent = f"\\times 10^{{{power}}}" if power else ""
-    return f"${mean / 10.0**power:.{digits}f}({last}){exponent}$"
+        return short_power(float(f"{mean:.3g}")) if np.isfinite(mean) else "undefined"
+    digits, _, power = rounded(mean, error).partition("e")
+    exponent = f"\\times 10^{{{int(power)}}}" if power else ""
+    return f"${digits}{exponent}$"
 
 
 # ---------------------------------------------------------------------------------------- series
@@ -148,7 +141,7 @@ def smooth(values, width):
 
 def draw_series(axes, run, name, colour, label):
     """Windows as a line (many: pale, with a running mean), the mean of the measured ones dashed."""
-    label = f"{label} = {rounded(*run.mean(name))}"
+    label = f"{label} = {as_formula(*run.mean(name))}"
     windows = len(run.strain)
     for one in run.replicas_of(name):
         pale = smooth(one, windows // 100) if windows >= MANY_WINDOWS else one
