@@ -6,7 +6,6 @@
 #include <iostream>
 
 #include "kernels/physics/laws/contact.hpp"
-#include "kernels/physics/laws/dense_flow.hpp"
 #include "kernels/physics/laws/paper_time_step.hpp"
 #include "src/config/scene_file.hpp"
 #include "src/engine/register_drive.hpp"
@@ -28,7 +27,6 @@ struct CDt {
 
   Real normal_damping() const { return 0; }
   Real tangential_damping() const { return damping; }
-  Real dense_flow_rate() const { return bagnold::dense_flow::rolling * damping; }
   static Real paper_time_step(Real elasticity) { return bagnold::time_step_of_p1(elasticity); }
   static CDt make(bagnold::DampingInput const& input) { return {1 / input.elasticity}; }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "src/config/laws.hpp"
 #include "src/run/paper_values.hpp"
 #include "src/run/protocols/ramp/hysteresis.hpp"
 #include "src/run/rounded.hpp"
@@ -24,7 +25,7 @@ std::string with_error(statistics::Estimate const& estimate) {
 }
 
 /// True for the observables of the short table. B is constant in Bagnold's rheology. eta is
-/// constant in Newton's, which CD_n does not have.
+/// constant in Newton's, which damping along the normal alone does not have.
 bool is_short(Scene const& scene, std::string_view name) {
   constexpr std::string_view always[] = {"p",
                                          "sigma",
@@ -39,7 +40,8 @@ bool is_short(Scene const& scene, std::string_view name) {
                                          "band_fraction_gammadot"};
   if (std::ranges::count(always, name) > 0) return true;
   if (scene.shear.target_error.contains(std::string(name))) return true;
-  return (name == "eta_p" || name == "eta_sigma") && scene.disks.model != "CD_n";
+  return (name == "eta_p" || name == "eta_sigma") &&
+         law_of(scene.disks).constants(scene.disks).tangential > 0;
 }
 
 /// Shear stress up and down, every few rates.

@@ -14,7 +14,7 @@ template <ContactLaw Law>
 LawConstants constants(Scene::Disks const& disks) {
   if constexpr (Law::linear) {
     Law const law = Law::make(damping_input(disks));
-    return {law.normal_damping(), law.tangential_damping(), law.dense_flow_rate()};
+    return {law.normal_damping(), law.tangential_damping()};
   } else {
     return static_cast<void>(disks), LawConstants{};
   }

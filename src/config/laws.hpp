@@ -12,7 +12,6 @@ namespace bagnold {
 struct LawConstants {
   double normal = 0;
   double tangential = 0;
-  double dense_flow = 0;  ///< fastest relaxation of a dense flow
 };
 
 /// Facts on a contact law for reading and checking a scene; facts_of.hpp takes them from the type.

@@ -28,7 +28,7 @@ double largest_stable_time_step(Scene const& scene, std::string_view scheme);
 /// Time step up to which the damping of a dense flow was not seen to grow, [tau_e]; measured.
 ///
 /// The contacts of a steady state of CD_rot at phi = 0.82 (Z = 3.5), held as they are, relax at
-/// rates up to that of the law (kernels/physics/laws/dense_flow.hpp), m of small disks. The elastic
+/// rates up to that of ContactRates::dense_flow, m of small disks. The elastic
 /// force is left out. At larger steps some contacts of such a flow grow; at phi = 0.84 the limit is
 /// 4% lower.
 double dense_flow_time_step(Scene const& scene, std::string_view scheme);

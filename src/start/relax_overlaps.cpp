@@ -14,6 +14,7 @@
 #include "kernels/physics/drives/stokes_drag.hpp"
 #include "kernels/physics/laws/cd_n.hpp"
 #include "src/config/errors.hpp"
+#include "src/config/names.hpp"
 #include "src/config/scene.hpp"
 #include "src/config/skin.hpp"
 #include "src/engine/backends.hpp"
@@ -126,7 +127,8 @@ Relaxation push_apart_on(State& state, double overlap, std::int64_t iterations, 
 Scene relaxing_scene(State const& state, double skin) {
   constexpr double keep = 0.985;  // share of the velocity kept: waves as long as the box die out
   Scene scene;
-  scene.disks.model = CDn::name;
+  auto const built = model_names();  // CD_n may be missing in a developer's build (BAGNOLD_LAWS)
+  scene.disks.model = std::ranges::count(built, CDn::name) > 0 ? CDn::name : built.front();
   scene.disks.count = static_cast<std::int64_t>(state.count());
   scene.disks.elasticity = 1e6;
   scene.disks.mass = "equal";
@@ -164,13 +166,13 @@ Relaxation push_apart(State& state, double overlap, std::int64_t iterations, dou
 /// that of some iterations before.
 bool relax_in_blocks(State& state, Relaxation& relaxed, double overlap, std::int64_t iterations,
                      double skin, std::function<bool()> const& go_on) try {
+  Scene const scene = relaxing_scene(state, skin);
   State resting = state;
   resting.velocity.assign(state.count(), {0.0, 0.0});
-  resting.spin.clear();
+  resting.spin.assign(scene.rotates() ? state.count() : 0, 0.0);
   std::string const backend =
       worth_threads(state) ? std::string(backend_name<Host>) : backend_names().front();
-  auto const simulation =
-      make_simulation(relaxing_scene(state, skin), first_snapshot(std::move(resting)), backend);
+  auto const simulation = make_simulation(scene, first_snapshot(std::move(resting)), backend);
   OpenWindows windows;
   while (relaxed.largest_overlap > overlap && relaxed.iterations < iterations) {
     auto const next =

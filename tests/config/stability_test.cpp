@@ -12,6 +12,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "src/config/contact_rates.hpp"
 #include "src/config/time_step.hpp"
 #include "tests/config/scenes.hpp"
 #include "tests/support/schemes.hpp"
@@ -220,6 +221,25 @@ TEST(LargestStableTimeStep, HoldsForASevenDiskFlower) {
 }
 
 /// A packing stepped by the schemes themselves: docs/data/accuracy/stability_packing.csv.
+/// docs/stability.md: 18.8, 8.0 and 5.3 k_d/m; what CD_nt adds beyond its k_t is along the
+/// normal.
+TEST(ContactRates, OfDenseFlowsAreTheMeasuredOnes) {
+  auto const rate = [](std::string const& model, double k_n, double k_t) {
+    Scene scene = minimal_scene();
+    scene.disks.model = model;
+    scene.disks.elasticity = 2;
+    scene.disks.damping_normal = 2 * k_n;
+    scene.disks.damping_tangential = 2 * k_t;
+    return ContactRates(scene).dense_flow;
+  };
+  EXPECT_DOUBLE_EQ(rate("CD", 0.5, 0.5), 4.0);
+  EXPECT_DOUBLE_EQ(rate("CD_n", 0.5, 0.5), 2.65);
+  EXPECT_DOUBLE_EQ(rate("CD_rot", 0.5, 0.5), 9.4);
+  EXPECT_DOUBLE_EQ(rate("CD_nt", 0.5, 0.5), 9.4);
+  EXPECT_DOUBLE_EQ(rate("CD_nt", 0.5, 0.0), 2.65);
+  EXPECT_DOUBLE_EQ(rate("CD_nt", 0.3, 0.5), 9.4);
+}
+
 TEST(DenseFlowTimeStep, IsTheMeasuredOne) {
   std::ifstream file(source_folder / "docs/data/accuracy/stability_packing.csv");
   int rows = 0;

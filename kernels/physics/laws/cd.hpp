@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "kernels/physics/laws/contact.hpp"
-#include "kernels/physics/laws/dense_flow.hpp"
+#include "kernels/physics/laws/linear_damping.hpp"
 #include "kernels/physics/laws/paper_time_step.hpp"
 
 namespace bagnold {
@@ -11,25 +10,12 @@ namespace bagnold {
 ///
 ///     f_dis = -k_d (v_i - v_j)                PRE 95, 052903 (2017), Eq. (3)
 ///
-/// Force on i from j, [m d_s / tau_e^2]. The force is not central: its stress is not symmetric.
-struct CD {
+/// The force is not central: its stress is not symmetric.
+struct CD : LinearDamping<true, false> {
   static constexpr std::string_view name = "CD";
-  static constexpr bool rotates = false;  ///< translation does not feel the rotation
-  static constexpr bool linear = true;
-  static constexpr bool one_constant = true;  ///< k_t = k_n
-  static constexpr bool separate_constants = false;
-  Real damping;  ///< k_d, [m / tau_e]; 1/Q in reduced units
 
-  Real normal_damping() const { return damping; }
-  Real tangential_damping() const { return damping; }
-  Real dense_flow_rate() const { return dense_flow::sliding * damping; }
   static Real paper_time_step(Real elasticity) { return time_step_of_p2(elasticity); }
   static CD make(DampingInput const& input) { return {1 / input.elasticity}; }
-
-  template <class T>
-  KOKKOS_FUNCTION Vec2<T> dissipative_force(Contact<T> const& c) const {
-    return T(-damping) * c.velocity;
-  }
 };
 static_assert(is_contact_law<CD>());
 

@@ -74,7 +74,6 @@ concept HasConstants = requires(Law const law) {
   { law.normal_damping() } -> std::same_as<Real>;      // k_n, [m / tau_e]
   { law.tangential_damping() } -> std::same_as<Real>;  // k_t, [m / tau_e]
   { Law::one_constant } -> std::convertible_to<bool>;  // k_t is k_n, or 0, whatever the parameters
-  { law.dense_flow_rate() } -> std::same_as<Real>;     // laws/dense_flow.hpp, [m / tau_e]
 };
 
 }  // namespace law
@@ -120,8 +119,8 @@ constexpr bool is_contact_law() {
   if constexpr (law::SaysWhetherItIsLinear<Law>)
     static_assert(
         !Law::linear || law::HasConstants<Law>,
-        "a law linear in the velocity has normal_damping(), tangential_damping() and "
-        "dense_flow_rate(), all Real and const, and `static constexpr bool one_constant`");
+        "a law linear in the velocity has normal_damping() and tangential_damping(), both Real "
+        "and const, and `static constexpr bool one_constant`");
   return true;
 }
 

@@ -4,7 +4,7 @@
 #include <concepts>
 #include <tuple>
 
-#include "kernels/physics/laws/cd_n.hpp"
+#include "kernels/physics/laws/archetype.hpp"
 #include "kernels/physics/schemes/implicit_damping.hpp"
 #include "kernels/physics/schemes/modified_velocity_verlet.hpp"
 #include "kernels/physics/schemes/two_stage_leapfrog.hpp"
@@ -20,8 +20,8 @@ concept SteppingScheme = (PredictCorrectScheme<S> || TwoStageScheme<S> ||
   { S::largest_rate } -> std::convertible_to<Real>;       // of damping that does not grow, times dt
   { S::largest_frequency } -> std::convertible_to<Real>;  // without damping, times dt
   { S::step(q, contact, dt) } -> std::same_as<RelativeMotion>;
-  { S::template can_step<CDn> } -> std::convertible_to<bool>;
-  { S::template time_step<CDn>(DampingInput{}) } -> std::convertible_to<Real>;  // its rule, [tau_e]
+  { S::template can_step<ArchetypeLaw> } -> std::convertible_to<bool>;
+  { S::template time_step<ArchetypeLaw>(DampingInput{}) } -> std::convertible_to<Real>;  // [tau_e]
 };
 
 /// All schemes.

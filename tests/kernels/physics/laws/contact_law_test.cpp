@@ -78,7 +78,6 @@ struct LinearButSilentOnOneConstant : LinearWithoutConstants {
   static LinearButSilentOnOneConstant make(DampingInput const&) { return {}; }
   Real normal_damping() const { return damping; }
   Real tangential_damping() const { return 2 * damping; }
-  Real dense_flow_rate() const { return damping; }
 };
 struct LinearWithTwoConstants : LinearButSilentOnOneConstant {
   static constexpr bool one_constant = false;
@@ -104,17 +103,6 @@ TEST(Laws, AreMadeFromTheInput) {
     double const expected = std::is_same_v<Law, CDn> ? 0 : Law::separate_constants ? 0.75 : 0.25;
     EXPECT_EQ(law.tangential_damping(), expected) << Law::name;
   });
-}
-
-/// docs/stability.md: 18.8, 8.0 and 5.3 k_d/m; what CD_nt adds beyond its k_t is along the
-/// normal.
-TEST(Laws, RelaxInDenseFlowsAtTheMeasuredRates) {
-  EXPECT_DOUBLE_EQ(CD{0.5}.dense_flow_rate(), 4.0);
-  EXPECT_DOUBLE_EQ(CDn{0.5}.dense_flow_rate(), 2.65);
-  EXPECT_DOUBLE_EQ(CDrot{0.5}.dense_flow_rate(), 9.4);
-  EXPECT_DOUBLE_EQ((CDnt{0.5, 0.5}.dense_flow_rate()), 9.4);
-  EXPECT_DOUBLE_EQ((CDnt{0.5, 0.0}.dense_flow_rate()), 2.65);
-  EXPECT_DOUBLE_EQ((CDnt{0.3, 0.5}.dense_flow_rate()), 9.4);
 }
 
 /// The stiffness is the slope of the force: k_e = 1, d_ij = 1.
