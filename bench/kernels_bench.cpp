@@ -4,6 +4,7 @@
 #include "kernels/device/dynamics/predict_correct.hpp"
 #include "kernels/device/neighbors/verlet_list.hpp"
 #include "kernels/physics/laws/laws.hpp"
+#include "kernels/physics/repulsion/repulsion.hpp"
 #include "kernels/physics/schemes/modified_velocity_verlet.hpp"
 #include "src/config/skin.hpp"
 #include "src/engine/device_copy.hpp"

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "src/cli/options.hpp"
+#include "src/config/abilities.hpp"
 #include "src/config/cascade.hpp"
-#include "src/config/events.hpp"
 #include "src/config/quasi_static.hpp"
 #include "src/config/run_time.hpp"
 #include "src/config/scene_file.hpp"

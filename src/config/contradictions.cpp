@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "src/config/events.hpp"
+#include "src/config/abilities.hpp"
 #include "src/config/names.hpp"
 #include "src/config/quasi_static.hpp"
 #include "src/config/shown.hpp"
@@ -156,40 +156,21 @@ void look_at_drive(Scene const& scene, Refusals const& refuse) {
            fmt::format("drive.temperature is not used by drive.kind = \"{}\"; leave it out or set "
                        "drive.kind = {}",
                        drive.kind, choice(thermal_drives())));
-  for (std::string_view const straight : {"few-contacts", "lookahead"})
-    if (scene.integration.engine == straight)
-      refuse({"drive.kind", "integration.engine"},
-             fmt::format("integration.engine = \"{}\" (needs disks that fly straight between "
-                         "contacts, which drive.kind = \"{}\" does not leave); set "
-                         "integration.engine = \"auto\"",
-                         straight, drive.kind));
 }
 
-/// Refuses what an implicit scheme cannot do: it steps all disks at all times, and has no drives.
+/// Refuses drives beside an implicit scheme, whose equation has none.
 void look_at_scheme(Scene const& scene, Refusals const& refuse) {
-  if (!is_implicit(scene.integration.scheme)) return;
-  auto const& integration = scene.integration;
-  for (std::string_view const straight : {"few-contacts", "lookahead"})
-    if (integration.engine == straight)
-      refuse({"integration.scheme", "integration.engine"},
-             fmt::format("integration.engine = \"{}\" (steps the disks that touch alone, where "
-                         "integration.scheme = \"{}\" solves for all together); set "
-                         "integration.engine = \"auto\"",
-                         straight, integration.scheme));
-  if (scene.driven())
+  auto const& scheme = scene.integration.scheme;
+  if (is_implicit(scheme) && scene.driven())
     refuse({"integration.scheme", "drive.kind"},
            fmt::format("drive.kind = \"{}\" (is not a part of what integration.scheme = \"{}\" "
                        "solves); set integration.scheme = \"auto\"",
-                       scene.drive.kind, integration.scheme));
+                       scene.drive.kind, scheme));
 }
 
-void look_at_quasi_static(Scene const& scene, Refusals const& refuse) {
-  for (auto const& [keys, message] : not_quasi_static(scene)) refuse(keys, message);
+void look_at_engine(Scene const& scene, Refusals const& refuse) {
+  for (auto const& [keys, message] : why_not(scene)) refuse(keys, message);
   for (auto const& [keys, message] : misused_quasi_static(scene)) refuse(keys, message);
-}
-
-void look_at_events(Scene const& scene, Refusals const& refuse) {
-  for (auto const& [keys, message] : not_events(scene)) refuse(keys, message);
 }
 
 }  // namespace
@@ -199,8 +180,7 @@ void find_contradictions(Scene const& scene, std::string const& origin, Mistakes
   look_at_others(scene, refuse);
   look_at_drive(scene, refuse);
   look_at_scheme(scene, refuse);
-  look_at_quasi_static(scene, refuse);
-  look_at_events(scene, refuse);
+  look_at_engine(scene, refuse);
   if (!mistakes.about("shear.protocol")) look_at_protocol(scene, refuse);
 }
 

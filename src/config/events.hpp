@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <string_view>
-#include <vector>
-
-#include "src/config/refusal.hpp"
 #include "src/config/scene.hpp"
 
 /// Contacts as events: an engine with its own scheme, for dilute flows.
@@ -23,14 +19,7 @@ inline constexpr double event_time_unit = 0.2;
 bool has_events(Scene const& scene);
 bool is_adaptive(Scene const& scene);
 
-/// True if the scheme belongs to one engine, which needs no time step to be stable.
-bool is_scheme_of_an_engine(std::string_view scheme);
-
 /// Smallest Q at which every contact of two disks alone is underdamped, so that it ends.
 double least_underdamped_elasticity(Scene const& scene);
-
-/// Refusals of a scene with events, alone or in turns with steps of all disks, that events cannot
-/// run, and of their scheme in scenes of other engines.
-std::vector<Refusal> not_events(Scene const& scene);
 
 }  // namespace bagnold

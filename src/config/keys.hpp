@@ -6,9 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "src/config/events.hpp"
 #include "src/config/names.hpp"
-#include "src/config/quasi_static.hpp"
 #include "src/config/scene.hpp"
 
 namespace bagnold {
@@ -173,17 +171,11 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
             optional, 0, 0, false, scheme_words()},
         integration.scheme);
   visit(
-      Key{"integration.engine",
-          "",
+      Key{"integration.engine", "",
           "how the scheme is computed, none changes the physics; \"quasi-static\": by long steps, "
           "for flows that creep; \"events\": contacts in closed form, for dilute flows; "
           "\"adaptive\": these or steps of all disks, by turns",
-          optional,
-          0,
-          0,
-          false,
-          {"auto", "reference", "few-contacts", "many-contacts", "lookahead", quasi_static_engine,
-           event_engine, adaptive_engine}},
+          optional, 0, 0, false, engine_words()},
       integration.engine);
   visit(Key{"integration.time_step",
             "tau_e",

@@ -10,10 +10,9 @@
 #include "kernels/physics/repulsion/repulsion.hpp"
 #include "kernels/physics/schemes/schemes.hpp"
 #include "kernels/physics/type_list.hpp"
+#include "src/config/abilities.hpp"
 #include "src/config/drives.hpp"
-#include "src/config/events.hpp"
 #include "src/config/laws.hpp"
-#include "src/config/quasi_static.hpp"
 #include "src/config/schemes.hpp"
 
 namespace bagnold {
@@ -79,8 +78,14 @@ bool is_implicit(std::string_view scheme) {
 Names scheme_words() {
   Names words = names_of<Schemes>();
   words.insert(words.begin(), automatic);
-  words.push_back(backward_euler);
-  words.push_back(exact_contacts);
+  for (auto const& engine : all_engines())
+    if (engine.own_scheme) words.push_back(engine.scheme);
+  return words;
+}
+
+Names engine_words() {
+  Names words;
+  for (auto const& one : all_engines()) words.push_back(one.engine);
   return words;
 }
 

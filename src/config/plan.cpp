@@ -8,9 +8,8 @@
 #include <cmath>
 
 #include "kernels/physics/species.hpp"
+#include "src/config/abilities.hpp"
 #include "src/config/errors.hpp"
-#include "src/config/events.hpp"
-#include "src/config/quasi_static.hpp"
 #include "src/config/skin.hpp"
 #include "src/config/stability.hpp"
 #include "src/config/step_counts.hpp"
@@ -75,7 +74,7 @@ void refuse_many_windows(double windows, std::string const& key, double value, d
 
 /// Whether the engine adds up all contacts, and looks at no single configuration.
 bool knows_all_contacts(Scene const& scene) {
-  return is_quasi_static(scene) || (has_events(scene) && !scene.measure.correlations);
+  return abilities_of(scene).own_scheme && !scene.measure.correlations;
 }
 
 Plan plan_of_ramp(Scene const& scene) {

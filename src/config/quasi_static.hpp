@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <initializer_list>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "src/config/refusal.hpp"
@@ -23,11 +20,8 @@ bool is_quasi_static(Scene const& scene);
 /// "auto" time step of the quasi-static engine, a strain of 1e-3, [tau_e].
 double quasi_static_time_step(Scene const& scene);
 
-/// Refusals of a scene that asks for the quasi-static engine and that the engine cannot run.
-std::vector<Refusal> not_quasi_static(Scene const& scene);
-
 /// Refusals of scenes that other engines run better (docs/accuracy.md, "Quasi-static steps"), and
-/// of keys of this engine in scenes of others.
+/// of its long steps in scenes of others.
 std::vector<Refusal> misused_quasi_static(Scene const& scene);
 
 }  // namespace bagnold

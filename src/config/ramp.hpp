@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include "src/config/scene.hpp"
-
 namespace bagnold {
+
+struct Scene;
 
 /// The strain rate of a ramp over its steps, P2 Eqs. (38), (39):
 ///

@@ -7,15 +7,14 @@
 #include <cmath>
 #include <map>
 
+#include "src/config/abilities.hpp"
 #include "src/config/contradictions.hpp"
 #include "src/config/errors.hpp"
-#include "src/config/events.hpp"
 #include "src/config/keys.hpp"
 #include "src/config/meant_key.hpp"
 #include "src/config/mistakes.hpp"
 #include "src/config/names.hpp"
 #include "src/config/nearest_word.hpp"
-#include "src/config/quasi_static.hpp"
 #include "src/config/shown.hpp"
 #include "src/config/toml_table.hpp"
 #include "src/config/toml_text.hpp"
@@ -53,8 +52,7 @@ class Reader {
       mistakes_.add("", fmt::format("{}: {}; every scene must give {}", origin_,
                                     fmt::join(missing, ", "), missing.size() == 1 ? "it" : "them"));
     bool const has_scheme = table_.at_path("integration.scheme").node() != nullptr;
-    bool const has_own = is_quasi_static(scene) || has_events(scene);
-    if (has_own && !has_scheme) scene.integration.scheme = automatic;  // the engine's own
+    if (abilities_of(scene).own_scheme && !has_scheme) scene.integration.scheme = automatic;
     return scene;
   }
 

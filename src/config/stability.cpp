@@ -7,8 +7,8 @@
 
 #include "kernels/physics/schemes/schemes.hpp"
 #include "kernels/physics/type_list.hpp"
+#include "src/config/abilities.hpp"
 #include "src/config/contact_rates.hpp"
-#include "src/config/events.hpp"
 #include "src/config/time_step.hpp"
 
 namespace bagnold {

@@ -7,6 +7,7 @@
 
 #include "kernels/physics/drives/drive.hpp"
 #include "kernels/physics/schemes/schemes.hpp"
+#include "src/config/abilities.hpp"
 #include "src/config/events.hpp"
 #include "src/config/laws.hpp"
 #include "src/config/quasi_static.hpp"
@@ -29,8 +30,7 @@ double drag_rate(Scene const& scene) {
 }
 
 std::string_view scheme_of(Scene const& scene) {
-  if (is_quasi_static(scene)) return backward_euler;
-  if (has_events(scene)) return exact_contacts;
+  if (auto const& engine = abilities_of(scene); engine.own_scheme) return engine.scheme;
   auto const& given = scene.integration.scheme;
   return given == automatic ? DefaultScheme::name : std::string_view(given);
 }
@@ -78,9 +78,9 @@ bool damps_sliding(Scene::Disks const& disks) {
 }
 
 bool suits_implicit_damping(Scene const& scene) {
-  auto const& engine = scene.integration.engine;
+  auto const& engine = abilities_of(scene);
   return damps_sliding(scene.disks) && scene.integration.time_step.word != of_papers &&
-         (engine == "auto" || engine == "many-contacts" || engine == "reference") &&
+         engine.scheme.empty() && engine.implicit_schemes.empty() &&
          scene.shear.protocol != "ramp" && !scene.driven() && !scene.measure.contacts;
 }
 

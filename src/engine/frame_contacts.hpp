@@ -5,25 +5,27 @@
 #include <limits>
 
 #include "kernels/device/dynamics/contact_forces.hpp"
+#include "kernels/physics/repulsion/repulsion.hpp"
 #include "src/engine/device_copy.hpp"
 #include "src/engine/law_engines.hpp"
-#include "src/engine/laws.hpp"
 
 namespace bagnold::detail {
 
 /// LawEngines::contacts of one law.
 template <ContactLaw Law>
-FrameContacts frame_contacts(Scene const& scene, State const& state, HostSearch const& search) {
+FrameContacts frame_contacts(EngineInput const& input, State const& state,
+                             HostSearch const& search) {
   using Space = Kokkos::Serial;
-  return with_repulsion(scene.disks, [&]<class Repulsion>(Repulsion const& repulsion) {
-    auto const law = make_law<Law>(scene.disks);
+  return with_repulsion(input.physics.force_exponent, [&]<class Repulsion>(
+                                                          Repulsion const& repulsion) {
+    auto const law = Law::make(input.physics.damping);
     NeighborRows<Space> const none;
     ContactForces<Law, Repulsion, Space> const forces{
         search.position,
         to_device<Space>("measure::motion", motions<Law::rotates>(state)),
         search.species,
         make_neighbor_rows(Space{}, search, none),
-        make_species_table(scene.mass_by_area()),
+        input.species,
         search.box,
         law,
         repulsion};

@@ -14,7 +14,7 @@ NamedEntries<LawEngines>& engines() {
 
 }  // namespace
 
-LawEngines const& engines_for(Scene const& scene) { return *engines().find(scene.disks.model); }
+LawEngines const& engines_for(std::string_view model) { return *engines().find(model); }
 
 void add_engines(LawEngines const& added) { engines().add(added); }
 

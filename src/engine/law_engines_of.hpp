@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "src/config/skin.hpp"
 #include "src/engine/backends.hpp"
 #include "src/engine/blocks/make_stepper.hpp"
 #include "src/engine/compiled_once.hpp"
@@ -23,36 +22,34 @@ inline constexpr std::size_t sorted_from = 4096;
 /// Plan of launches. On a device 32 steps run without the host. Disks are ordered by place, except
 /// with contacts or drives, which use the order of the start.
 template <class Space>
-LaunchPlan launch_plan(Scene const& scene, Snapshot const& snapshot) {
+LaunchPlan launch_plan(EngineInput const& input, Snapshot const& snapshot) {
   return {is_device<Space> ? 32 : 1,
-          snapshot.state.count() > sorted_from && !scene.measure.contacts && !scene.driven()};
+          snapshot.state.count() > sorted_from && !input.contacts && !input.drive};
 }
 
 template <ContactLaw Law>
-std::unique_ptr<Simulation> make_reference(Scene const& scene, Snapshot const& snapshot,
-                                           std::optional<DriveSetup> const& drive,
+std::unique_ptr<Simulation> make_reference(EngineInput const& input, Snapshot const& snapshot,
                                            std::string const& backend) {
   using Made = std::unique_ptr<Simulation>;
-  return with_physics_of<Law>(scene, [&]<class R, class S>(Law const& law, R const&, S) {
+  return with_physics_of<Law>(input.physics, [&]<class R, class S>(Law const& law, R const&, S) {
     return on_backend<Made>(backend, [&]<class Space>(std::type_identity<Space>) -> Made {
       return std::make_unique<ReferenceEngine<Law, R, Space, S>>(
-          law, make_species_table(scene.mass_by_area()), strain_rates(scene), time_step(scene),
-          skin(scene), snapshot, make_device_drive<Law::rotates, Space>(drive),
-          launch_plan<Space>(scene, snapshot));
+          law, input.species, input.rates, input.time_step, input.skin, snapshot,
+          make_device_drive<Law::rotates, Space>(input.drive), launch_plan<Space>(input, snapshot));
     });
   });
 }
 
 template <ContactLaw Law>
-std::shared_ptr<Ensemble> make_ensemble(Scene const& scene, std::vector<Snapshot> const& snapshots,
+std::shared_ptr<Ensemble> make_ensemble(EngineInput const& input,
+                                        std::vector<Snapshot> const& snapshots,
                                         std::string const& backend) {
   using Made = std::shared_ptr<Ensemble>;
-  return with_physics_of<Law>(scene, [&]<class R, class S>(Law const& law, R const&, S) {
+  return with_physics_of<Law>(input.physics, [&]<class R, class S>(Law const& law, R const&, S) {
     return on_backend<Made>(backend, [&]<class Space>(std::type_identity<Space>) -> Made {
       if constexpr (is_device<Space>)
         return std::make_shared<EnsembleEngine<Law, R, Space, S>>(
-            law, make_species_table(scene.mass_by_area()), strain_rates(scene), time_step(scene),
-            skin(scene), snapshots);
+            law, input.species, input.rates, input.time_step, input.skin, snapshots);
       else
         return static_cast<void>(snapshots), nullptr;
     });

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "src/config/abilities.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/events.hpp"
 #include "src/config/quasi_static.hpp"
@@ -24,15 +25,29 @@ namespace bagnold {
 
 namespace {
 
-/// The engine of a scene on a backend; nullptr if the build has no such backend.
+/// Throws InputError where the engine of a scene cannot run it, or not on this backend.
+void require_able(Scene const& scene, std::string const& backend) {
+  auto const built = backend_names();
+  if (std::ranges::count(built, backend) == 0)
+    throw InputError(
+        fmt::format("--backend {}: not in this build (has: {})", backend, fmt::join(built, ", ")));
+  for (auto const& refusal : why_not(scene)) throw InputError(refusal.message);
+  auto const& able = abilities_of(scene);
+  if (is_device_backend(backend) && !able.devices.empty())
+    throw InputError(
+        fmt::format("--backend {} (integration.engine = \"{}\" {}); use --backend serial", backend,
+                    able.engine, able.devices));
+}
+
+/// The engine of a scene on a backend of this build.
 std::unique_ptr<Simulation> make_engine(Scene const& scene, Snapshot& snapshot,
                                         std::string const& backend) {
-  if (is_quasi_static(scene)) return make_quasi_static(scene, snapshot, backend);
-  if (has_events(scene)) return make_events(scene, snapshot, backend);
-  auto const drive = drive_setup(scene, snapshot.initial_time);
-  if (scene.integration.engine != "reference")
-    if (auto made = level_of(scene).make(scene, snapshot, drive, backend)) return made;
-  return engines_for(scene).reference(scene, snapshot, drive, backend);
+  if (is_quasi_static(scene)) return make_quasi_static(scene, snapshot);
+  if (has_events(scene)) return make_events(scene, snapshot);
+  auto const input = engine_input(scene, snapshot.initial_time);
+  if (input.engine != "reference")
+    if (auto made = level_of(scene).make(input, snapshot, backend)) return made;
+  return engines_for(input.model).reference(input, snapshot, backend);
 }
 
 template <class... Spaces>
@@ -43,10 +58,6 @@ bool is_any_device(std::tuple<Spaces...> const*, std::string const& backend) {
 template <class... Spaces>
 std::vector<std::string> names(std::tuple<Spaces...> const*) {
   return {std::string(backend_name<Spaces>)...};
-}
-
-bool is_one_of(std::vector<std::string> const& names, std::string const& name) {
-  return std::ranges::find(names, name) != names.end();
 }
 
 /// Engine of a scene whose scheme may change during the run.
@@ -61,8 +72,6 @@ std::unique_ptr<Simulation> make_choosing(Scene const& scene, std::int64_t lengt
 /// Engine of a scene in which events and steps of all disks take turns.
 std::unique_ptr<Simulation> make_adaptive(Scene const& scene, Snapshot&& snapshot,
                                           std::string const& backend) {
-  for (auto const& refusal : not_events(scene)) throw InputError(refusal.message);
-  require_host(backend, adaptive_engine, "needs the host");
   return std::make_unique<AdaptiveEngine>(
       scene, std::move(snapshot),
       [backend](Scene const& of, Snapshot&& from) { return make_engine(of, from, backend); });
@@ -71,10 +80,14 @@ std::unique_ptr<Simulation> make_adaptive(Scene const& scene, Snapshot&& snapsho
 /// Disks up to which a team, so one multiprocessor, should be as quick as launches for each step.
 constexpr std::int64_t most_disks_of_a_team = 1024;
 
+constexpr Abilities ensembles = {.engine = "auto",
+                                 .drives = "has none in systems that share launches",
+                                 .contacts = "follows none in systems that share launches"};
+
 /// True if members of an ensemble can run the scene.
 bool suits_ensembles(Scene const& scene) {
-  return scene.integration.engine != "reference" && !is_quasi_static(scene) && !has_events(scene) &&
-         !is_adaptive(scene) && !scene.measure.contacts && !scene.driven();
+  return scene.integration.engine != "reference" && abilities_of(scene).devices.empty() &&
+         why_not(scene, ensembles).empty();
 }
 
 }  // namespace
@@ -83,13 +96,6 @@ std::vector<std::string> backend_names() { return names(static_cast<Backends con
 
 bool is_device_backend(std::string const& backend) {
   return is_any_device(static_cast<Backends const*>(nullptr), backend);
-}
-
-void require_host(std::string const& backend, std::string_view engine, std::string_view why) {
-  if (is_device_backend(backend))
-    throw InputError(
-        fmt::format("--backend {} (integration.engine = \"{}\" {}); use --backend serial", backend,
-                    engine, why));
 }
 
 std::string why_no_start() {
@@ -109,19 +115,14 @@ std::unique_ptr<Simulation> make_simulation(Scene const& scene, Snapshot const& 
 std::unique_ptr<Simulation> make_simulation(Scene const& scene, Snapshot&& snapshot,
                                             std::string const& backend) {
   auto const chosen = backend.empty() ? backend_names().front() : backend;
+  require_able(scene, chosen);
   if (is_device_backend(chosen) && suits_ensembles(scene) &&
       static_cast<std::int64_t>(snapshot.state.count()) <= most_disks_of_a_team)
     return std::move(make_simulations(scene, {snapshot}, chosen).front());
   auto const length = implicit_step_length(scene);
-  if (length > 1 && is_one_of(backend_names(), chosen))
-    return make_choosing(scene, length, std::move(snapshot), chosen);
-  if (is_adaptive(scene) && is_one_of(backend_names(), chosen))
-    return make_adaptive(scene, std::move(snapshot), chosen);
-  auto made = make_engine(scene, snapshot, chosen);
-  if (!made)
-    throw InputError(fmt::format("--backend {}: not in this build (has: {})", backend,
-                                 fmt::join(backend_names(), ", ")));
-  return made;
+  if (length > 1) return make_choosing(scene, length, std::move(snapshot), chosen);
+  if (is_adaptive(scene)) return make_adaptive(scene, std::move(snapshot), chosen);
+  return make_engine(scene, snapshot, chosen);
 }
 
 bool steps_together(Scene const& scene, std::string const& backend) {
@@ -131,7 +132,8 @@ bool steps_together(Scene const& scene, std::string const& backend) {
 std::vector<std::unique_ptr<Simulation>> make_simulations(Scene const& scene,
                                                           std::vector<Snapshot> const& snapshots,
                                                           std::string const& backend) {
-  return members_of(engines_for(scene).ensemble(scene, snapshots, backend));
+  return members_of(
+      engines_for(scene.disks.model).ensemble(engine_input(scene), snapshots, backend));
 }
 
 }  // namespace bagnold

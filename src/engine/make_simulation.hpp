@@ -3,7 +3,6 @@
 
 #include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "src/config/scene.hpp"
@@ -21,9 +20,6 @@ std::unique_ptr<Simulation> make_simulation(Scene const& scene, Snapshot const& 
 
 /// True if a backend works in memory that the host cannot access.
 bool is_device_backend(std::string const& backend);
-
-/// Throws InputError if an engine of the host is asked for on a device. why: "needs the host".
-void require_host(std::string const& backend, std::string_view engine, std::string_view why);
 
 /// Reason why Kokkos cannot start on this machine, "" if it can. It starts all of its backends, so
 /// a build with CUDA needs a device, whichever backend is used.

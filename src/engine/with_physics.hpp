@@ -5,11 +5,12 @@
 
 #include <type_traits>
 
+#include "kernels/physics/repulsion/repulsion.hpp"
 #include "kernels/physics/schemes/schemes.hpp"
+#include "kernels/physics/type_list.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/names.hpp"
-#include "src/config/time_step.hpp"
-#include "src/engine/laws.hpp"
+#include "src/engine/engine_input.hpp"
 
 namespace bagnold {
 
@@ -23,25 +24,24 @@ Names schemes_for() {
   return names;
 }
 
-/// Calls use(law, repulsion, scheme) with the constants of a scene, for one law; scheme: a value of
-/// its type. Throws InputError if the scheme cannot step the law.
+/// Calls use(law, repulsion, scheme) with the constants of an input, for one law; scheme: a value
+/// of its type. Throws InputError if the scheme cannot step the law.
 template <ContactLaw Law, class Use>
-auto with_physics_of(Scene const& scene, Use const& use) {
-  auto const law = make_law<Law>(scene.disks);
+auto with_physics_of(PhysicsInput const& input, Use const& use) {
+  auto const law = Law::make(input.damping);
   auto const under = [&](auto scheme) {
-    return with_repulsion(scene.disks,
+    return with_repulsion(input.force_exponent,
                           [&](auto const& repulsion) { return use(law, repulsion, scheme); });
   };
   using Made = decltype(under(ModifiedVelocityVerlet{}));
-  return with_named<Schemes>(scheme_of(scene), [&]<class S>(std::type_identity<S>) -> Made {
+  return with_named<Schemes>(input.scheme, [&]<class S>(std::type_identity<S>) -> Made {
     if constexpr (S::template can_step<Law>)
       return under(S{});
     else
       throw InputError(fmt::format(
           "integration.scheme = \"{}\" ({} cannot do model {}, whose {}); set integration.scheme = "
           "{}",
-          scene.integration.scheme, S::name, Law::name, S::cannot_step,
-          choice(schemes_for<Law>())));
+          input.asked_scheme, S::name, Law::name, S::cannot_step, choice(schemes_for<Law>())));
   });
 }
 

@@ -10,11 +10,12 @@ namespace bagnold {
 
 std::vector<Sums<false>> disk_stress(Scene const& scene, State const& state) {
   auto const search = disk_search(state, 0.0);
-  if (!has_events(scene)) return engines_for(scene).disk_sums(scene, state, search);
+  auto const& engines = engines_for(scene.disks.model);
+  if (!has_events(scene)) return engines.disk_sums(engine_input(scene), state, search);
   Scene instant = scene;  // no step: the forces of the state alone
   instant.integration.scheme = ModifiedVelocityVerlet::name;
   instant.integration.engine = "auto";
-  return engines_for(scene).disk_sums(instant, state, search);
+  return engines.disk_sums(engine_input(instant), state, search);
 }
 
 }  // namespace bagnold

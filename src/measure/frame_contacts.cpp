@@ -8,7 +8,8 @@ namespace bagnold {
 
 FrameContacts frame_contacts(Scene const& scene, Frame const& frame, ContactRecord const* record,
                              double time_step) {
-  auto contacts = engines_for(scene).contacts(scene, frame.state, disk_search(frame.state, 0.0));
+  auto contacts = engines_for(scene.disks.model)
+                      .contacts(engine_input(scene), frame.state, disk_search(frame.state, 0.0));
   if (record == nullptr || frame.step == 0) return contacts;
   for (auto& contact : contacts) {
     auto const* const open = record->table.find(contact.i, contact.j);

@@ -59,7 +59,7 @@ TEST(QuasiStaticScenes, AreRefusedWhereTheyMeanNothing) {
   };
   for (auto const& [overrides, part] : std::vector<Case>{
            {{"integration.scheme=implicit-damping"},
-            "steps with \"backward-euler\", not with integration.scheme = \"implicit-damping\""},
+            "steps by \"backward-euler\", not by integration.scheme = \"implicit-damping\""},
            {{"drive.kind=stokes", "drive.drag=1"}, "no part for drive.kind = \"stokes\""},
            {{"disks.force_exponent=2.5"}, "disks.force_exponent = 2, here it is 2.5"},
            {{"measure.contacts=true"}, "set measure.contacts = false"},

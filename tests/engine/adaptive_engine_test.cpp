@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "kernels/physics/sums/sums.hpp"
+#include "src/config/abilities.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/events.hpp"
 #include "tests/support/events.hpp"
@@ -71,10 +72,10 @@ TEST(AdaptiveEngine, BitsDoNotDependOnCutsOrRestarts) {
 
 TEST(AdaptiveEngine, RefusesWhatEventsCannotDo) {
   Scene scene = adaptive_scene(0.6, 1e-4, 20);
-  EXPECT_TRUE(not_events(scene).empty());
+  EXPECT_TRUE(why_not(scene).empty());
   scene.measure.contacts = true;
   scene.disks.force_exponent = 2.5;
-  auto const refused = not_events(scene);
+  auto const refused = why_not(scene);
   ASSERT_EQ(refused.size(), 2u);
   for (auto const& one : refused)
     EXPECT_NE(one.message.find("engine = \"adaptive\""), std::string::npos) << one.message;

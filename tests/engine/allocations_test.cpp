@@ -7,6 +7,7 @@
 #include <mutex>
 #include <set>
 
+#include "kernels/physics/repulsion/repulsion.hpp"
 #include "src/config/skin.hpp"
 #include "src/engine/ensemble/ensemble_engine.hpp"
 #include "src/measure/contacts.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "kernels/physics/repulsion/repulsion.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/skin.hpp"
 #include "src/engine/ensemble/ensemble_engine.hpp"

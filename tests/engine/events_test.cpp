@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "src/config/abilities.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/laws.hpp"
 #include "tests/support/contacts.hpp"
@@ -371,7 +372,7 @@ TEST(EventsRefuse, WhatTheyCannotDo) {
   auto const refused = [](auto const& change) {
     Scene scene = dilute_scene("CD_n");
     change(scene);
-    auto const list = not_events(scene);
+    auto const list = why_not(scene);
     return list.size() == 1 ? list[0].message : std::to_string(list.size());
   };
   auto const has = [](std::string const& text, std::string const& part) {

@@ -25,7 +25,7 @@ struct Flyers {
   Flyers(Scene const& of, Snapshot snapshot)
       : scene(of),
         disks{.loop = make_block_loop("serial"),
-              .stepper = engines_for(scene).stepper(scene, {}),
+              .stepper = engines_for(scene.disks.model).stepper(engine_input(scene)),
               .clock = {strain_rates(scene), time_step(scene), snapshot},
               .list = {},
               .diameter = snapshot.state.diameter,

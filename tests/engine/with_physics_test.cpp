@@ -52,7 +52,7 @@ void expect_refusal(char const* scheme) {
   Scene scene;
   scene.integration.scheme = scheme;
   try {
-    with_physics_of<Law>(scene, as_it_is);
+    with_physics_of<Law>(physics_input(scene), as_it_is);
     FAIL() << Law::name << " is run with " << scheme;
   } catch (InputError const& error) {
     std::string const said = error.what();
@@ -74,13 +74,13 @@ TEST(WithScheme, ALawThatTwoStagesCannotDoIsRefused) {
 TEST(WithScheme, ThePapersSchemeDoesEveryLaw) {
   Scene scene;
   scene.integration.scheme = papers_scheme;
-  EXPECT_EQ(with_physics_of<Quadratic>(scene, as_it_is), papers_scheme);
-  EXPECT_EQ(with_physics_of<Sliding>(scene, as_it_is), papers_scheme);
-  EXPECT_EQ(with_physics_of<CDrot>(scene, as_it_is), papers_scheme);
+  EXPECT_EQ(with_physics_of<Quadratic>(physics_input(scene), as_it_is), papers_scheme);
+  EXPECT_EQ(with_physics_of<Sliding>(physics_input(scene), as_it_is), papers_scheme);
+  EXPECT_EQ(with_physics_of<CDrot>(physics_input(scene), as_it_is), papers_scheme);
 }
 
 TEST(WithScheme, TheLawsOfTheProgramDoTwoStages) {
-  EXPECT_EQ(with_physics_of<CDnt>(Scene{}, as_it_is), two_stage_scheme);
+  EXPECT_EQ(with_physics_of<CDnt>(physics_input(Scene{}), as_it_is), two_stage_scheme);
 }
 
 }  // namespace bagnold::test

@@ -54,4 +54,22 @@ using Repulsions = std::tuple<HarmonicRepulsion,  //
                               HertzianRepulsion>;
 static_assert(RepulsionLaw<HarmonicRepulsion> && RepulsionLaw<HertzianRepulsion>);
 
+namespace detail {
+
+template <class First, class... Other, class Use>
+auto with_exponent(std::tuple<First, Other...> const*, double exponent, Use const& use) {
+  if constexpr (sizeof...(Other) > 0)
+    if (exponent != First::force_exponent)
+      return with_exponent(static_cast<std::tuple<Other...> const*>(nullptr), exponent, use);
+  return use(First{});
+}
+
+}  // namespace detail
+
+/// Calls use(the repulsion of a force exponent alpha); the last one if there is none.
+template <class Use>
+auto with_repulsion(double exponent, Use const& use) {
+  return detail::with_exponent(static_cast<Repulsions const*>(nullptr), exponent, use);
+}
+
 }  // namespace bagnold

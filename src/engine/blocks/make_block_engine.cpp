@@ -3,17 +3,15 @@
 
 #include <utility>
 
-#include "src/config/skin.hpp"
-#include "src/config/time_step.hpp"
 #include "src/engine/blocks/block_engine.hpp"
 
 namespace bagnold {
 
 namespace {
 
-Stepping stepping(Scene const& scene, bool iterates) {
-  auto const& engine = scene.integration.engine;
-  return scene.driven() || iterates  ? Stepping::many_contacts
+Stepping stepping(EngineInput const& input, bool iterates) {
+  auto const& engine = input.engine;
+  return input.drive || iterates     ? Stepping::many_contacts
          : engine == "many-contacts" ? Stepping::many_contacts
          : engine == "few-contacts"  ? Stepping::few_contacts
          : engine == "lookahead"     ? Stepping::lookahead
@@ -22,16 +20,14 @@ Stepping stepping(Scene const& scene, bool iterates) {
 
 }  // namespace
 
-std::unique_ptr<Simulation> make_block_engine(Scene const& scene, Snapshot& snapshot,
-                                              std::optional<DriveSetup> const& drive,
+std::unique_ptr<Simulation> make_block_engine(EngineInput const& input, Snapshot& snapshot,
                                               std::string const& backend, MakeStepper make) {
   auto loop = make_block_loop(backend);
   if (!loop) return nullptr;
-  auto stepper = make(scene, drive);
-  auto const steps = stepping(scene, stepper->needs.terms > 0);
-  return std::make_unique<BlockEngine>(
-      std::move(loop), std::move(stepper), steps, make_species_table(scene.mass_by_area()),
-      strain_rates(scene), time_step(scene), skin(scene), snapshot);
+  auto stepper = make(input);
+  auto const steps = stepping(input, stepper->needs.terms > 0);
+  return std::make_unique<BlockEngine>(std::move(loop), std::move(stepper), steps, input.species,
+                                       input.rates, input.time_step, input.skin, snapshot);
 }
 
 }  // namespace bagnold

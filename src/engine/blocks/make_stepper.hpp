@@ -13,17 +13,16 @@ namespace bagnold {
 
 /// To be instantiated once for each law and level (src/engine/levels).
 template <ContactLaw Law>
-std::unique_ptr<BlockStepper> make_stepper(Scene const& scene,
-                                           std::optional<DriveSetup> const& drive) {
-  return with_physics_of<Law>(scene,
-                              [&]<class R, class S>(Law const& law, R const& repulsion,
-                                                    S) -> std::unique_ptr<BlockStepper> {
-                                using Step = BlockStep<Law, R, S>;
-                                return std::make_unique<StepperOf<Step>>(
-                                    law, repulsion, make_species_table(scene.mass_by_area()),
-                                    time_step(scene),
-                                    make_block_drive<typename Step::Force, Law::rotates>(drive));
-                              });
+std::unique_ptr<BlockStepper> make_stepper(EngineInput const& input) {
+  return with_physics_of<Law>(
+      input.physics,
+      [&]<class R, class S>(Law const& law, R const& repulsion,
+                            S) -> std::unique_ptr<BlockStepper> {
+        using Step = BlockStep<Law, R, S>;
+        return std::make_unique<StepperOf<Step>>(
+            law, repulsion, input.species, input.time_step,
+            make_block_drive<typename Step::Force, Law::rotates>(input.drive));
+      });
 }
 
 }  // namespace bagnold

@@ -5,6 +5,7 @@
 
 #include "kernels/physics/schemes/schemes.hpp"
 #include "kernels/physics/type_list.hpp"
+#include "src/config/scene.hpp"
 #include "src/config/time_step.hpp"
 
 namespace bagnold {

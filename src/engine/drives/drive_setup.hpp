@@ -6,9 +6,10 @@
 
 #include "kernels/physics/drives/drive.hpp"
 #include "kernels/physics/random.hpp"
-#include "src/config/scene.hpp"
 
 namespace bagnold {
+
+struct Scene;
 
 /// One-body force of a scene: its parameters and its random numbers.
 struct DriveSetup {

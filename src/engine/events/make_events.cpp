@@ -1,25 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/engine/events/make_events.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-
-#include "src/config/errors.hpp"
-#include "src/config/events.hpp"
 #include "src/config/laws.hpp"
 #include "src/config/skin.hpp"
 #include "src/config/time_step.hpp"
 #include "src/engine/events/event_engine.hpp"
-#include "src/engine/make_simulation.hpp"
 
 namespace bagnold {
 
-std::unique_ptr<Simulation> make_events(Scene const& scene, Snapshot const& snapshot,
-                                        std::string const& backend) {
-  for (auto const& refusal : not_events(scene)) throw InputError(refusal.message);
-  if (std::ranges::count(backend_names(), backend) == 0) return nullptr;
-  require_host(backend, event_engine, "goes from event to event on one thread of the host");
+std::unique_ptr<Simulation> make_events(Scene const& scene, Snapshot const& snapshot) {
   auto const constants = law_of(scene.disks).constants(scene.disks);
   auto const table = make_species_table(scene.mass_by_area());
   auto const make = [&]<bool rotates>() -> std::unique_ptr<Simulation> {

@@ -2,17 +2,14 @@
 #pragma once
 
 #include <memory>
-#include <string>
 
 #include "src/config/scene.hpp"
 #include "src/engine/simulation.hpp"
 
 namespace bagnold {
 
-/// The engine of contacts as events, for any law that is linear in the velocity. Throws InputError
-/// where the scene asks for what it cannot do, or for a backend that is a device; nullptr if the
-/// build has no such backend.
-std::unique_ptr<Simulation> make_events(Scene const& scene, Snapshot const& snapshot,
-                                        std::string const& backend);
+/// The engine of contacts as events, for any law that is linear in the velocity, on one thread of
+/// the host.
+std::unique_ptr<Simulation> make_events(Scene const& scene, Snapshot const& snapshot);
 
 }  // namespace bagnold

@@ -8,13 +8,12 @@
 
 namespace bagnold::BAGNOLD_LEVEL {
 
-std::unique_ptr<Simulation> make_block_engine(Scene const& scene, Snapshot& snapshot,
-                                              std::optional<DriveSetup> const& drive,
+std::unique_ptr<Simulation> make_block_engine(EngineInput const& input, Snapshot& snapshot,
                                               std::string const& backend) {
   MakeStepper const make = with_named<Laws>(
-      scene.disks.model,
+      input.model,
       []<class Law>(std::type_identity<Law>) -> MakeStepper { return &make_stepper<Law>; });
-  return bagnold::make_block_engine(scene, snapshot, drive, backend, make);
+  return bagnold::make_block_engine(input, snapshot, backend, make);
 }
 
 }  // namespace bagnold::BAGNOLD_LEVEL

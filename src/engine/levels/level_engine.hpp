@@ -2,20 +2,17 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 
-#include "src/config/scene.hpp"
-#include "src/engine/drives/drive_setup.hpp"
+#include "src/engine/engine_input.hpp"
 #include "src/engine/simulation.hpp"
 
 /// Function that a level exports. All its other functions are local, so that none compiled for one
 /// kind of processor is called on another (src/engine/levels/level.cmake).
-#define BAGNOLD_LEVEL_ENGINE(level)                                               \
-  namespace bagnold::level {                                                      \
-  std::unique_ptr<Simulation> make_block_engine(Scene const&, Snapshot&,          \
-                                                std::optional<DriveSetup> const&, \
-                                                std::string const& backend);      \
+#define BAGNOLD_LEVEL_ENGINE(level)                                            \
+  namespace bagnold::level {                                                   \
+  std::unique_ptr<Simulation> make_block_engine(EngineInput const&, Snapshot&, \
+                                                std::string const& backend);   \
   }
 BAGNOLD_LEVEL_ENGINE(avx512)
 BAGNOLD_LEVEL_ENGINE(avx2)

@@ -12,6 +12,7 @@
 #include "kernels/physics/laws/laws.hpp"
 #include "kernels/physics/type_list.hpp"
 #include "src/config/errors.hpp"
+#include "src/config/scene.hpp"
 #include "src/engine/blocks/make_block_engine.hpp"
 #include "src/engine/law_engines.hpp"
 #include "src/engine/levels/level_engine.hpp"
@@ -20,10 +21,9 @@ namespace bagnold {
 
 namespace {
 
-std::unique_ptr<Simulation> make_for_all(Scene const& scene, Snapshot& snapshot,
-                                         std::optional<DriveSetup> const& drive,
+std::unique_ptr<Simulation> make_for_all(EngineInput const& input, Snapshot& snapshot,
                                          std::string const& backend) {
-  return make_block_engine(scene, snapshot, drive, backend, engines_for(scene).stepper);
+  return make_block_engine(input, snapshot, backend, engines_for(input.model).stepper);
 }
 
 Level everything_else() { return {simd::level_name, true, make_for_all}; }

@@ -2,13 +2,11 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "src/config/scene.hpp"
-#include "src/engine/drives/drive_setup.hpp"
+#include "src/engine/engine_input.hpp"
 #include "src/engine/simulation.hpp"
 
 namespace bagnold {
@@ -19,8 +17,7 @@ struct Level {
   bool here;              ///< this processor has what it needs
 
   /// See src/engine/blocks/make_block_engine.hpp.
-  std::unique_ptr<Simulation> (*make)(Scene const&, Snapshot&, std::optional<DriveSetup> const&,
-                                      std::string const& backend);
+  std::unique_ptr<Simulation> (*make)(EngineInput const&, Snapshot&, std::string const& backend);
 };
 
 /// Levels of this build, the most capable first. One of them is the level of all other code.

@@ -1,27 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/engine/quasi_static/make_quasi_static.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <utility>
 
-#include "src/config/errors.hpp"
 #include "src/config/laws.hpp"
-#include "src/config/quasi_static.hpp"
 #include "src/config/skin.hpp"
 #include "src/config/time_step.hpp"
 #include "src/engine/device_copy.hpp"
-#include "src/engine/make_simulation.hpp"
 #include "src/engine/quasi_static/quasi_static_engine.hpp"
 
 namespace bagnold {
 
-std::unique_ptr<Simulation> make_quasi_static(Scene const& scene, Snapshot const& snapshot,
-                                              std::string const& backend) {
-  for (auto const& refusal : not_quasi_static(scene)) throw InputError(refusal.message);
-  if (std::ranges::count(backend_names(), backend) == 0) return nullptr;
-  require_host(backend, quasi_static_engine, "solves on one thread of the host");
+std::unique_ptr<Simulation> make_quasi_static(Scene const& scene, Snapshot const& snapshot) {
   auto const constants = law_of(scene.disks).constants(scene.disks);
   quasi_static::Material material{species_of(snapshot.state.diameter),
                                   make_species_table(scene.mass_by_area()), constants.normal,

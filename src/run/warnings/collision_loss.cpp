@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "src/config/events.hpp"
+#include "src/config/abilities.hpp"
 #include "src/config/names.hpp"
 #include "src/config/time_step.hpp"
 #include "src/run/warnings/checks.hpp"

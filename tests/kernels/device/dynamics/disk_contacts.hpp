@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kernels/device/dynamics/contact_forces.hpp"
+#include "kernels/physics/repulsion/repulsion.hpp"
 #include "tests/kernels/device/neighbors/lists.hpp"
 #include "tests/reference/scenes.hpp"
 #include "tests/support/typed.hpp"

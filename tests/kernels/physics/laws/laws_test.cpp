@@ -2,6 +2,7 @@
 #include <cmath>
 #include <random>
 
+#include "kernels/physics/repulsion/repulsion.hpp"
 #include "src/engine/device_copy.hpp"
 #include "tests/support/typed.hpp"
 
