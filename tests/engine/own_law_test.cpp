@@ -3,6 +3,7 @@
 // A law that is not in the program's list: known once registered, and run as the others are.
 #include <gtest/gtest.h>
 
+#include "src/config/abilities.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/plan.hpp"
 #include "src/config/scene_file.hpp"
@@ -59,6 +60,7 @@ class OwnLaw : public testing::Test {
     auto const start = shaken_start(a);
     for (std::string const engine : {"reference", "few-contacts", "many-contacts", "lookahead"}) {
       a.integration.engine = b.integration.engine = engine;
+      if (!why_not(a).empty()) continue;  // no scheme for all disks at once by engines of some
       auto const one = simulate(a, start, backend_names().front());
       auto const other = simulate(b, start, backend_names().front());
       EXPECT_EQ(advance(*one, 400, 10).sums, advance(*other, 400, 10).sums) << engine;

@@ -6,4 +6,4 @@
 #include "src/engine/blocks/make_stepper.hpp"
 
 template std::unique_ptr<bagnold::BlockStepper> bagnold::make_stepper<bagnold::CDrot>(
-    bagnold::Scene const&, std::optional<bagnold::DriveSetup> const&);
+    bagnold::EngineInput const&);
