@@ -245,7 +245,7 @@ class Stability(Shown):
         self.says(self.page, "takes n = 6, a factor {} to {} from what the packing bears", min(factors), max(factors))
         self.says(self.page, "and the edge at {}", dt["two-stage", "CD_rot"])
         self.says(self.page, "`contact_network` warns from {} on", dt["two-stage", "CD_rot"])
-        rates = re.findall(r"inline constexpr Real \w+ = ([\d.]+)", text_of("kernels/physics/laws/dense_flow.hpp"))
+        rates = re.findall(r"constexpr double \w+ = ([\d.]+);", text_of("src/config/contact_rates.cpp"))
         self.says(self.page, "has a rate of {}/Q for CD_rot, {}/Q for CD, {}/Q for CD_n", *map(float, rates))
         self.says(self.page, "the rate is {} k_t + {} max{0, k_n - k_t}", float(rates[0]), float(rates[2]))
 
