@@ -15,6 +15,10 @@ OFTEN = {"output__checkpoint_minutes": 0.0005}  # 30 ms
 KILLS = {"CD": 2, "CD_n": 2, "CD_rot": 4, "CD_nt": 2}  # ten
 
 
+class Ended(AssertionError):
+    """A run was done before it was stopped: too short for what a machine now does in the time."""
+
+
 class ResumeTest(CliTest):
     def prepare(self, seconds, **changes):
         """A scene that lasts about so long here, and its uninterrupted run."""
@@ -44,9 +48,12 @@ class ResumeTest(CliTest):
         return result.stdout + result.stderr
 
     def stop_after_checkpoint(self, process, out, since=None, number=signal.SIGTERM, code=143):
-        self.assertTrue(self.wait_for_checkpoint(process, out, since), "ended too early")
+        if not self.wait_for_checkpoint(process, out, since):
+            raise Ended(self.finish(process))
         process.send_signal(number)
         status, output = self.finish(process)
+        if status == 0:
+            raise Ended(output)
         self.assertEqual(status, code, output)
         self.assertFalse((out / "summary.json").exists())
         self.assertFalse((out / "state.h5").exists())
@@ -83,18 +90,24 @@ class Chain(ResumeTest):
     def test_seven_resumes(self):
         for model in LAWS:
             with self.subTest(model=model):
-                path, whole, _ = self.prepare(3.0, disks__model=model, **OFTEN)
-                out = self.folder / "chain"
-                process = self.start("run", path, "--out", out)
-                self.stop_after_checkpoint(process, out)
-                for leg in range(6):
-                    stamp = self.checkpoint_stamp(out)
-                    process = self.start("resume", out, "--threads", str(1 + leg % 2))
-                    self.stop_after_checkpoint(process, out, stamp)
-                self.resume(out)
-                self.assert_same_results(whole, out)
-                shutil.rmtree(whole)
-                shutil.rmtree(out)
+                try:
+                    self.check_chain(model, 3.0)
+                except Ended:  # other programs had slowed down what the length was chosen by
+                    self.check_chain(model, 12.0)
+
+    def check_chain(self, model, seconds):
+        whole, out = self.folder / "whole", self.folder / "chain"
+        for folder in (whole, out):
+            shutil.rmtree(folder, ignore_errors=True)
+        path, _, _ = self.prepare(seconds, disks__model=model, **OFTEN)
+        process = self.start("run", path, "--out", out)
+        self.stop_after_checkpoint(process, out)
+        for leg in range(6):
+            stamp = self.checkpoint_stamp(out)
+            process = self.start("resume", out, "--threads", str(1 + leg % 2))
+            self.stop_after_checkpoint(process, out, stamp)
+        self.resume(out)
+        self.assert_same_results(whole, out)
 
 
 class Kill(ResumeTest):
