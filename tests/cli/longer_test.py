@@ -7,6 +7,7 @@ import signal
 import unittest
 
 import h5py
+import numpy as np
 from bagnold import CliTest, Raw, read_summary, same_bits
 
 # No number of windows or lookaheads goes into these strains.
@@ -21,6 +22,10 @@ def contents(path):
     with h5py.File(path) as file:
         def take(name, item):
             for key, value in item.attrs.items():
+                if key == "DIMENSION_LIST":  # references, which are places in a file
+                    value = np.array([file[one].name for of_axis in value for one in of_axis], "S")
+                elif key == "REFERENCE_LIST":
+                    value = np.array([f"{file[one].name} {axis}" for one, axis in value], "S")
                 found[f"{name}@{key}"] = value
             if isinstance(item, h5py.Dataset):
                 found[name] = item[()]
