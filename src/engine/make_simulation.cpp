@@ -31,8 +31,9 @@ void require_able(Scene const& scene, std::string const& backend) {
   if (std::ranges::count(built, backend) == 0)
     throw InputError(
         fmt::format("--backend {}: not in this build (has: {})", backend, fmt::join(built, ", ")));
-  for (auto const& refusal : why_not(scene)) throw InputError(refusal.message);
   auto const& able = abilities_of(scene);
+  if (!able.scheme.empty())  // others step what only scenes that are read are refused
+    for (auto const& refusal : why_not(scene)) throw InputError(refusal.message);
   if (is_device_backend(backend) && !able.devices.empty())
     throw InputError(
         fmt::format("--backend {} (integration.engine = \"{}\" {}); use --backend serial", backend,
