@@ -24,12 +24,31 @@ constexpr WhyNot needs_straight_flights =
     "needs disks that fly straight between contacts, which drive.kind = \"{}\" does not leave";
 constexpr WhyNot needs_linear_damping =
     "needs damping that is linear in the velocity, which model \"{}\" has not";
-constexpr WhyNot needs_closed_form =
-    "solves contacts in closed form, which harmonic repulsion alone has, disks.force_exponent = 2, "
-    "here it is {}";
-constexpr WhyNot needs_ends = "needs contacts that end of themselves: {}";
-constexpr WhyNot has_no_time_step =
-    "has no time step, integration.time_step = \"paper\" is that of another scheme";
+
+constexpr Abilities by_events = {
+    .engine = event_engine,
+    .scheme = exact_contacts,
+    .own_scheme = true,
+    .paper_time_step =
+        "has no time step, integration.time_step = \"paper\" is that of another scheme",
+    .nonlinear_laws = needs_linear_damping,
+    .overdamped_contacts = "needs contacts that end of themselves: {}",
+    .other_repulsions =
+        "solves contacts in closed form, which harmonic repulsion alone has, "
+        "disks.force_exponent = 2, here it is {}",
+    .drives = needs_straight_flights,
+    .devices = "goes from event to event on one thread of the host"};
+
+/// Events, and by turns steps of all disks.
+constexpr Abilities by_turns() {
+  auto abilities = by_events;
+  abilities.engine = adaptive_engine;
+  abilities.scheme = default_scheme;
+  abilities.own_scheme = false;
+  abilities.contacts = "does not follow contacts from one engine to the other";
+  abilities.devices = "goes from event to event on the host";
+  return abilities;
+}
 
 constexpr std::array engines = {
     Abilities{.engine = "auto"},
@@ -54,24 +73,8 @@ constexpr std::array engines = {
               .contacts = "does not see contacts that begin and end within a step",
               .profiles = "has no stresses of single disks",
               .devices = "solves on one thread of the host"},
-    Abilities{.engine = event_engine,
-              .scheme = exact_contacts,
-              .own_scheme = true,
-              .paper_time_step = has_no_time_step,
-              .nonlinear_laws = needs_linear_damping,
-              .overdamped_contacts = needs_ends,
-              .other_repulsions = needs_closed_form,
-              .drives = needs_straight_flights,
-              .devices = "goes from event to event on one thread of the host"},
-    Abilities{.engine = adaptive_engine,
-              .scheme = default_scheme,
-              .paper_time_step = has_no_time_step,
-              .nonlinear_laws = needs_linear_damping,
-              .overdamped_contacts = needs_ends,
-              .other_repulsions = needs_closed_form,
-              .drives = needs_straight_flights,
-              .contacts = "does not follow contacts from one engine to the other",
-              .devices = "goes from event to event on the host"}};
+    by_events,
+    by_turns()};
 
 /// Something a scene may ask for by one key.
 struct Demand {

@@ -11,8 +11,6 @@
 namespace bagnold::test {
 namespace {
 
-constexpr double straight_rate = 1e-4;
-
 Scene scene_of(std::string_view engine) {
   Scene scene = small_scene("CD_rot", 0.6, 100);
   scene.disks.elasticity = 5;
@@ -20,7 +18,7 @@ Scene scene_of(std::string_view engine) {
   scene.integration.scheme = automatic;
   scene.integration.time_step = automatic;
   scene.integration.skin = automatic;
-  scene.shear.strain_rate = straight_rate;
+  scene.shear.strain_rate = slow_rate;
   return scene;
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
-#include "src/config/ramp.hpp"
 #include "tests/support/contacts.hpp"
 #include "tests/support/events.hpp"
+#include "tests/support/ramps.hpp"
 
 /// Strain rates that change while disks fly and touch.
 namespace bagnold::test {
@@ -25,15 +25,6 @@ class EventRamps : public testing::TestWithParam<std::string> {
     return scene;
   }
 };
-
-WindowSums advance_to(Simulation& simulation, std::int64_t step, std::int64_t every = 1) {
-  Sampling sampling;
-  sampling.every = every;
-  sampling.last_step = step;
-  OpenWindows windows;
-  while (simulation.step() < step) simulation.advance(step - simulation.step(), sampling, windows);
-  return windows.take_first();
-}
 
 /// Sums, each to a share of its scale: energies and stresses of its kind, or root mean squares.
 /// Those of contacts differ by their begins and ends within steps. disk_time: disks times steps.
@@ -93,25 +84,13 @@ TEST_P(EventRamps, AreTheLimitOfStepsOfAllDisks) {
 TEST_P(EventRamps, AreThoseOfPiecesAtOneRate) {
   Scene scene = ramp_scene(true, 100);
   Ramp const ramp = make_ramp(scene);
-  Snapshot from = first_snapshot(flying_start(scene));
-  auto const whole = simulate_events(scene, from.state);
+  State state = flying_start(scene);
+  auto const whole = simulate_events(scene, state);
   auto const sums = advance_to(*whole, ramp.steps());
-  WindowSums expected{std::vector<double>(sums.sums.size()), 0};
-  scene.shear.protocol = "steady";
-  for (std::int64_t step = 0; step < ramp.steps();) {
-    auto const piece = ramp.piece(step);
-    double const factor = step == 0 ? 1 : piece.rate / scene.shear.strain_rate;
-    for (auto& v : from.state.velocity) v = {factor * v[0], factor * v[1]};
-    for (auto& spin : from.state.spin) spin *= factor;
-    scene.shear.strain_rate = piece.rate;
-    auto const one = simulate_events(scene, from.state);
-    auto const of_piece = advance_to(*one, piece.end - piece.begin);
-    for (std::size_t c = 0; c < expected.sums.size(); ++c) expected.sums[c] += of_piece.sums[c];
-    expected.weight += of_piece.weight;
-    from.state = one->state();
-    step = piece.end;
-  }
-  EXPECT_LT(distance_between(whole->state(), from.state), 1e-6);
+  auto const expected =
+      sums_of_pieces(scene, ramp, sums.sums.size(), state, simulate_events,
+                     [](Simulation& one, std::int64_t steps) { return advance_to(one, steps); });
+  EXPECT_LT(distance_between(whole->state(), state), 1e-6);
   EXPECT_EQ(sums.weight, expected.weight);
   expect_same_sums(sums.sums, expected.sums, 1, 100 * sums.weight, 1e-3);
 }

@@ -7,6 +7,7 @@
 #include "tests/reference/implicit.hpp"
 #include "tests/reference/two_stage.hpp"
 #include "tests/support/contacts.hpp"
+#include "tests/support/ramps.hpp"
 
 namespace bagnold::test {
 
@@ -43,13 +44,7 @@ class Ramps : public EverySimulation {
 
   static WindowSums advance_evaluating(Simulation& simulation, Ramp const& ramp,
                                        std::int64_t every) {
-    Sampling sampling;
-    sampling.every = every;
-    sampling.last_step = ramp.steps();
-    OpenWindows windows;
-    while (simulation.step() < ramp.steps())
-      simulation.advance(ramp.steps() - simulation.step(), sampling, windows);
-    return windows.take_first();
+    return advance_to(simulation, ramp.steps(), every);
   }
 
   template <class Test>
@@ -161,25 +156,14 @@ TEST_P(Ramps, AreThoseOfPiecesAtOneRate) {
     Scene scene = ramp_scene(0.80, scheme, 100);
     Ramp const ramp = make_ramp(scene);
     auto const whole = simulate(scene, slow_start(scene), backend());
-    Snapshot from = first_snapshot(slow_start(scene));
     auto const sums = advance_evaluating(*whole, ramp, 1);
-    WindowSums expected{std::vector<double>(sums.sums.size()), 0};
-    scene.shear.protocol = "steady";
-    for (std::int64_t step = 0; step < ramp.steps();) {
-      auto const piece = ramp.piece(step);
-      double const factor = step == 0 ? 1 : piece.rate / scene.shear.strain_rate;
-      for (auto& v : from.state.velocity) v = {factor * v[0], factor * v[1]};
-      for (auto& spin : from.state.spin) spin *= factor;
-      scene.shear.strain_rate = piece.rate;
-      auto const one = simulate(scene, from.state, backend());
-      auto const of_piece = advance(*one, piece.end - piece.begin, 1);
-      for (std::size_t c = 0; c < expected.sums.size(); ++c) expected.sums[c] += of_piece.sums[c];
-      expected.weight += of_piece.weight;
-      from.state = one->state();
-      step = piece.end;
-    }
-    EXPECT_LT(largest_difference(whole->state(), from.state, scene.shear.strain_rate), 1e-10);
-    EXPECT_NEAR(whole->state().time, from.state.time, 1e-10);
+    State state = slow_start(scene);
+    auto const expected = sums_of_pieces(
+        scene, ramp, sums.sums.size(), state,
+        [&](Scene const& at, State const& from) { return simulate(at, from, backend()); },
+        [](Simulation& one, std::int64_t steps) { return advance(one, steps, 1); });
+    EXPECT_LT(largest_difference(whole->state(), state, scene.shear.strain_rate), 1e-10);
+    EXPECT_NEAR(whole->state().time, state.time, 1e-10);
     EXPECT_EQ(sums.weight, expected.weight);
     for (std::size_t c = 0; c < expected.sums.size(); ++c)
       EXPECT_NEAR(sums.sums[c], expected.sums[c], 1e-9 * (1 + std::abs(expected.sums[c]))) << c;

@@ -7,6 +7,16 @@
 
 namespace bagnold::events {
 
+/// Adds integrals of u_x^2, u_x u_y and u_y^2, u = v - gammadot y x^, to the columns of motion.
+inline void add_motion(Real* to, Real mass, Real xx, Real xy, Real yy) {
+  using C = SumColumns;
+  to[C::kinetic_xx] += mass * xx;
+  to[C::kinetic_xy] += mass * xy;
+  to[C::kinetic_yy] += mass * yy;
+  to[C::velocity_x2] += xx;
+  to[C::velocity_y2] += yy;
+}
+
 /// Adds the integrals of the columns of motion over a straight flight of a time, times a weight.
 /// position: where it begins, [d_s]. u = v - gammadot y x^ is linear in time, so
 ///
@@ -20,11 +30,7 @@ void add_flight(Real* to, Real mass, Vec2<Real> const& position, Motion<Rotates>
   Real const b = peculiar_x(motion.velocity.x, position.y + vy * time, strain_rate);
   Real const w = weight * time;
   Real const xx = w * (a * a + a * b + b * b) / 3, xy = w * (a + b) / 2 * vy, yy = w * vy * vy;
-  to[C::kinetic_xx] += mass * xx;
-  to[C::kinetic_xy] += mass * xy;
-  to[C::kinetic_yy] += mass * yy;
-  to[C::velocity_x2] += xx;
-  to[C::velocity_y2] += yy;
+  add_motion(to, mass, xx, xy, yy);
   if constexpr (Rotates) {
     to[C::spin] += w * motion.spin;
     to[C::spin2] += w * motion.spin * motion.spin;
@@ -41,11 +47,7 @@ void add_flight(Real* to, Real mass, Vec2<Real> const& position, Motion<Rotates>
   Real const xx = weight * (u * u * over.one + slope * (2 * u * over.time + slope * over.time2));
   Real const xy = weight * (u * over.one + slope * over.time) * vy;
   Real const yy = weight * over.one * vy * vy;
-  to[C::kinetic_xx] += mass * xx;
-  to[C::kinetic_xy] += mass * xy;
-  to[C::kinetic_yy] += mass * yy;
-  to[C::velocity_x2] += xx;
-  to[C::velocity_y2] += yy;
+  add_motion(to, mass, xx, xy, yy);
   if constexpr (Rotates) {
     to[C::spin] += weight * over.length * motion.spin;
     to[C::spin2] += weight * over.one * motion.spin * motion.spin;

@@ -159,7 +159,7 @@ def draw_panel(axes, rows):
         axes.legend(ncols=1 if len(names) < 7 else 2)
 
 
-def rounded(value):
+def with_four_digits(value):
     """A number of many digits with four: names of curves tell them apart."""
     try:
         return f"{float(value):.4g}" if len(value) > 8 else value
@@ -172,7 +172,7 @@ def pretty(name):
     parts = []
     for part in name.split(", "):
         key, _, value = part.partition(" = ")
-        parts.append(f"{label(key)} = {rounded(value)}" if value else label(part))
+        parts.append(f"{label(key)} = {with_four_digits(value)}" if value else label(part))
     return ", ".join(parts)
 
 

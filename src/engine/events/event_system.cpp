@@ -207,15 +207,12 @@ void EventSystem<Rotates>::renew(std::int64_t step, ShearedBox const& box) {
   Frames<Rotates> frames(disks, s_.lists.box(), box, time);
   std::vector<std::uint32_t> clusters;
   forget_ended_contacts(time);
-  for (std::uint32_t i = 0; i < disks.count(); ++i) {
-    Path const& p = disks.path[i];
-    if (p.manner == Manner::contact && disks.contacts[disks.touching[i]].i == i)
-      frames.move(disks.contacts[disks.touching[i]]);
-    if (p.manner == Manner::cluster && disks.clusters[disks.touching[i]].slot() == i) {
-      frames.move(disks.clusters[disks.touching[i]]);
-      clusters.push_back(disks.touching[i]);
-    }
-  }
+  for_each_under_way(
+      time, [&](LoneContact<Rotates>& contact, std::uint32_t) { frames.move(contact); },
+      [&](Cluster<Rotates>& cluster, std::uint32_t k) {
+        frames.move(cluster);
+        clusters.push_back(k);
+      });
   for (std::uint32_t i = 0; i < disks.count(); ++i) frames.move(i, disks.path[i]);
   s_.now = 0;
   s_.log.shift(time);
