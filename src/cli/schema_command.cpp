@@ -44,6 +44,14 @@ Json form_of(Key const& key, NumberOrWord const&) {
 Json form_of(Key const& key, std::vector<double> const&) {
   return {{"type", "array"}, {"items", number_of(key, "number")}, {"minItems", 1}};
 }
+Json form_of(Key const& key, std::vector<SequencePiece> const&) {
+  Json const pair = {
+      {"type", "array"},
+      {"items", {number_of(key, "number"), {{"type", "number"}, {"exclusiveMinimum", 0}}}},
+      {"minItems", 2},
+      {"maxItems", 2}};
+  return {{"type", "array"}, {"items", pair}, {"minItems", 1}};
+}
 Json form_of(Key const& key, Strain const&) {
   return {{"anyOf", {number_of(key, "number"), form_of(key, std::vector<double>())}}};
 }
@@ -56,6 +64,7 @@ Json value_of(std::optional<double> const& value) { return value ? Json(*value) 
 Json value_of(NumberOrWord const& value) {
   return value.number ? Json(*value.number) : Json(value.word);
 }
+Json value_of(std::vector<SequencePiece> const&) { return Json::array(); }
 Json value_of(Strain const& value) { return value.each.front(); }
 template <class T>
 Json value_of(T const& value) {

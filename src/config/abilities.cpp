@@ -22,8 +22,13 @@ constexpr WhyNot steps_some_disks =
     "steps the disks that touch alone, where integration.scheme = \"{}\" solves for all together";
 constexpr WhyNot needs_straight_flights =
     "needs disks that fly straight between contacts, which drive.kind = \"{}\" does not leave";
+constexpr WhyNot needs_whole_flights =
+    "needs flights that a change of the rate does not break off, as it does in shear.protocol = "
+    "\"{}\"";
 constexpr WhyNot needs_linear_damping =
     "needs damping that is linear in the velocity, which model \"{}\" has not";
+
+constexpr WhyNot steps_by_strain = "steps by strain, where shear.protocol = \"{}\" goes by time";
 
 constexpr Abilities by_events = {
     .engine = event_engine,
@@ -37,6 +42,7 @@ constexpr Abilities by_events = {
         "solves contacts in closed form, which harmonic repulsion alone has, "
         "disks.force_exponent = 2, here it is {}",
     .drives = needs_straight_flights,
+    .pieces = needs_whole_flights,
     .devices = "goes from event to event on one thread of the host"};
 
 /// Events, and by turns steps of all disks.
@@ -59,7 +65,8 @@ constexpr std::array engines = {
     Abilities{.engine = "many-contacts"},
     Abilities{.engine = "lookahead",
               .implicit_schemes = steps_some_disks,
-              .drives = needs_straight_flights},
+              .drives = needs_straight_flights,
+              .pieces = needs_whole_flights},
     Abilities{.engine = quasi_static_engine,
               .scheme = backward_euler,
               .own_scheme = true,
@@ -69,7 +76,8 @@ constexpr std::array engines = {
               .other_repulsions = "was measured with harmonic repulsion alone, "
                                   "disks.force_exponent = 2, here it is {}",
               .drives = "has no part for drive.kind = \"{}\" in its equations",
-              .ramps = "steps by strain, where shear.protocol = \"{}\" goes by time",
+              .ramps = steps_by_strain,
+              .pieces = steps_by_strain,
               .contacts = "does not see contacts that begin and end within a step",
               .profiles = "has no stresses of single disks",
               .devices = "solves on one thread of the host"},
@@ -127,6 +135,9 @@ constexpr std::array demands = {
            }},
     Demand{"shear.protocol", &Abilities::ramps,
            [](Scene const& scene) { return scene.shear.protocol == "ramp"; },
+           [](Scene const& scene) { return scene.shear.protocol; }},
+    Demand{"shear.protocol", &Abilities::pieces,
+           [](Scene const& scene) { return scene.shear.by_pieces(); },
            [](Scene const& scene) { return scene.shear.protocol; }},
     Demand{"measure.contacts", &Abilities::contacts,
            [](Scene const& scene) { return scene.measure.contacts; }, no_value,

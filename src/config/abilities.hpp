@@ -27,6 +27,7 @@ struct Abilities {
   WhyNot other_repulsions = {};     ///< that are not harmonic
   WhyNot drives = {};
   WhyNot ramps = {};
+  WhyNot pieces = {};    ///< at whose beginning motions keep their excess over the mean flow
   WhyNot contacts = {};  ///< measure.contacts
   WhyNot profiles = {};
   WhyNot devices = {};  ///< backends with memory of their own

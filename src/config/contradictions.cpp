@@ -52,6 +52,16 @@ void look_at_protocol(Scene const& scene, Refusals const& refuse) {
             "shear.strain_rate_high = {} (must be more than shear.strain_rate = {}, the lowest); "
             "raise it",
             shear.strain_rate_high, shear.strain_rate));
+  if (shear.by_pieces() && !shear.discard)
+    refuse({"shear.discard"},
+           fmt::format("shear.discard = \"auto\" (seeks one steady state, which shear.protocol = "
+                       "\"{}\" has not); give a share",
+                       shear.protocol));
+  if (shear.protocol == "oscillate" && shear.period.has_value() == shear.peak_rate.has_value())
+    refuse({"shear.period", "shear.peak_rate"},
+           fmt::format("shear.period and shear.peak_rate {} (either makes the other, by "
+                       "shear.amplitude = peak_rate period/2 pi); give one of them",
+                       shear.period ? "are both given" : "are missing"));
   if (!shear.target_error.empty() &&
       (scene.measure.profiles || scene.measure.fields || scene.measure.rotation))
     refuse(
@@ -108,6 +118,8 @@ void look_at_others(Scene const& scene, Refusals const& refuse) {
   if (scene.shear.discard && *scene.shear.discard >= 1)
     refuse({"shear.discard"}, "shear.discard = 1 (must be below 1) would leave nothing to measure");
   look_at_trajectories("output.trajectory_strain", scene.output.trajectory_strain, disks.replicas,
+                       refuse);
+  look_at_trajectories("output.trajectory_time", scene.output.trajectory_time, disks.replicas,
                        refuse);
   look_at_trajectories("output.trajectory_decades", scene.output.trajectory_decades, disks.replicas,
                        refuse);

@@ -49,6 +49,7 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
   auto const is = [&chosen = shear.protocol](std::string_view protocol) {
     return chosen == protocol;
   };
+  std::initializer_list<std::string_view> const one_way = {"steady", "cascade", "ramp"};
   auto const of = [](std::initializer_list<std::string_view> protocols, Key key) {
     key.protocols = protocols;
     return key;
@@ -121,22 +122,25 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
             0,
             0,
             false,
-            {"steady", "cascade", "ramp"}},
+            {"steady", "cascade", "ramp", "sequence", "oscillate"}},
         shear.protocol);
   visit(of({"steady", "ramp"}, Key{"shear.strain_rate", "1/tau_e", "gammadot; of a ramp the lowest",
-                                   !is("cascade"), 0, 1, above}),
+                                   is("steady") || is("ramp"), 0, 1, above}),
         shear.strain_rate);
   visit(of({"cascade"}, Key{"shear.strain_rates", "1/tau_e",
                             "gammadot of each stage, largest first", is("cascade"), 0, 1, above}),
         shear.strain_rates);
-  visit(Key{"shear.strain", "", "gamma, total; of a ramp at its lowest rate, before it",
-            !is("ramp"), 0, 1e9, above},
+  visit(of({"steady", "cascade", "ramp"},
+           Key{"shear.strain", "", "gamma, total; of a ramp at its lowest rate, before it",
+               is("steady") || is("cascade"), 0, 1e9, above}),
         shear.strain);
-  visit(of({"steady", "cascade"},
-           Key{"shear.discard", "",
-               "share of the strain not measured, rounded up to whole windows, or \"auto\": MSER-5",
-               optional, 0, 1}),
-        shear.discard);
+  visit(
+      of({"steady", "cascade", "sequence", "oscillate"},
+         Key{"shear.discard", "",
+             "share of the strain not measured, rounded up to whole windows, or \"auto\": MSER-5; "
+             "of each piece of a sequence, of the cycles of an oscillation",
+             optional, 0, 1}),
+      shear.discard);
   visit(of({"steady", "cascade"},
            Key{"shear.target_error", "",
                "relative standard errors of NAMEs at which a run ends before `strain`", optional, 0,
@@ -148,13 +152,33 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
   visit(of({"ramp"}, Key{"shear.strain_rate_high", "1/tau_e", "gammadot up to which a ramp goes",
                          is("ramp"), 0, 1, above}),
         shear.strain_rate_high);
-  visit(of({"ramp"}, Key{"shear.cycles", "", "times up and down", optional, 1, 1e6}), shear.cycles);
+  visit(of({"ramp", "sequence", "oscillate"},
+           Key{"shear.cycles", "", "times up and down, through the pieces, or back and forth",
+               is("oscillate"), 1, 1e6}),
+        shear.cycles);
   visit(of({"ramp"}, Key{"shear.ramp_window", "tau_e", "window whose averages are recorded",
                          optional, 0, many, above}),
         shear.ramp_window);
   visit(of({"ramp"}, Key{"shear.ramp_every", "tau_e", "between changes of the strain rate",
                          optional, 0, 1e6, above}),
         shear.ramp_every);
+  visit(of({"sequence"},
+           Key{"shear.pieces", "1/tau_e, tau_e",
+               "[gammadot, strain] of each piece, gammadot of any sign; a stop is [0, time]",
+               is("sequence"), -1, 1}),
+        shear.pieces);
+  visit(of({"oscillate"}, Key{"shear.amplitude", "", "gamma_0, of gamma = gamma_0 sin(2 pi t/T)",
+                              is("oscillate"), 0, 10, above}),
+        shear.amplitude);
+  visit(of({"oscillate"}, Key{"shear.period", "tau_e", "T, or \"auto\": from peak_rate", optional,
+                              0, 1e12, above}),
+        shear.period);
+  visit(of({"oscillate"}, Key{"shear.peak_rate", "1/tau_e",
+                              "gamma_0 2 pi/T, or \"auto\": from period", optional, 0, 1, above}),
+        shear.peak_rate);
+  visit(of({"oscillate"}, Key{"shear.cycle_pieces", "", "pieces of a cycle, each at one rate",
+                              optional, 8, 65536}),
+        shear.cycle_pieces);
 
   visit(Key{"drive.kind", "", "force on each disk alone, P2 Sec. IV", optional, 0, 0, false,
             drive_words()},
@@ -202,23 +226,26 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
   visit(Key{"measure.every", "steps", "between evaluations inside a window; quasi-static: of all",
             optional, 1, 1e12},
         measure.every);
-  visit(Key{"measure.contacts", "", "durations, rate, angles and clusters of contacts", optional},
+  visit(of(one_way, Key{"measure.contacts", "", "durations, rate, angles and clusters of contacts",
+                        optional}),
         measure.contacts);
   visit(
       of({"steady", "cascade"},
          Key{"measure.correlations", "",
              "relative velocities in contact, of contacts in time and once a collision", optional}),
       measure.correlations);
-  visit(Key{"measure.contact_frames", "",
-            "contacts in the frames of trajectory.h5md, with forces and ages", optional},
-        measure.contact_frames);
-  visit(Key{"measure.profiles", "", "profiles over y of flow, packing and stress; band fractions",
-            optional},
+  visit(
+      of(one_way, Key{"measure.contact_frames", "",
+                      "contacts in the frames of trajectory.h5md, with forces and ages", optional}),
+      measure.contact_frames);
+  visit(of(one_way, Key{"measure.profiles", "",
+                        "profiles over y of flow, packing and stress; band fractions", optional}),
         measure.profiles);
-  visit(Key{"measure.fields", "", "packing fraction and strain rate within 4 d_s of each disk",
-            optional},
+  visit(of(one_way, Key{"measure.fields", "",
+                        "packing fraction and strain rate within 4 d_s of each disk", optional}),
         measure.fields);
-  visit(Key{"measure.rotation", "", "histogram of thetadot/gammadot", optional}, measure.rotation);
+  visit(of(one_way, Key{"measure.rotation", "", "histogram of thetadot/gammadot", optional}),
+        measure.rotation);
   visit(of({"steady", "cascade"},
            Key{"measure.frame_strain", "", "between the frames that these three look at", optional,
                0, many, above}),
@@ -228,7 +255,7 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
                          optional, 0, 100, above}),
         measure.frame_decades);
 
-  visit(of({"steady", "cascade"},
+  visit(of({"steady", "cascade", "sequence"},
            Key{"output.sample_strain", "", "window whose averages are recorded", optional, 0, many,
                above}),
         output.sample_strain);
@@ -240,6 +267,10 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
            Key{"output.trajectory_decades", "",
                "of the rate, between the frames of trajectory.h5md; 0: none", optional, 0, 100}),
         output.trajectory_decades);
+  visit(of({"sequence", "oscillate"},
+           Key{"output.trajectory_time", "tau_e", "between the frames of trajectory.h5md; 0: none",
+               optional, 0, many}),
+        output.trajectory_time);
   visit(Key{"output.checkpoint_minutes", "min", "wall time between checkpoints", optional, 0, many,
             above},
         output.checkpoint_minutes);

@@ -13,6 +13,7 @@
 #include "src/config/skin.hpp"
 #include "src/config/stability.hpp"
 #include "src/config/step_counts.hpp"
+#include "src/config/strain_rates.hpp"
 #include "src/config/time_step.hpp"
 
 namespace bagnold {
@@ -100,10 +101,74 @@ Plan plan_of_ramp(Scene const& scene) {
   return plan;
 }
 
+constexpr double stop_windows_a_decade = 20;
+
+/// Adds the windows of a stop, whose ends are evenly spaced in the logarithm of the time.
+void add_stop(std::vector<WindowRow>& rows, std::int64_t begin, std::int64_t steps,
+              std::int64_t& windows) {
+  auto const growth = std::pow(10, 1 / stop_windows_a_decade);
+  for (std::int64_t done = 0, end = 0; done < steps; done = end) {
+    end = std::max<std::int64_t>(done + 1, std::llround(static_cast<double>(done) * growth));
+    end = std::min(end, steps);
+    rows.push_back({begin + done, windows++, end - done});
+  }
+}
+
+/// Windows of the pieces of a sequence, each of its own.
+std::vector<WindowRow> rows_of_sequence(Scene const& scene, PieceTable const& pieces,
+                                        std::int64_t& windows) {
+  std::vector<WindowRow> rows;
+  for (std::int64_t cycle = 0; cycle < pieces.cycles(); ++cycle)
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+      std::int64_t const begin = cycle * pieces.cycle_steps() + pieces[k].begin;
+      auto const steps = pieces.steps_of(k);
+      if (pieces[k].rate == 0) {
+        add_stop(rows, begin, steps, windows);
+        continue;
+      }
+      double const wanted =
+          round_up(scene.output.sample_strain / std::abs(pieces[k].rate) / time_step(scene));
+      auto const window =
+          static_cast<std::int64_t>(std::clamp(wanted, 1.0, static_cast<double>(steps)));
+      rows.push_back({begin, windows, window});
+      windows += (steps + window - 1) / window;
+      refuse_many_windows(static_cast<double>(windows), "output.sample_strain",
+                          scene.output.sample_strain, 2 * scene.output.sample_strain);
+    }
+  return rows;
+}
+
+Plan plan_of_pieces(Scene const& scene) {
+  Plan plan;
+  plan.pieces = pieces_of(scene);
+  auto const& pieces = *plan.pieces;
+  plan.time_step = time_step(scene);
+  plan.every = scene.measure.every;
+  plan.steps = pieces.steps();
+  if (scene.shear.protocol == "sequence") {
+    plan.rows = rows_of_sequence(scene, pieces, plan.windows);
+    plan.window_steps = plan.rows.front().steps;
+  } else {
+    plan.window_steps = pieces.steps_of(0);
+    plan.windows = plan.steps / plan.window_steps;
+    refuse_many_windows(static_cast<double>(plan.windows), "shear.cycles",
+                        static_cast<double>(scene.shear.cycles), 1);
+    auto const share = scene.shear.discard.value_or(0) * static_cast<double>(scene.shear.cycles);
+    plan.discarded_windows =
+        std::min(static_cast<std::int64_t>(round_up(share)), scene.shear.cycles - 1) *
+        static_cast<std::int64_t>(pieces.size());
+  }
+  if (scene.output.trajectory_time > 0)
+    plan.trajectory_steps = static_cast<std::int64_t>(
+        std::clamp(std::round(scene.output.trajectory_time / plan.time_step), 1.0, most_steps));
+  return plan;
+}
+
 }  // namespace
 
 Plan make_plan(Scene const& scene) {
   if (scene.shear.protocol == "ramp") return plan_of_ramp(scene);
+  if (scene.shear.by_pieces()) return plan_of_pieces(scene);
   Plan plan;
   plan.strain_rate = scene.shear.strain_rate;
   plan.time_step = time_step(scene);
@@ -141,16 +206,36 @@ Plan shortened(Scene const& scene, Plan plan, std::int64_t windows) {
   return plan;
 }
 
-std::int64_t Plan::window_end(std::int64_t window) const {
-  return std::min((window + 1) * window_steps, steps);
+std::int64_t Plan::window_begin(std::int64_t window) const {
+  return window == 0 ? 0 : window_end(window - 1);
 }
 
+std::int64_t Plan::window_end(std::int64_t window) const {
+  if (rows.empty()) return std::min((window + 1) * window_steps, steps);
+  auto const row = *std::prev(std::ranges::upper_bound(rows, window, {}, &WindowRow::first));
+  return std::min(row.begin + (window - row.first + 1) * row.steps, row_end(row));
+}
+
+WindowRow Plan::row_of(std::int64_t step) const {
+  if (rows.empty()) return {0, 0, window_steps};
+  return *std::prev(std::ranges::upper_bound(rows, step, {}, &WindowRow::begin));
+}
+
+std::int64_t Plan::row_end(WindowRow const& row) const {
+  auto const next = std::ranges::upper_bound(rows, row.begin, {}, &WindowRow::begin);
+  return next == rows.end() ? steps : next->begin;
+}
+
+double Plan::path(std::int64_t step) const { return pieces ? pieces->path(step) : strain(step); }
+
 double Plan::strain(std::int64_t step) const {
+  if (pieces) return pieces->strain(step);
   if (ramp) return static_cast<double>(ramp->strain(step));
   return time_step * strain_rate * static_cast<double>(step);
 }
 
 double Plan::mean_rate(std::int64_t window) const {
+  if (pieces) return pieces->mean_rate(window_begin(window), window_end(window));
   return ramp ? ramp->mean_rate(window * window_steps, window_end(window)) : strain_rate;
 }
 

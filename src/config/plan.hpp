@@ -4,17 +4,26 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "src/config/piece_table.hpp"
 #include "src/config/ramp.hpp"
 #include "src/config/scene.hpp"
 
 namespace bagnold {
 
+/// Windows of equal length one after the other; the last one may be shorter.
+struct WindowRow {
+  std::int64_t begin = 0;  ///< first step
+  std::int64_t first = 0;  ///< number of the first window
+  std::int64_t steps = 0;  ///< of a window
+};
+
 /// Steps and windows of a scene.
 struct Plan {
   double time_step = 0;                ///< dt, [tau_e]
   std::int64_t steps = 0;              ///< total
-  std::int64_t window_steps = 0;       ///< of a window; the last one may be shorter
+  std::int64_t window_steps = 0;       ///< of a window, where they are alike; the last is shorter
   std::int64_t windows = 0;            ///< total
   std::int64_t discarded_windows = 0;  ///< first ones, not measured
   std::int64_t every = 1;              ///< steps between evaluations inside a window
@@ -22,11 +31,21 @@ struct Plan {
   std::int64_t trajectory_steps = 0;   ///< between frames of the trajectory; 0: none
   double strain_rate = 0;              ///< gammadot, where there is one, [1/tau_e]
   std::optional<Ramp> ramp{};          ///< how it changes, where it does
+  std::optional<PieceTable> pieces{};  ///< the same, where motions keep their excess over the flow
+  std::vector<WindowRow> rows{};       ///< windows, where they are not alike
 
-  /// Step after the last one of a window.
+  bool has_one_rate() const { return !ramp && !pieces; }
+
+  /// First step of a window, and the step after its last one.
+  std::int64_t window_begin(std::int64_t window) const;
   std::int64_t window_end(std::int64_t window) const;
 
+  /// Row of windows of a step, and the step after it.
+  WindowRow row_of(std::int64_t step) const;
+  std::int64_t row_end(WindowRow const& row) const;
+
   double strain(std::int64_t step) const;       ///< from step 0 to the start of `step`
+  double path(std::int64_t step) const;         ///< the same, both signs added up
   double mean_rate(std::int64_t window) const;  ///< gammadot over a window, [1/tau_e]
   int direction(std::int64_t window) const;     ///< of a ramp: +1 up, -1 down; 0: none
 };

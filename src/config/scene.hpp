@@ -14,6 +14,14 @@
 
 namespace bagnold {
 
+/// A piece of a sequence.
+struct SequencePiece {
+  double rate = 0;    ///< gammadot, of any sign, [1/tau_e]
+  double amount = 0;  ///< |strain|, or where the rate is 0 the time, [tau_e]
+
+  bool operator==(SequencePiece const&) const = default;
+};
+
 /// A scene: the input of one run. Units are d_s, m (P2) or m_0 (P1), tau_e; so k_e = 1.
 ///
 /// Meaning, unit, range and allowed words of every member are in src/config/keys.hpp.
@@ -56,6 +64,14 @@ struct Scene {
     std::int64_t cycles = 1;
     double ramp_window = 1e3;
     double ramp_every = 1;
+    std::vector<SequencePiece> pieces;  ///< of a sequence
+    double amplitude = 0;               ///< gamma_0 of an oscillation
+    std::optional<double> period;       ///< T of an oscillation; none: from peak_rate
+    std::optional<double> peak_rate;    ///< none: from period
+    std::int64_t cycle_pieces = 128;    ///< K of an oscillation
+
+    /// True if the run goes by pieces, at whose beginning motions keep their excess over the flow.
+    bool by_pieces() const { return protocol == "sequence" || protocol == "oscillate"; }
   } shear;
 
   /// A force on each disk alone, beside contacts.
@@ -88,6 +104,7 @@ struct Scene {
     double sample_strain = 1e-2;
     double trajectory_strain = 0.0;
     double trajectory_decades = 0.0;  ///< of a ramp
+    double trajectory_time = 0.0;     ///< of pieces
     double checkpoint_minutes = 10.0;
     bool plot = true;
   } output;

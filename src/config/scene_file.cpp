@@ -217,6 +217,24 @@ class Reader {
     for (auto const& one : *list) take(key, one, member.emplace_back());
   }
 
+  void take(Key const& key, toml::node const& node, std::vector<SequencePiece>& member) const {
+    auto const* list = node.as_array();
+    constexpr char pairs[] =
+        "must be a list of [rate, strain], [[1e-4, 2], [-1e-4, 2]]; a stop is [0, time]";
+    if (!list || list->empty()) refuse(key, node, pairs);
+    member.clear();
+    for (auto const& one : *list) {
+      auto const* pair = one.as_array();
+      if (!pair || pair->size() != 2) refuse(key, node, pairs);
+      auto& piece = member.emplace_back();
+      take(key, *pair->get(0), piece.rate);
+      Key amount = key;
+      amount.least = 0, amount.most = 1e12, amount.open_below = true;
+      amount.unit = piece.rate == 0 ? "tau_e" : "";
+      take(amount, *pair->get(1), piece.amount);
+    }
+  }
+
   void take(Key const& key, toml::node const& node, Strain& member) const {
     if (node.is_array())
       take(key, node, member.each);

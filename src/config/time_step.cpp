@@ -10,6 +10,7 @@
 #include "src/config/abilities.hpp"
 #include "src/config/events.hpp"
 #include "src/config/laws.hpp"
+#include "src/config/oscillation.hpp"
 #include "src/config/quasi_static.hpp"
 #include "src/config/schemes.hpp"
 #include "src/config/skin.hpp"
@@ -61,9 +62,11 @@ double time_step(Scene const& scene) {
     return std::min(rule_time_step(scene, scheme_of(scene)), drag_time_step(scene));
   };
   double const rule = longest();
-  double const piece = scene.shear.ramp_every;
-  if (scene.shear.protocol != "ramp") return rule;
-  return piece / std::ceil(piece / rule * (1 - 1e-12));
+  auto const divides = [&](double piece) { return piece / std::ceil(piece / rule * (1 - 1e-12)); };
+  if (scene.shear.protocol == "ramp") return divides(scene.shear.ramp_every);
+  if (scene.shear.protocol == "oscillate")
+    return divides(oscillation_period(scene) / static_cast<double>(scene.shear.cycle_pieces));
+  return rule;
 }
 
 namespace {
@@ -81,7 +84,8 @@ bool suits_implicit_damping(Scene const& scene) {
   auto const& engine = abilities_of(scene);
   return damps_sliding(scene.disks) && scene.integration.time_step.word != of_papers &&
          engine.scheme.empty() && engine.implicit_schemes.empty() &&
-         scene.shear.protocol != "ramp" && !scene.driven() && !scene.measure.contacts;
+         scene.shear.protocol != "ramp" && !scene.shear.by_pieces() && !scene.driven() &&
+         !scene.measure.contacts;
 }
 
 }  // namespace

@@ -38,6 +38,13 @@ std::string toml_value(std::vector<double> const& list) {
   for (double const one : list) text += (text.empty() ? "" : ", ") + toml_value(one);
   return "[" + text + "]";
 }
+std::string toml_value(std::vector<SequencePiece> const& list) {
+  std::string text;
+  for (auto const& [rate, amount] : list)
+    text +=
+        fmt::format("{}[{}, {}]", text.empty() ? "" : ", ", toml_value(rate), toml_value(amount));
+  return "[" + text + "]";
+}
 std::string toml_value(Strain const& strain) {
   return strain.is_list() ? toml_value(strain.each) : toml_value(strain.at(0));
 }

@@ -83,6 +83,7 @@ constexpr std::int64_t most_disks_of_a_team = 1024;
 
 constexpr Abilities ensembles = {.engine = "auto",
                                  .drives = "has none in systems that share launches",
+                                 .pieces = "scales motions, which shear.protocol = \"{}\" keeps",
                                  .contacts = "follows none in systems that share launches"};
 
 /// True if members of an ensemble can run the scene.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "kernels/physics/rate_change.hpp"
 #include "src/config/strain_rates.hpp"
 #include "src/engine/clock.hpp"
 #include "src/state/snapshot.hpp"
@@ -39,12 +40,12 @@ struct RunClock : Clock {
     rate_end = rates.at(step).end;
   }
 
-  /// Moves to the next rate at rate_end. Returns the factor by which velocities and spins grow
-  /// there, P2 Eqs. (40)-(41).
-  double change_rate() {
+  /// Moves to the next rate at rate_end. Returns the change of all motions there.
+  RateChange change_rate() {
     double const before = strain_rate;
     move_to(rate_end);
-    return strain_rate / before;
+    if (rates.scales_motions()) return {strain_rate / before, 0};
+    return {1, strain_rate - before};
   }
 };
 

@@ -23,14 +23,20 @@ struct Sampling {
   std::int64_t window_steps = std::int64_t{1} << 60;
   std::int64_t every = std::int64_t{1} << 60;                         ///< [steps]
   std::int64_t last_step = std::numeric_limits<std::int64_t>::max();  ///< the end of the run
-  bool whole = false;  ///< stop before a lookahead that the end of the run would cut short
+  bool whole = false;           ///< stop before a lookahead that the end of the run would cut short
+  std::int64_t first_step = 0;  ///< from which windows are of this length
+  std::int64_t first_window = 0;  ///< the window that begins there
 
-  KOKKOS_FUNCTION std::int64_t window(std::int64_t step) const { return step / window_steps; }
-  KOKKOS_FUNCTION bool sampled(std::int64_t step) const { return step % window_steps % every == 0; }
+  KOKKOS_FUNCTION std::int64_t window(std::int64_t step) const {
+    return first_window + (step - first_step) / window_steps;
+  }
+  KOKKOS_FUNCTION bool sampled(std::int64_t step) const {
+    return (step - first_step) % window_steps % every == 0;
+  }
 
   /// First sampled step from `step` on.
   KOKKOS_FUNCTION std::int64_t next(std::int64_t step) const {
-    std::int64_t const begin = step / window_steps * window_steps;
+    std::int64_t const begin = step - (step - first_step) % window_steps;
     std::int64_t const after = (step - begin + every - 1) / every * every;
     return begin + (after < window_steps ? after : window_steps);
   }

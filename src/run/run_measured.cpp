@@ -29,12 +29,18 @@ class StretchSize {
 bool advance(MeasuredSystem const& system, std::int64_t stop, Plan const& plan, LegEnd end) {
   auto& [simulation, measurement] = system;
   auto const from = simulation.step();
-  simulation.advance(stop - from, {plan.window_steps, plan.every, plan.steps, end == LegEnd::whole},
-                     measurement.open);
+  auto const row = plan.row_of(from);
+  stop = std::min(stop, plan.row_end(row));
+  Sampling const sampling{.window_steps = row.steps,
+                          .every = plan.every,
+                          .last_step = plan.steps,
+                          .whole = end == LegEnd::whole,
+                          .first_step = row.begin,
+                          .first_window = row.first};
+  simulation.advance(stop - from, sampling, measurement.open);
   measurement.frames.show(simulation, from);
-  while (std::min((measurement.open.first + 1) * plan.window_steps, plan.steps) <=
-             simulation.step() &&
-         measurement.open.first < plan.windows) {
+  while (measurement.open.first < plan.windows &&
+         plan.window_end(measurement.open.first) <= simulation.step()) {
     WindowSums const done = measurement.open.take_first();
     measurement.windows.push_back(done.sums, done.weight);
   }

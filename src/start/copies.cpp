@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "src/config/errors.hpp"
+#include "src/config/strain_rates.hpp"
 
 namespace bagnold {
 
@@ -53,8 +54,8 @@ State copies(State const& state, Scene const& scene) {
   auto const fitting =
       copies_that_fit(scene.start.file + ":", std::ssize(state.position), state.box_aspect, scene);
   double const length = state.box_length, height = state.box_height();
-  double const own_rate = state.strain_rate.value_or(scene.shear.strain_rate);
-  double const rate = scene.start.rescale ? own_rate : scene.shear.strain_rate;
+  double const own_rate = state.strain_rate.value_or(first_rate(scene));
+  double const rate = scene.start.rescale ? own_rate : first_rate(scene);
   State many = state;
   many.position.clear();
   many.velocity.clear();

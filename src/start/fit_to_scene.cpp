@@ -6,6 +6,7 @@
 
 #include "kernels/physics/species.hpp"
 #include "src/config/errors.hpp"
+#include "src/config/strain_rates.hpp"
 #include "src/start/copies.hpp"
 #include "src/start/mean_motion.hpp"
 #include "src/start/start.hpp"
@@ -75,12 +76,19 @@ bool are_alike(State const& one, State const& other, double strain_rate) {
 void refuse_alike(std::vector<StartedState> const& started, Scene const& scene) {
   for (std::size_t a = 0; a < started.size(); ++a)
     for (std::size_t b = 0; b < a; ++b)
-      if (are_alike(started[a].state, started[b].state, scene.shear.strain_rate))
+      if (are_alike(started[a].state, started[b].state, typical_rate(scene)))
         throw InputError(fmt::format(
             "{}: states {} and {} (from 0) are the same (must differ by more than the motion of "
             "all disks together, or their replicas run alike); make one of them anew, with "
             "another seed",
             scene.start.file, b, a));
+}
+
+/// Adds mean flow; motions keep their excess over it.
+void change_flow(State& state, double rise) {
+  for (std::size_t i = 0; i < state.count(); ++i)
+    state.velocity[i][0] += rise * state.position[i][1];
+  for (auto& spin : state.spin) spin -= rise / 2;
 }
 
 StartedState fit_one(State state, Scene const& scene) {
@@ -96,25 +104,27 @@ StartedState fit_one(State state, Scene const& scene) {
   } else {
     refuse_disagreement(state, scene);
   }
-  double const made_at = state.strain_rate.value_or(scene.shear.strain_rate);
+  double const rate = first_rate(scene), made_at = state.strain_rate.value_or(rate);
   if (!scene.rotates()) {
     state.spin.clear();
   } else if (state.spin.empty()) {
     state.spin.assign(state.count(), -made_at / 2);
     started.record["start_spins_assumed"] = 1;
   }
-  if (scene.start.rescale && made_at != scene.shear.strain_rate) {
+  if (scene.start.rescale && scene.shear.by_pieces()) {
+    change_flow(state, rate - made_at);
+  } else if (scene.start.rescale && made_at != rate) {
     if (!(made_at > 0))
       throw InputError(
           fmt::format("{}: strain_rate = {} (must be positive to scale velocities); "
                       "set start.rescale = false",
                       scene.start.file, made_at));
-    double const ratio = scene.shear.strain_rate / made_at;
+    double const ratio = rate / made_at;
     for (auto& v : state.velocity) v = {v[0] * ratio, v[1] * ratio};
     for (auto& spin : state.spin) spin *= ratio;
     started.record["start_velocity_scale"] = ratio;
   }
-  state.strain_rate = scene.shear.strain_rate;
+  state.strain_rate = rate;
   started.mean_motion = take_off_mean_motion(state, scene);
   started.state = std::move(state);
   return started;

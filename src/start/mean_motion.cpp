@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/start/mean_motion.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "kernels/physics/species.hpp"
+#include "src/config/strain_rates.hpp"
 
 namespace bagnold {
 
@@ -27,7 +31,8 @@ std::optional<MeanMotion> take_off_mean_motion(State& state, Scene const& scene)
   constexpr double rounding = 1e-12;
   auto const found = mean_motion(state, scene);
   auto const [x, y] = found.velocity;
-  double const rate = state.strain_rate.value_or(scene.shear.strain_rate);
+  double const rate = scene.shear.by_pieces() ? typical_rate(scene)
+                                              : state.strain_rate.value_or(scene.shear.strain_rate);
   bool const against_shear = x * x + y * y > rounding * rate * rate;  // over a length of d_s
   if (!(found.share > rounding && against_shear)) return std::nullopt;
   for (auto& v : state.velocity) v = {v[0] - found.velocity[0], v[1] - found.velocity[1]};

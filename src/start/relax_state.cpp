@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "src/config/strain_rates.hpp"
 #include "src/start/deep_overlaps.hpp"
 #include "src/start/random_pair.hpp"
 #include "src/start/relax_overlaps.hpp"
@@ -29,8 +30,7 @@ void relax_state(StartedState& started, Scene const& scene, std::function<bool()
     leave_symmetry(at_rest, scene.disks.seed);
   relax_start(at_rest, scene, scene.start.file, started.record, go_on);
   for (std::size_t i = 0; i < state.count(); ++i)
-    state.velocity[i][0] +=
-        scene.shear.strain_rate * (at_rest.position[i][1] - state.position[i][1]);
+    state.velocity[i][0] += first_rate(scene) * (at_rest.position[i][1] - state.position[i][1]);
   state.position = std::move(at_rest.position);
 }
 

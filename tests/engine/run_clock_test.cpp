@@ -54,7 +54,7 @@ TEST(RunClock, CountsTheStrainOfAllRates) {
     int changes = 0;
     for (std::int64_t step = 0; step <= ramp.steps(); ++step) {
       if (step == clock.rate_end) {
-        factors *= clock.change_rate();
+        factors *= clock.change_rate().factor;
         ++changes;
       }
       auto const piece = ramp.piece(std::min(step, ramp.steps() - 1));

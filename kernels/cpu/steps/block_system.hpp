@@ -89,6 +89,21 @@ inline void scale_motion(Block const& block, BlockState const& state, Real facto
     (simd::Pack(factor) * simd::Pack::load(spin + i)).store(spin + i);
 }
 
+/// Adds to the motion of a block's disks what the mean flow gains where the strain rate changes:
+/// the excess over it stays.
+inline void follow_flow(Block const& block, BlockState const& state, Real rise) {
+  for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
+    auto* const record = state.record.data() + block.first + i;
+    auto r = simd::load_records(record);
+    r.vx = fma(simd::Pack(rise), r.y, r.vx);
+    simd::store_records(record, r);
+  }
+  if (state.spin.extent(0) == 0) return;
+  auto* const spin = state.spin.data() + block.first;
+  for (std::uint32_t i = 0; i < block.padded; i += simd::width)
+    (simd::Pack::load(spin + i) - simd::Pack(rise / 2)).store(spin + i);
+}
+
 /// Report of a step on a block; each half of the step adds its part.
 struct BlockReport {
   Real fastest2 = 0;           ///< largest (v - gammadot y x^)^2, [d_s^2 / tau_e^2]

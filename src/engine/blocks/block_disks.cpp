@@ -38,9 +38,12 @@ std::size_t BlockDisks::fastest_disk() const {
 }
 
 void BlockDisks::change_rate() {
-  Real const factor = clock.change_rate();
-  (*loop)(system.blocks.count,
-          [&](std::uint32_t b) { scale_motion(system.blocks.block(b), system.now, factor); });
+  auto const [factor, rise] = clock.change_rate();
+  (*loop)(system.blocks.count, [&, factor = factor, rise = rise](std::uint32_t b) {
+    auto const& block = system.blocks.block(b);
+    if (factor != 1) scale_motion(block, system.now, factor);
+    if (rise != 0) follow_flow(block, system.now, rise);
+  });
 }
 
 DiskList BlockDisks::disks() const {

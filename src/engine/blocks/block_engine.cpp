@@ -122,8 +122,13 @@ void BlockEngine::for_each_counter(Visit const& visit) {
 void BlockEngine::advance_one(Sampling const& sampling, OpenWindows& windows) {
   single_.advance(sampling, windows);
   if (disks_.system.step != disks_.clock.rate_end) return;
+  Real const before = disks_.clock.strain_rate;
   disks_.change_rate();
-  lists_.fastest = disks_.fastest();
+  bool const goes_on = before * disks_.clock.strain_rate > 0;
+  if (goes_on)
+    lists_.fastest = disks_.fastest();
+  else  // bounds of motions hold for shear of one sign
+    single_.rebuild();
 }
 
 void BlockEngine::advance_step(Sampling const& sampling, OpenWindows& windows) {

@@ -11,11 +11,12 @@ namespace {
 
 Stepping stepping(EngineInput const& input, bool iterates) {
   auto const& engine = input.engine;
-  return input.drive || iterates     ? Stepping::many_contacts
-         : engine == "many-contacts" ? Stepping::many_contacts
-         : engine == "few-contacts"  ? Stepping::few_contacts
-         : engine == "lookahead"     ? Stepping::lookahead
-                                     : Stepping::automatic;
+  return input.drive || iterates         ? Stepping::many_contacts
+         : engine == "many-contacts"     ? Stepping::many_contacts
+         : engine == "few-contacts"      ? Stepping::few_contacts
+         : !input.rates.scales_motions() ? Stepping::many_contacts
+         : engine == "lookahead"         ? Stepping::lookahead
+                                         : Stepping::automatic;
 }
 
 }  // namespace

@@ -188,7 +188,7 @@ class EnsembleEngine final : public Ensemble {
     for (std::size_t s = 0; s < systems(); ++s) {
       auto& clock = clocks_[s];
       if (progress_[s].wait != Wait::none || progress_[s].step != clock.rate_end) continue;
-      progress_[s].factor = clock.change_rate();
+      progress_[s].factor = clock.change_rate().factor;  // of ramps alone
       constants_[s].clock = clock;
       constants_[s].rate_end = clock.rate_end;
       any = true;

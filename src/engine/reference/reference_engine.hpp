@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kernels/device/dynamics/device_drive.hpp"
+#include "kernels/device/dynamics/follow_flow.hpp"
 #include "kernels/device/dynamics/scale_motion.hpp"
 #include "kernels/device/dynamics/stepped_system.hpp"
 #include "kernels/device/launch_queue.hpp"
@@ -264,9 +265,14 @@ class ReferenceEngine final : public Simulation {
 
   /// Goes on at the next strain rate; the list stays, if it still holds for a step.
   void change_rate() {
-    double const factor = clock_.change_rate();
-    loops_.for_all("dynamics::ScaleMotion", system_.disks.count(),
-                   ScaleMotion<rotates, Space>{system_.disks.motion, factor});
+    auto const [factor, rise] = clock_.change_rate();
+    auto const& disks = system_.disks;
+    if (factor != 1)
+      loops_.for_all("dynamics::ScaleMotion", disks.count(),
+                     ScaleMotion<rotates, Space>{disks.motion, factor});
+    if (rise != 0)
+      loops_.for_all("dynamics::FollowFlow", disks.count(),
+                     FollowFlow<rotates, Space>{disks.motion, disks.position, rise});
     double const strain = clock_.strain_since(list_, step_);
     double const next_strain = clock_.strain_since(list_, step_ + 1);
     if (!list_holds(std::abs(next_strain), farthest2(strain, next_strain), skin_)) renew_list();
