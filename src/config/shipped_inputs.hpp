@@ -6,8 +6,8 @@
 
 namespace bagnold {
 
-/// A file of inputs/, which comes with the program. Searched: `inputs` in the working directory, the
-/// source tree of a program that was not installed, `share/bagnold` beside an installed one.
+/// A file of inputs/, which comes with the program. Searched: `inputs` in the working directory,
+/// the source tree of a program that was not installed, `share/bagnold` beside an installed one.
 ///
 /// @param name relative to inputs/, such as "figures/figures.toml"
 /// @return no value where it is in none of these
