@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "src/config/scene.hpp"
+
 namespace bagnold {
 
 StrainRates::Stretch StrainRates::at(std::int64_t step) const {
