@@ -71,7 +71,7 @@ class Wheel(unittest.TestCase):
     def call(self, name, *words):
         """From a folder of nobody's, with nothing of this process' environment."""
         done = subprocess.run([self.bin / name, *map(str, words)], cwd=self.folder, capture_output=True, text=True,
-                              env={"PATH": "/usr/bin:/bin", "HOME": str(self.folder)}, timeout=900)
+                              env={"PATH": "/usr/bin:/bin", "HOME": str(self.folder)}, timeout=300)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         return done.stdout
 
