@@ -36,10 +36,8 @@ make_arm_root() {
 # in_arm FOLDER COMMAND...: in the system of make_arm_root, its programs run by qemu-user, this tree at /bagnold.
 # Linux 6.7 gives a user namespace a list of interpreters of its own; before, it is the machine's (binfmt-support).
 in_arm() {
-  local name variables=(HOME=/root PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8)
-  for name in http_proxy https_proxy no_proxy ${!PIP_*}; do
-    [ -z "${!name:-}" ] || variables+=("$name=${!name}")
-  done
+  local variables=(LC_ALL=C.UTF-8)
+  add_variables_of_a_root
   # shellcheck disable=SC2016
   unshare --user --map-root-user --mount --pid --fork --kill-child bash -euc '
     to="$1" tree="$2"
