@@ -24,6 +24,7 @@ from matplotlib.colors import LogNorm  # noqa: E402
 from PIL import Image  # noqa: E402
 
 EVERY, MILLISECONDS, COLOURS, DPI = 2, 180, 32, 100
+LINE = "#D55E00"
 
 
 def frame_of(run, frames, number, strain, sigma):
@@ -42,7 +43,7 @@ def frame_of(run, frames, number, strain, sigma):
     bar = figure.colorbar(disks, ax=top, pad=0.01, extend="both")
     bar.set_label(r"local $\dot\gamma\tau_e$", fontsize=8)
     below.semilogy(strain, sigma, lw=0.8)
-    below.axvline(frame.strain, color="#D55E00", lw=1.5)
+    below.axvline(frame.strain, color=LINE, lw=1.5)
     below.set(xlabel=r"strain $\gamma$", ylabel=r"$\sigma$  $[m/\tau_e^2]$", xlim=(0, strain[-1]))
     picture = io.BytesIO()
     figure.savefig(picture, dpi=DPI)
@@ -60,7 +61,8 @@ def main():
     with plt.rc_context({**STYLE, "font.size": 8, "axes.titlesize": 9}):
         frames = [run.frames[k] for k in range(len(run.frames))]
         images = [frame_of(run, frames, k, strain, sigma) for k in range(0, len(frames), EVERY)]
-    palette = images[-1].quantize(COLOURS)
+    palette = images[-1].quantize(COLOURS - 1)  # the line, a few pixels, would get no colour of its own
+    palette.putpalette([*palette.getpalette()[:3 * (COLOURS - 1)], *bytes.fromhex(LINE[1:])])
     images = [one.quantize(palette=palette, dither=Image.Dither.NONE) for one in images]
     images[0].save(ROOT / "docs/band.gif", save_all=True, append_images=images[1:], duration=MILLISECONDS, loop=0, optimize=True)
     print(f"{len(images)} frames, {(ROOT / 'docs/band.gif').stat().st_size / 1e6:.2f} MB")

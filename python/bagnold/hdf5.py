@@ -9,6 +9,7 @@ from typing import Any
 import h5py
 
 from .errors import FileError
+from .files import regular
 
 
 def open_hdf5(path: str | os.PathLike[str]) -> Any:
@@ -23,7 +24,7 @@ def unlocked(path: str | os.PathLike[str], mode: str) -> Any:
     """Opens a file as h5py.File does, without HDF5's flock(2): the program replaces files as a whole, and its run lock
     excludes other processes. Raises OSError."""
     try:
-        return h5py.File(path, mode, locking=False)
+        return h5py.File(regular(path), mode, locking=False)
     except OSError as error:
         if "locking flag" not in str(error):
             raise

@@ -15,6 +15,7 @@ from typing import Any
 
 from . import html
 from .errors import Error, FileError, InputError
+from .files import regular
 from .results import Run, load
 from .sweeps import Sweep, sweep
 
@@ -191,7 +192,7 @@ def _provenance(run: Run) -> str:
 
 def _text(path: pathlib.Path) -> str:
     try:
-        return path.read_text(encoding="utf-8")
+        return regular(path).read_text(encoding="utf-8")
     except OSError:
         return ""
 

@@ -17,6 +17,7 @@ import numpy as np
 
 from .contacts import ContactFrames
 from .errors import FileError, InputError, needed
+from .files import regular
 from .frames import Array, Frame, Frames, read_states
 from .hdf5 import open_hdf5
 from .observables import Observable, Warning, number, observable
@@ -361,7 +362,7 @@ def _what_is(folder: pathlib.Path) -> str:
 
 def _opened(path: pathlib.Path) -> Any:
     try:
-        return open(path, "rb")
+        return open(regular(path), "rb")
     except OSError as error:
         raise FileError(f"{path} cannot be read: {error}") from error
 

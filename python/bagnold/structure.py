@@ -154,6 +154,45 @@ def nonaffine_displacement(frames: Iterable[Frame]) -> tuple[Array, Array]:
     return strain - strain[0], np.concatenate([np.zeros((1, *place.shape[1:])), np.cumsum(step, axis=0)])
 
 
+def d2_min(frames: Iterable[Frame], r_max: float = 2.5) -> tuple[Array, Array]:
+    """D^2_min of each disk between the first frame and the last: what is left of the motion of its neighbours when the
+    affine map that fits it best is taken off (Falk and Langer, Phys. Rev. E 57, 7192 (1998)):
+
+        D^2_min,i = min_J sum_j |r_ij(last) - J r_ij(first)|^2 / n_i
+
+    frames: two or more; those between help to unwrap disks where frames have no `image`. r_max: d_s, neighbours are those
+    nearer in the first frame, n_i of them; 2.5 takes about 18 at phi = 0.82. Returns D^2_min, [N], d_s^2, and J, [N, 2, 2],
+    with the mean flow (J_xy = dgamma); NaN where neighbours do not span the plane. OVITO states n_i D^2_min."""
+    frames = list(frames)
+    if len(frames) < 2:
+        raise InputError(f"d2_min: {len(frames)} frame (needs a first and a last one); take a slice of several")
+    first, last = frames[0], frames[-1]
+    _refuse_far(first, r_max)
+    strain = last.strain - first.strain
+    if np.isnan(strain):
+        raise InputError("the strain of a frame is not known; use a trajectory, whose frames tell it")
+    place = unwrapped(frames)
+    moved = place[-1] - place[0]
+    moved[:, 0] -= strain * place[0][:, 1]  # beside the mean flow, which takes a disk's images along
+    i, j, away, _ = pairs_within(first.position, first.box, np.zeros(len(first)), r_max)
+    i, j, away = np.concatenate([i, j]), np.concatenate([j, i]), np.concatenate([away, -away])
+    apart = moved[i] - moved[j]
+
+    def by_disk(a: Array, b: Array) -> Array:
+        return np.stack([[np.bincount(i, a[:, k] * b[:, m], minlength=len(first)) for m in (0, 1)] for k in (0, 1)]
+                        ).transpose(2, 0, 1)
+
+    square, mixed, spread = by_disk(away, away), by_disk(apart, away), by_disk(apart, apart)
+    spans = np.linalg.det(square) > 1e-9 * np.trace(square, axis1=1, axis2=2)**2
+    inverse = np.full(square.shape, np.nan)
+    inverse[spans] = np.linalg.inv(square[spans])
+    fit = mixed @ inverse
+    left = np.trace(spread, axis1=1, axis2=2) - np.sum(fit * mixed, axis=(1, 2))
+    with np.errstate(invalid="ignore", divide="ignore"):
+        d2 = np.maximum(left, 0) / np.bincount(i, minlength=len(first))
+    return d2, fit + np.array([[1.0, strain], [0.0, 1.0]])
+
+
 def nonaffine_msd(frames: Iterable[Frame]) -> tuple[Array, Array]:
     """Mean square non-affine displacement at each lag of strain, over all pairs of frames so far apart.
 
@@ -312,6 +351,6 @@ class _Steps:
         return windings
 
 
-__all__ = ["cluster_sizes", "clusters", "fabric_tensor", "force_distribution", "nonaffine_displacement",
+__all__ = ["cluster_sizes", "clusters", "d2_min", "fabric_tensor", "force_distribution", "nonaffine_displacement",
            "nonaffine_msd", "percolates", "radial_distribution", "rattlers", "structure_factor", "unwrapped",
            "velocity_correlation"]

@@ -71,3 +71,13 @@ jobs_for_this_machine() {
   [ "${memory:-1}" -ge 1 ] || memory=1
   echo $((processors < memory ? processors : memory))
 }
+
+# add_variables_of_a_root [NAME...]: appends to the array variables what commands in another root are given: HOME and
+# PATH, and of those that are set here proxies, pip's, and NAMEs.
+add_variables_of_a_root() {
+  local name
+  variables+=(HOME=/root PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin)
+  for name in http_proxy https_proxy no_proxy ${!PIP_*} "$@"; do
+    [ -z "${!name:-}" ] || variables+=("$name=${!name}")
+  done
+}

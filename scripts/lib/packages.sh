@@ -9,6 +9,7 @@ build_packages=(
 picture_packages=(python3 python3-h5py python3-matplotlib)
 package_packages=(dpkg-dev file help2man) # what cpack asks to make Debian packages
 wheel_packages=(git python3-venv rsync)
+cross_packages=(gcc-12-aarch64-linux-gnu g++-12-aarch64-linux-gnu qemu-user-static)
 test_packages=(
   libgtest-dev libbenchmark-dev clang-format-14 python3-numpy python3-yaml zsh
   "${package_packages[@]}"

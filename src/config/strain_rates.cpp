@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "src/config/oscillation.hpp"
+#include "src/config/scene.hpp"
 #include "src/config/sequence.hpp"
 
 namespace bagnold {

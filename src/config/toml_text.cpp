@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "src/config/errors.hpp"
+#include "src/config/shipped_inputs.hpp"
 #include "src/config/toml_table.hpp"
 
 namespace bagnold {
@@ -16,15 +17,16 @@ namespace {
 
 /// The file itself, or, of `inputs/NAME` that is not there, what came with the program.
 std::filesystem::path here_or_installed(std::filesystem::path const& file) {
-  namespace fs = std::filesystem;
   std::error_code ignored;
   auto const name = file.lexically_normal();
-  if (name.is_absolute() || *name.begin() != "inputs" || fs::exists(file, ignored)) return file;
-  auto const program = fs::read_symlink("/proc/self/exe", ignored).parent_path();
-  for (auto const& folder : {program / "../share/bagnold", program / "../../inputs"})
-    if (auto const found = folder / name.lexically_relative("inputs"); fs::exists(found, ignored))
-      return found;
-  return file;
+  if (name.is_absolute() || *name.begin() != "inputs" || std::filesystem::exists(file, ignored))
+    return file;
+  return find_shipped_input(name.lexically_relative("inputs")).value_or(file);
+}
+
+/// A descriptor of this process: /dev/stdin, or /dev/fd/63 of the shell's <(...).
+bool is_open_here(std::filesystem::path const& file) {
+  return file.string().starts_with("/dev/") || file.string().starts_with("/proc/");
 }
 
 }  // namespace
@@ -34,6 +36,10 @@ std::string read_text(std::filesystem::path const& file) {
   std::error_code error;
   if (std::filesystem::is_directory(file, error))
     throw InputError(fmt::format("{}: is a folder, not a scene file", file.string()));
+  if (std::filesystem::is_fifo(file, error) && !is_open_here(file))
+    throw InputError(fmt::format(
+        "{}: is a pipe, which may be waited for without end; give a scene file, or /dev/stdin",
+        file.string()));
   std::ifstream in(here_or_installed(file), std::ios::binary);
   if (!in)
     throw InputError(fmt::format("{}: cannot be read ({}); check the path", file.string(),

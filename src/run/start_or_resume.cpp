@@ -13,9 +13,11 @@
 #include "src/io/state_file.hpp"
 #include "src/run/make_longer.hpp"
 #include "src/run/messages.hpp"
+#include "src/run/protocols/cascade/cascade.hpp"
 #include "src/run/runner.hpp"
 #include "src/run/warnings/checks.hpp"
 #include "src/start/deep_overlaps.hpp"
+#include "src/start/relax_overlaps.hpp"
 
 namespace bagnold {
 

@@ -17,6 +17,7 @@
 #include "src/io/checkpoint.hpp"
 #include "src/io/run_lock.hpp"
 #include "src/io/trajectory_parts.hpp"
+#include "src/run/last_words.hpp"
 
 namespace bagnold {
 
@@ -83,16 +84,6 @@ bool add_checkpoint(RunStatus& status, fs::path const& folder, Plan const& plan,
 /// [s].
 double seconds_of_work(RunStatus const& status, fs::path const& folder) {
   return std::min(status.age, age_of(folder / ".lock"));
-}
-
-/// Last message of a point of a sweep in its log; "" if it has none.
-std::string last_words(fs::path const& log) {
-  constexpr std::string_view mark = "bagnold: ";
-  std::ifstream in(log);
-  std::string words;
-  for (std::string line; std::getline(in, line);)
-    if (line.starts_with(mark)) words = line.substr(mark.size());
-  return words;
 }
 
 /// State of a run that is not done and has no process.

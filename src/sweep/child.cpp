@@ -64,7 +64,8 @@ class HeldSignals {
 }  // namespace
 
 Child::Child(std::vector<std::string> const& command, std::filesystem::path const& log) {
-  auto const log_file = io::open_descriptor(log, O_WRONLY | O_CREAT | O_APPEND | O_NOFOLLOW);
+  auto const log_file = io::open_descriptor(
+      log, O_WRONLY | O_CREAT | O_APPEND | O_NOFOLLOW | O_NONBLOCK);  // no wait for a pipe's reader
   if (!log_file.open()) io::fail_on("write", log, errno);
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC | O_NONBLOCK) != 0) io::fail_on("make a pipe for", log, errno);

@@ -8,8 +8,9 @@
 #include <chrono>
 #include <csignal>
 #include <exception>
-#include <fstream>
 #include <thread>
+
+#include "src/run/last_words.hpp"
 
 namespace bagnold::sweep {
 
@@ -18,17 +19,6 @@ namespace {
 constexpr int round_ms = 100;    ///< between checks of signals and of folders in use
 constexpr int most_waits = 100;  ///< rounds: a killed process may take a while to end a write
 constexpr int asked_waits = 20;  ///< rounds: Slurm signals one process after the other
-
-/// Last message of a point on stderr, after the earlier contents of the log.
-std::string last_words(std::filesystem::path const& log, std::uintmax_t before) {
-  constexpr std::string_view mark = "bagnold: ";
-  std::ifstream in(log);
-  in.seekg(static_cast<std::streamoff>(before));
-  std::string words = "ended without a word";
-  for (std::string line; std::getline(in, line);)
-    if (line.starts_with(mark)) words = line.substr(mark.size());
-  return words;
-}
 
 std::uintmax_t size_of(std::filesystem::path const& log) {
   std::error_code missing;
@@ -144,9 +134,9 @@ void Scheduler::ended(Running const& running, std::size_t point, int exit_code) 
   if (exit_code > 128 && (stopping_ || all_are_asked_to_stop(exit_code - 128)))
     return monitor_.stopped(point);
   chain.next = chain.points.size();
-  failures_[point] = {point, exit_code,
-                      exit_code > 128 ? fmt::format("ended by signal {}", exit_code - 128)
-                                      : last_words(folder_.log(point), running.log_before)};
+  auto const words = exit_code > 128 ? fmt::format("ended by signal {}", exit_code - 128)
+                                     : last_words(folder_.log(point), running.log_before);
+  failures_[point] = {point, exit_code, words.empty() ? "ended without a word" : words};
   monitor_.failed(point);
 }
 

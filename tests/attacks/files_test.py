@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Files that are damaged, lost or moved under a run; file systems that lack something."""
 
+import os
 import pathlib
 import random
 import shutil
@@ -12,7 +13,7 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "cli"))
 
-from bagnold import SOURCE, CliTest, environment, read_state, write_state  # noqa: E402
+from bagnold import PROGRAM, SOURCE, CliTest, environment, read_state, write_state  # noqa: E402
 from injector import injected  # noqa: E402
 
 FRAMES = {"disks__count": 16, "shear__strain": 2.0**-6, "output__sample_strain": 2.0**-8,
@@ -192,6 +193,55 @@ class Locks(CliTest):
 
     def test_a_broken_one_is_an_error(self):
         self.assert_clean_error(self.run_without_locks("EIO"), 4, ".lock", "Input/output error")
+
+
+class Pipes(CliTest):
+    """A file of a run or of a sweep is a pipe, which has no other end."""
+
+    def setUp(self):
+        super().setUp()
+        self.film = {**FRAMES, "output__trajectory_strain": 2.0**-8}
+
+    def assert_ends(self, *words):
+        result = self.bagnold(*words, timeout=60)
+        self.assertIn(result.returncode, (0, 2, 4), f"{words}: {result.stderr}")
+        self.assertNotIn("Traceback", result.stderr)
+
+    def test_of_a_run(self):
+        out = self.run_new("whole", **self.film)
+        for name in ("scene.toml", "state.h5", "result.h5", "summary.json", "checkpoint.h5", "trajectory.h5md"):
+            file = out / name
+            content = file.read_bytes()
+            file.unlink()
+            os.mkfifo(file)
+            for words in (("run", self.scene(**self.film), "--out", out), ("resume", out), ("status", out),
+                          ("watch", out), ("plot", out), ("report", out), ("movie", out, self.folder / "film.gif"),
+                          ("validate", out / "scene.toml"), ("export", out / "trajectory.h5md", self.folder / "film.xyz")):
+                with self.subTest(pipe=name, command=words[0]):
+                    self.assert_ends(*words)
+            if file.is_fifo():
+                file.unlink()
+            file.write_bytes(content)
+
+    def test_of_a_sweep(self):
+        sweep = self.folder / "sweep.toml"
+        sweep.write_text(self.scene(**FRAMES).read_text() + "[sweep]\ngrid = { \"disks.seed\" = [1, 2] }\n")
+        out = self.folder / "out"
+        self.bagnold("sweep", sweep, "--out", out, "--emit-slurm")
+        log = next((out / "points").iterdir()) / "log.txt"
+        for name in ("sweep.toml", "points.json", log.relative_to(out)):
+            with self.subTest(pipe=name):
+                (out / name).unlink(missing_ok=True)
+                os.mkfifo(out / name)
+                for words in (("status", out), ("sweep", sweep, "--out", out), ("plot", out), ("report", out)):
+                    self.assert_ends(*words)
+                (out / name).unlink()
+
+    def test_that_this_process_has_open_are_read(self):
+        scene = self.scene(**FRAMES).read_text()
+        result = subprocess.run([PROGRAM, "run", "/dev/stdin", "--out", self.folder / "out"], input=scene, text=True, capture_output=True,
+                                timeout=60, env=environment())
+        self.assertEqual(result.returncode, 0, result.stderr)
 
 
 class State(CliTest):

@@ -443,7 +443,7 @@ class Cuda(Shown):
         self.says(self.page, "gains {} more in simulated time: a step of 1.4 costs {} of 0.2", 7 * implicit / explicit, explicit / implicit)
 
     def test_last_row_of_the_log(self):
-        name, *cells = table_of("docs/performance_log.md", "idea | N = 1024 | 65536 | 65536, shuffled")[-1]
+        name, *cells = table_of("docs/data/performance/tried.md", "idea | N = 1024 | 65536 | 65536, shuffled")[-1]
         rotating = [self.speeds(disks=disks, engine="reference", **more)[0][0] for disks, more in (
             (1024, {}), (65536, {}), (65536, {"order": "shuffled"}), (1048576, {}), (1048576, {"order": "shuffled"}),
             (1048576, {"every": 1e6}))]

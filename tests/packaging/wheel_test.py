@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What pip installs. Metadata: the two packages say the same, the source distribution has all that the build reads.
 Wheel (slow): scripts/wheel makes one, or BAGNOLD_WHEEL names one; it is installed into a bare virtual environment,
-with libraries from where pip finds them, and runs there.
+with libraries from where pip finds them, and runs there. scripts/aarch64 wheel does so under qemu-user.
 
 BAGNOLD_SOURCE is the root of the repository.
 """
 
 import os
 import pathlib
+import platform
 import re
 import subprocess
 import sys
@@ -48,7 +49,7 @@ class Metadata(unittest.TestCase):
             self.assertIn(option, texts[0].read_text())
 
     def test_the_scripts_are_shell(self):
-        for path in ("scripts/wheel", "scripts/lib/wheel.sh"):
+        for path in ("scripts/wheel", "scripts/lib/wheel.sh", "scripts/aarch64", "scripts/lib/aarch64.sh"):
             subprocess.run(["bash", "-n", SOURCE / path], check=True)
 
 
@@ -59,7 +60,7 @@ class Wheel(unittest.TestCase):
             cls.wheel = pathlib.Path(os.environ["BAGNOLD_WHEEL"]).resolve()
         else:
             subprocess.run([SOURCE / "scripts/wheel"], check=True)
-            cls.wheel, = (SOURCE / "build/wheel").glob("*.whl")
+            cls.wheel, = (SOURCE / "build/wheel").glob(f"*_{platform.machine()}.whl")
         place = tempfile.TemporaryDirectory(prefix="bagnold-wheel-")
         cls.addClassCleanup(place.cleanup)
         cls.folder = pathlib.Path(place.name)
@@ -83,7 +84,7 @@ class Wheel(unittest.TestCase):
     def test_the_program_needs_the_c_library_alone(self):
         said = subprocess.run(["objdump", "-p", self.bin / "bagnold"], capture_output=True, text=True, check=True).stdout
         needed = set(re.findall(r"NEEDED +(\S+)", said))
-        self.assertLessEqual({name.split(".so")[0] for name in needed}, {"libc", "libm", "libpthread", "libdl", "ld-linux-x86-64"})
+        self.assertLessEqual({name.split(".so")[0] for name in needed}, {"libc", "libm", "libpthread", "libdl", "ld-linux-x86-64", "ld-linux-aarch64"})
 
     def test_a_run_with_its_picture(self):
         scene = self.bin.parent / "share/bagnold/quickstart.toml"

@@ -184,6 +184,65 @@ class Displacements(unittest.TestCase):
             structure.nonaffine_msd([dataclasses.replace(frame, strain=np.nan)])
 
 
+class LocalStrain(unittest.TestCase):
+    """D^2_min between frames of a packing that has moved by hand."""
+
+    def frames(self, strain, kicks=None, gradient=None):
+        first = dataclasses.replace(random_frame(60, 9.0, 8.0, 0.0), strain=0.0)
+        place = first.position.copy()
+        if gradient is not None:
+            place = place @ np.asarray(gradient).T
+        place[:, 0] += strain * first.position[:, 1]
+        if kicks is not None:
+            place += kicks
+        box = bagnold.Box(9.0, 8.0, strain * 8.0)
+        return [first, dataclasses.replace(first, position=place, image=np.zeros((60, 2), int), strain=strain, box=box)]
+
+    def two(self, *given, **more):
+        first, last = self.frames(*given, **more)
+        return [dataclasses.replace(first, image=np.zeros((60, 2), int)), last]
+
+    def test_the_mean_flow_leaves_nothing(self):
+        d2, gradient = structure.d2_min(self.two(0.3), 2.5)
+        np.testing.assert_allclose(d2, 0, atol=1e-12)
+        np.testing.assert_allclose(gradient, np.broadcast_to([[1, 0.3], [0, 1]], (60, 2, 2)), atol=1e-9)
+
+    def test_by_least_squares_of_each_disk(self):
+        kicks = np.random.default_rng(5).normal(0, 0.1, (60, 2))
+        first, last = self.two(0.2, kicks)
+        d2, gradient = structure.d2_min([first, last], 2.5)
+        for i in range(60):
+            before, after = [], []
+            for j, a, b in itertools.product(range(60), (-1, 0, 1), (-1, 0, 1)):
+                start = first.position[j] + [9.0 * a, 8.0 * b] - first.position[i]
+                if (j, a, b) != (i, 0, 0) and np.hypot(*start) < 2.5:
+                    before.append(start)
+                    after.append(last.position[j] + [9.0 * a + 0.2 * 8.0 * b, 8.0 * b] - last.position[i])
+            fit, *_ = np.linalg.lstsq(before, after, rcond=None)
+            np.testing.assert_allclose(gradient[i], fit.T, atol=1e-9)
+            left = np.array(after) - np.array(before) @ fit
+            self.assertAlmostEqual(d2[i], np.sum(left**2) / len(before), places=10)
+
+    def test_disks_across_an_edge_go_by_their_images(self):
+        kicks = np.random.default_rng(6).normal(0, 0.05, (60, 2))
+        first, last = self.two(0.2, kicks)
+        up = last.position[:, 1] >= 4.0  # as if they had left the box: by another image of the same disk
+        moved = last.position - np.where(up[:, None], [0.2 * 8.0, 8.0], 0)
+        images = np.zeros((60, 2), int)
+        images[up, 1] = 1
+        other = dataclasses.replace(last, position=moved, image=images)
+        np.testing.assert_allclose(structure.d2_min([first, other])[0], structure.d2_min([first, last])[0], atol=1e-10)
+
+    def test_what_cannot_be_told(self):
+        first, last = self.two(0.2)
+        with self.assertRaisesRegex(bagnold.InputError, "1 frame .*a last one"):
+            structure.d2_min([first])
+        with self.assertRaisesRegex(bagnold.InputError, "strain of a frame is not known"):
+            structure.d2_min([first, dataclasses.replace(last, strain=np.nan)])
+        d2, gradient = structure.d2_min([first, last], 0.05)  # nobody has a neighbour
+        self.assertTrue(np.isnan(d2).all() and np.isnan(gradient).all())
+
+
 class Networks(unittest.TestCase):
     def test_forces_integrate_to_one(self):
         found = [contacts(random_frame(seed=seed)) for seed in range(5)]

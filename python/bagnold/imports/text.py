@@ -12,6 +12,7 @@ from typing import TextIO
 import numpy as np
 
 from ..errors import FileError, InputError
+from ..files import regular
 from ..frames import Array
 
 #: A number as C, Fortran ("1.0D-3") and Python write it; not "1_000", which only Python reads.
@@ -25,7 +26,7 @@ def opened(path: pathlib.Path) -> TextIO:
     """Opens a file of text: UTF-8, with or without a byte order mark, UTF-16 with one, otherwise Latin-1, whose bytes
     above 127 can only be in comments and names. Raises FileError if it is not text."""
     try:
-        with open(path, "rb") as file:
+        with open(regular(path), "rb") as file:
             head = file.read(HEAD)
         return open(path, encoding=_encoding(path, head), errors="strict")
     except OSError as error:

@@ -10,6 +10,7 @@ import tomllib
 import h5py
 import numpy as np
 
+from ..files import regular
 from ..hdf5 import open_hdf5
 from ..scene import Scene
 
@@ -68,7 +69,7 @@ class Stored:
 def points_in(source):
     """All points with results, in the order of the sweep."""
     if source.endswith(".json"):
-        with open(source, encoding="utf-8") as file:
+        with open(regular(source), encoding="utf-8") as file:
             return [Stored(entry) for entry in json.load(file)["points"]]
     with open_hdf5(os.path.join(source, "sweep.h5")) as file:
         names, scenes, status = (file[path].asstr()[:]

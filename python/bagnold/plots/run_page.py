@@ -14,6 +14,7 @@ from .labels import (add_heading, log_ticks, plain_ticks, power_of_ten, scale_of
                      scene_line, short_power, with_unit)
 from .style import BLUE, COLOURS, DASHED, DOTTED, GREEN, GREY, ORANGE, SKY, VERMILION, plt
 from ..errors import InputError
+from ..files import regular
 from ..hdf5 import open_hdf5
 from ..observables import rounded
 
@@ -98,7 +99,7 @@ def plain(value):
 
 def read_observables(path):
     try:
-        with open(path, encoding="utf-8") as file:
+        with open(regular(path), encoding="utf-8") as file:
             return json.load(file)["observables"]
     except (OSError, ValueError, KeyError):
         return {}

@@ -7,6 +7,7 @@
 
 #include "src/config/errors.hpp"
 #include "src/config/nearest_word.hpp"
+#include "src/config/shipped_inputs.hpp"
 #include "src/config/toml_text.hpp"
 
 namespace bagnold::analysis {
@@ -133,11 +134,7 @@ Figure FigureFile::read(std::string const& name, bool quick) const try {
 
 fs::path find_figure_file(fs::path const& given) {
   if (!given.empty()) return given;
-  auto const program = fs::read_symlink("/proc/self/exe").parent_path();
-  for (auto const& folder :
-       {fs::path("inputs"), program / "../../inputs", program / "../share/bagnold"})
-    if (auto const file = folder / "figures/figures.toml"; fs::exists(file))
-      return file.lexically_normal();
+  if (auto const file = find_shipped_input("figures/figures.toml")) return *file;
   throw InputError("inputs/figures/figures.toml is not here; name it with --figures FILE");
 }
 

@@ -20,7 +20,7 @@ constexpr Real near = 1e-5;
 
 /// A whole step is accepted if it leaves at most `good_share` of the residual; otherwise the slope
 /// along it is reduced to `flat_share`. With good_share = 0.5, CD_rot at 1e-7 takes nearly twice as
-/// many iterations (docs/performance_log.md).
+/// many iterations (docs/data/performance/tried.md).
 constexpr Real good_share = 0.1, flat_share = 0.2;
 
 /// Trials along one Newton direction.

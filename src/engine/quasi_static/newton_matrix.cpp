@@ -10,7 +10,7 @@ namespace bagnold::quasi_static {
 
 namespace {
 
-/// Each change costs a solution; 8 and 32 take equally long (docs/performance_log.md).
+/// Each change costs a solution; 8 and 32 take equally long (docs/data/performance/tried.md).
 constexpr std::size_t most_changes = 16;
 
 /// Blocks of a pair: the derivatives G_i, G_j of the velocity at the contact with respect to the

@@ -3,7 +3,7 @@
 
 /// Two disks approach head on, at speed 1, damping 2: the force on i is 2 along the normal.
 int main() {
-  bagnold::CDn const law{.damping = 2.0};
+  bagnold::CDn const law{2.0};  // damping
   bagnold::Contact<double> const contact{.normal = {1.0, 0.0},
                                          .velocity = {-1.0, 3.0},
                                          .relative_overlap = 0.01,
