@@ -12,7 +12,7 @@ namespace bagnold {
 
 Progress::Progress(Scene const& scene, Plan const& plan, std::int64_t first_steps, bool quiet)
     : disks_(static_cast<double>(scene.disks.count)),
-      strain_(plan.strain(plan.steps)),
+      strain_(plan.path(plan.steps)),
       steps_(plan.steps * scene.disks.replicas),
       first_steps_(first_steps),
       quiet_(quiet),

@@ -22,7 +22,7 @@ void SweepTerminal::begin(sweep::Sweep const& sweep) {
   points_.clear();
   for (auto const& point : sweep.points)
     points_.push_back(
-        {point.plan.strain(point.plan.steps),
+        {point.plan.path(point.plan.steps),
          static_cast<double>(point.plan.steps) * static_cast<double>(point.scene.disks.count)});
 }
 

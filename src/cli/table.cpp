@@ -10,6 +10,7 @@
 #include "src/config/laws.hpp"
 #include "src/run/paper_values.hpp"
 #include "src/run/protocols/ramp/hysteresis.hpp"
+#include "src/run/protocols/sequence/piece_results.hpp"
 #include "src/run/rounded.hpp"
 #include "src/run/target_error.hpp"
 #include "src/run/warnings/warning.hpp"
@@ -36,6 +37,10 @@ bool is_short(Scene const& scene, std::string_view name) {
                                          "B_sigma",
                                          "tau_dur",
                                          "nu_coll",
+                                         "G_storage",
+                                         "G_loss",
+                                         "G_storage_3",
+                                         "G_loss_3",
                                          "band_fraction_phi",
                                          "band_fraction_gammadot"};
   if (std::ranges::count(always, name) > 0) return true;
@@ -58,6 +63,21 @@ void print_loop(Run const& run) {
                sigma(loop.down[k]));
 }
 
+/// Each piece of a sequence: what it was and what it met.
+void print_pieces(Run const& run) {
+  auto const pieces = piece_results(run);
+  auto const of = [](PieceResult const& piece, std::string_view name) {
+    auto const at = std::ranges::find(piece.observables, name, &Observable::name);
+    return with_error(piece.estimates[static_cast<std::size_t>(at - piece.observables.begin())]);
+  };
+  fmt::print("\n{:<12} {:<10} {:<10} {:<24} {:<24} {:<14} {}\n", "strain rate", "strain",
+             "time", "p [m/tau_e^2]", "sigma [m/tau_e^2]", "Z", "windows");
+  for (auto const& piece : pieces)
+    fmt::print("{:<12.4g} {:<10.4g} {:<10.4g} {:<24} {:<24} {:<14} {}\n", piece.strain_rate,
+               piece.strain, piece.time, of(piece, "p"), of(piece, "sigma"), of(piece, "Z"),
+               piece.windows);
+}
+
 /// "; `command`", to be typed with this folder; "" where there is none.
 std::string typed(std::string const& command, std::string const& folder) {
   if (folder.empty() || command.empty()) return {};
@@ -75,7 +95,7 @@ void print_ends(Run const& run, std::string const& folder) {
   for (auto const& [name, error] : run.reached)
     fmt::print("relative error of {}: {} wanted, {} reached at strain {:.4g}\n", name,
                run.scene.shear.target_error.at(name),
-               error ? fmt::format("{:.3g}", *error) : "none", run.plan.strain(run.plan.steps));
+               error ? fmt::format("{:.3g}", *error) : "none", run.plan.path(run.plan.steps));
   if (!run.reached.empty() && !run.target_met)
     fmt::print("not reached at two looks in a row{}\n", typed(until_target(run), folder));
 }
@@ -106,6 +126,7 @@ void print_remarks(FinishedRun const& finished, std::string const& folder) {
 void print_table(Run const& run, std::vector<NamedEstimate> const& list, std::string const& folder,
                  bool all_of_them) {
   if (run.plan.ramp) return print_loop(run);
+  if (run.scene.shear.protocol == "sequence") return print_pieces(run);
   fmt::print("\n{:<13} {:<26} {:<17} {:<19} {}\n", "quantity", "mean(standard error)", "unit",
              "correlation strain", "what it is");
   std::size_t left_out = 0;

@@ -10,6 +10,7 @@
 #include "kernels/physics/species.hpp"
 #include "src/config/abilities.hpp"
 #include "src/config/errors.hpp"
+#include "src/config/piece_table.hpp"
 #include "src/config/skin.hpp"
 #include "src/config/stability.hpp"
 #include "src/config/step_counts.hpp"
@@ -140,7 +141,7 @@ std::vector<WindowRow> rows_of_sequence(Scene const& scene, PieceTable const& pi
 
 Plan plan_of_pieces(Scene const& scene) {
   Plan plan;
-  plan.pieces = pieces_of(scene);
+  plan.pieces = std::make_shared<PieceTable>(*pieces_of(scene));
   auto const& pieces = *plan.pieces;
   plan.time_step = time_step(scene);
   plan.every = scene.measure.every;

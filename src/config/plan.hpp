@@ -2,15 +2,17 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "src/config/piece_table.hpp"
 #include "src/config/ramp.hpp"
 #include "src/config/scene.hpp"
 
 namespace bagnold {
+
+class PieceTable;
 
 /// Windows of equal length one after the other; the last one may be shorter.
 struct WindowRow {
@@ -31,7 +33,8 @@ struct Plan {
   std::int64_t trajectory_steps = 0;   ///< between frames of the trajectory; 0: none
   double strain_rate = 0;              ///< gammadot, where there is one, [1/tau_e]
   std::optional<Ramp> ramp{};          ///< how it changes, where it does
-  std::optional<PieceTable> pieces{};  ///< the same, where motions keep their excess over the flow
+  /// The same, where motions keep their excess over the flow; null: there is none.
+  std::shared_ptr<PieceTable const> pieces{};
   std::vector<WindowRow> rows{};       ///< windows, where they are not alike
 
   bool has_one_rate() const { return !ramp && !pieces; }

@@ -65,6 +65,16 @@ void add_rotation_in_contact(std::vector<Observable>& list, Sum const& sum) {
        }});
 }
 
+/// True of a quantity that is over a power of the strain rate, which has no one value in a run by
+/// pieces.
+bool is_over_rate(std::string_view name) {
+  for (std::string_view const start : {"B_", "eta_", "spin_"})
+    if (name.starts_with(start)) return true;
+  for (std::string_view const one : {"I", "energy_gap", "torque_power", "drag_power", "push_power"})
+    if (name == one) return true;
+  return false;
+}
+
 /// Adds the observables of contacts. By their definition Z = 2 tau_dur nu_coll.
 void add_contacts(Scene const& scene, std::vector<Observable>& list) {
   using K = ContactColumns;
@@ -179,6 +189,11 @@ std::vector<Observable> observables(Scene const& scene, double box_length) {
          [=](Averages a) { return a[drive + DriveColumns::push] / (shear_stress(a) * rate); }});
   }
   if (scene.measure.contacts) add_contacts(scene, list);
+  if (scene.shear.by_pieces()) {
+    std::erase_if(list, [](Observable const& one) { return is_over_rate(one.name); });
+    list.push_back({"dissipation", "m/tau_e^3", "power that contacts take, of an area of 1",
+                    [=](Averages a) { return a[C::dissipation] / area; }});
+  }
   return list;
 }
 

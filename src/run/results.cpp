@@ -7,11 +7,15 @@
 #include <numeric>
 
 #include "src/config/keys.hpp"
+#include "src/config/oscillation.hpp"
 #include "src/config/scene_file.hpp"
+#include "src/config/strain_rates.hpp"
 #include "src/engine/levels/levels.hpp"
 #include "src/io/atomic_file.hpp"
 #include "src/io/result_file.hpp"
+#include "src/run/protocols/oscillate/cycles.hpp"
 #include "src/run/protocols/ramp/hysteresis.hpp"
+#include "src/run/protocols/sequence/piece_results.hpp"
 #include "src/run/provenance.hpp"
 #include "src/run/target_error.hpp"
 #include "src/run/warnings/warning.hpp"
@@ -39,6 +43,8 @@ Json scene_json(Scene const& scene) {
       value = member.number ? Json(*member.number) : Json(member.word);
     else if constexpr (std::is_same_v<Member, Strain>)
       value = member.is_list() ? Json(member.each) : Json(member.at(0));
+    else if constexpr (std::is_same_v<Member, std::vector<SequencePiece>>)
+      for (auto const& piece : member) value.push_back({piece.rate, piece.amount});
     else
       value = member;
     auto const dot = key.name.find('.');
@@ -129,9 +135,26 @@ std::string errors_from(Run const& run) {
   return source + " or blocks of windows in each, the larger one, with Student's factor";
 }
 
+namespace {
+
+std::vector<NamedEstimate> estimates_of_cycles(Run const& run) {
+  std::vector<NamedEstimate> list;
+  auto const cycles = cycles_of(run);
+  std::vector<statistics::Windows const*> tables;
+  for (auto const& table : cycles.of) tables.push_back(&table);
+  for (auto const& observable : cycles.observables)
+    list.push_back({{observable, {}},
+                    statistics::estimate(tables, 0, observable.value),
+                    run.plan.path(run.plan.pieces->cycle_steps())});
+  return list;
+}
+
+}  // namespace
+
 std::vector<NamedEstimate> estimates(Run const& run) {
   std::vector<NamedEstimate> list;
-  if (run.plan.ramp) return list;  // there is no one rate to average at
+  if (run.scene.shear.protocol == "oscillate") return estimates_of_cycles(run);
+  if (!run.plan.has_one_rate()) return list;  // there is none to average at
   auto const windows = windows_of(run);
   for (auto const& observable : observables(run.scene, run.box_length))
     list.push_back({{observable, windows},
@@ -196,7 +219,7 @@ void write_result_file(RunFolder const& folder, Run const& run) {
                        {"packing_fraction", disks.packing_fraction},
                        {"elasticity", disks.elasticity},
                        {"protocol", run.scene.shear.protocol},
-                       {"strain_rate", run.scene.shear.strain_rate},
+                       {"strain_rate", typical_rate(run.scene)},
                        {"seed", disks.seed},
                        {"box_length", run.box_length},
                        {"box_aspect", disks.box_aspect},
@@ -254,13 +277,46 @@ Json estimate_json(statistics::Estimate const& of, double sample_strain) {
   return all;
 }
 
+Json list_json(std::vector<Observable> const& observables,
+               std::vector<statistics::Estimate> const& estimates) {
+  Json all = Json::object();
+  for (std::size_t k = 0; k < observables.size(); ++k)
+    all[std::string(observables[k].name)] = {{"mean", number(estimates[k].mean)},
+                                             {"error", number(estimates[k].error)}};
+  return all;
+}
+
+Json pieces_json(std::vector<PieceResult> const& pieces) {
+  Json all = Json::array();
+  for (auto const& piece : pieces)
+    all.push_back({{"strain_rate", piece.strain_rate},
+                   {"begin_strain", piece.begin_strain},
+                   {"strain", piece.strain},
+                   {"begin_time", piece.begin_time},
+                   {"time", piece.time},
+                   {"windows", piece.windows},
+                   {"observables", list_json(piece.observables, piece.estimates)}});
+  return all;
+}
+
+Json waveform_json(Waveform const& wave) {
+  Json all{{"strain", wave.strain}, {"strain_rate", wave.strain_rate}};
+  auto const add = [&](std::string const& name, std::vector<statistics::Estimate> const& list) {
+    for (auto const& one : list) {
+      all[name].push_back(number(one.mean));
+      all[name + "_error"].push_back(number(one.error));
+    }
+  };
+  add("sigma", wave.sigma);
+  add("p", wave.pressure);
+  return all;
+}
+
 Json bins_json(std::vector<LoopBin> const& bins) {
   Json all = Json::array();
   for (auto const& bin : bins) {
     Json one{{"strain_rate", bin.strain_rate}, {"windows", bin.windows}};
-    for (std::size_t k = 0; k < bin.observables.size(); ++k)
-      one["observables"][std::string(bin.observables[k].name)] = {
-          {"mean", number(bin.estimates[k].mean)}, {"error", number(bin.estimates[k].error)}};
+    one["observables"] = list_json(bin.observables, bin.estimates);
     all.push_back(std::move(one));
   }
   return all;
@@ -272,6 +328,19 @@ void add_protocol(Json& summary, Run const& run) {
   if (run.plan.ramp) {
     Loop const loop = loop_of(run);
     summary["loop"] = {{"up", bins_json(loop.up)}, {"down", bins_json(loop.down)}};
+    return;
+  }
+  if (shear.protocol == "sequence") {
+    summary["pieces"] = pieces_json(piece_results(run));
+    return;
+  }
+  if (shear.protocol == "oscillate") {
+    auto const cycles = static_cast<std::int64_t>(run.plan.pieces->size());
+    summary["oscillation"] = {{"amplitude", shear.amplitude},
+                              {"period", oscillation_period(run.scene)},
+                              {"cycles", shear.cycles},
+                              {"discarded_cycles", run.plan.discarded_windows / cycles},
+                              {"waveform", waveform_json(waveform_of(run))}};
     return;
   }
   if (!shear.discard)
@@ -319,8 +388,8 @@ Json replicas_json(Run const& run, std::vector<NamedEstimate> const& list) {
 void write_summary(RunFolder const& folder, Run const& run, std::vector<NamedEstimate> const& list,
                    std::vector<Warning> const& warnings) {
   Provenance const made = provenance();
-  double const total = run.plan.strain(run.plan.steps);
-  double const first = discarded(run) == 0 ? 0.0 : run.plan.strain(end_of(run, discarded(run) - 1));
+  double const total = run.plan.path(run.plan.steps);
+  double const first = discarded(run) == 0 ? 0.0 : run.plan.path(end_of(run, discarded(run) - 1));
   double const disk_steps = static_cast<double>(run.plan.steps) *
                             static_cast<double>(run.scene.disks.count) *
                             static_cast<double>(run.replicas.size());
@@ -337,7 +406,7 @@ void write_summary(RunFolder const& folder, Run const& run, std::vector<NamedEst
   summary["warnings"] = warnings_json(warnings, false);
   summary["notes"] = warnings_json(warnings, true);
   add_protocol(summary, run);
-  bool const several = run.replicas.size() > 1 && !run.plan.ramp;
+  bool const several = run.replicas.size() > 1 && !list.empty();
   if (several) summary["errors_from"] = errors_from(run);
   summary["observables"] = Json::object();
   for (auto const& named : list)

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "src/config/errors.hpp"
+#include "src/config/strain_rates.hpp"
 #include "src/engine/make_simulation.hpp"
 #include "src/io/state_file.hpp"
 #include "src/run/machine.hpp"
@@ -49,7 +50,7 @@ struct Place {
   std::array<std::string, 5> word;
 
   explicit Place(Scene const& scene)
-      : number{std::log10(scene.shear.strain_rate), std::log10(scene.disks.elasticity),
+      : number{std::log10(typical_rate(scene)), std::log10(scene.disks.elasticity),
                10 * scene.disks.packing_fraction,
                0.3 * std::log10(static_cast<double>(scene.disks.count))},
         word{scene.disks.model, scene.shear.protocol, scene.integration.engine,
@@ -84,7 +85,7 @@ std::vector<std::size_t> far_apart(std::vector<PlannedRun> const& runs,
 
 /// Disks times strain, of all replicas.
 double disk_strain(PlannedRun const& run) {
-  return run.plan.strain(run.plan.steps) *
+  return run.plan.path(run.plan.steps) *
          static_cast<double>(run.scene.disks.count * run.scene.disks.replicas);
 }
 

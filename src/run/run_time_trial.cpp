@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "src/config/strain_rates.hpp"
 #include "src/engine/contacts/contact_columns.hpp"
 #include "src/engine/make_simulation.hpp"
 #include "src/measure/contacts.hpp"
@@ -21,7 +22,7 @@ namespace bagnold {
 namespace {
 
 constexpr std::int64_t most_disks = 1024, most_given_disks = 16384;
-constexpr double first_rate = 1e-3;  // [1/tau_e]; random disks need much strain at smaller ones
+constexpr double first_trial_rate = 1e-3;  // [1/tau_e]; random disks need much strain at smaller ones
 constexpr double factor = 2;         // within which estimates lie (docs/run_time.md)
 constexpr std::int64_t endless = std::int64_t{1} << 50;
 constexpr double picture_seconds = 1.2, frames_picture_seconds = 1.5;
@@ -143,7 +144,8 @@ RunTimeTrial::RunTimeTrial(Scene const& scene, std::optional<State> start, doubl
   small_.integration.time_step = automatic;
   small_.integration.engine = "auto";
   small_.measure = {};
-  small_.shear.strain_rate = std::max(scene.shear.strain_rate, first_rate);
+  double const target = typical_rate(scene);
+  small_.shear.strain_rate = std::max(target, first_trial_rate);
   if (given) {
     state_ = *std::move(start);
     return;
@@ -153,7 +155,6 @@ RunTimeTrial::RunTimeTrial(Scene const& scene, std::optional<State> start, doubl
     start_iterations_ = started.record.at("start_iterations");
     state_ = std::move(started.state);
   });
-  double const target = scene.shear.strain_rate;
   shear(small_.shear.strain_rate, 2.0, budget / 2);
   auto const decades = std::floor(std::log10(small_.shear.strain_rate / target) - 0.01);
   for (int k = 1; k <= decades; ++k)
@@ -175,6 +176,12 @@ RunTimeTrial::Cost RunTimeTrial::cost(Scene const& run, Plan const& plan, double
   scene.disks.replicas = 1;
   scene.start.rescale = true;
   Plan trial = plan;
+  if (plan.pieces) {  // as at one rate
+    scene.shear.protocol = "steady";
+    scene.shear.strain_rate = typical_rate(run);
+    scene.shear.strain = plan.path(plan.steps);
+    trial = make_plan(scene);
+  }
   trial.discarded_windows = 0;
   std::vector<Stretch> stretches{{0, static_cast<double>(plan.steps)}};
   if (plan.ramp)

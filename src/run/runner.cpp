@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "src/config/errors.hpp"
+#include "src/config/piece_table.hpp"
 #include "src/config/scene_file.hpp"
 #include "src/engine/levels/levels.hpp"
 #include "src/engine/make_simulation.hpp"
@@ -15,6 +16,7 @@
 #include "src/measure/make_frames.hpp"
 #include "src/run/messages.hpp"
 #include "src/run/pictures.hpp"
+#include "src/run/protocols/cascade/cascade.hpp"
 #include "src/run/provenance.hpp"
 #include "src/run/run_measured.hpp"
 #include "src/run/target_error.hpp"
@@ -84,6 +86,7 @@ Snapshot Runner::start_of(std::size_t r, std::optional<Snapshot> snapshot,
     Scene scene = run_.scene;
     scene.disks.seed = seed(r);
     if (whole_.ramp) scene.shear.strain_rate = whole_.ramp->piece(0).rate;
+    if (whole_.pieces) scene.shear.strain_rate = (*whole_.pieces)[0].rate;
     StartedState started;
     try {
       started = random_start(scene, go_on);

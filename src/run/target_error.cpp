@@ -30,7 +30,7 @@ std::optional<double> relative_error(statistics::Estimate const& of) {
 /// Measured strain of a run of `windows` windows, the first of which are discarded.
 double measured_strain(Plan const& plan, std::int64_t windows, std::size_t discarded) {
   auto const end_of = [&](std::int64_t count) {
-    return count == 0 ? 0.0 : plan.strain(plan.window_end(count - 1));
+    return count == 0 ? 0.0 : plan.path(plan.window_end(count - 1));
   };
   return end_of(windows) - end_of(static_cast<std::int64_t>(discarded));
 }
@@ -130,7 +130,7 @@ std::string until_target(Run const& run) {
 }
 
 void discard_transient(Run& run) {
-  if (run.scene.shear.discard || run.plan.ramp) return;
+  if (run.scene.shear.discard || !run.plan.has_one_rate()) return;
   auto const start = steady_start(run, static_cast<std::size_t>(run.plan.windows));
   run.plan.discarded_windows = static_cast<std::int64_t>(start.first);
   run.steady_found = start.found;

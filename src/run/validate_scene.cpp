@@ -21,7 +21,7 @@ namespace {
 /// Throws InputError for a run shorter than a window: nothing is left when its transient is
 /// discarded.
 void refuse_less_than_a_window(Scene const& scene, Plan const& plan) {
-  if (plan.ramp || plan.steps >= plan.window_steps) return;
+  if (!plan.has_one_rate() || plan.steps >= plan.window_steps) return;
   throw InputError(fmt::format(
       "shear.strain = {} (must be at least output.sample_strain = {}, a window of averages); raise "
       "shear.strain or lower output.sample_strain",

@@ -69,7 +69,7 @@ std::optional<Warning> box_size(FinishedRun const& finished) {
         "compare with more disks, and see measure.profiles",
         more_disks(finished),
         /*is_note=*/true};
-  if (least < least_length && !finished.run.plan.ramp)
+  if (least < least_length && finished.run.plan.has_one_rate())
     return Warning{
         "box_size",
         {{"box_length", length}, {"box_height", height}},

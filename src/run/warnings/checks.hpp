@@ -72,6 +72,9 @@ inline constexpr Check* all_checks[] = {
     quasi_static_inertia, contact_network,  steady_state,   error_bar,
     few_collisions,       net_momentum,     box_size,       contact_durations};
 
+/// Those that hold without a steady state, of runs by pieces.
+inline constexpr Check* checks_of_pieces[] = {contact_network, net_momentum};
+
 /// "the mean motion against the shear flow, (-0.03, 0) d_s/tau_e, 97% of the kinetic energy"
 std::string mean_motion_in_words(std::array<double, 2> const& velocity, double share);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "kernels/physics/species.hpp"
+#include "src/config/strain_rates.hpp"
 #include "src/run/warnings/checks.hpp"
 #include "src/start/start.hpp"
 
@@ -25,7 +26,7 @@ double most_share(Scene const& scene) {
 bool is_motion(MeanMotion const& motion, Scene const& scene) {
   constexpr double rounding = 1e-12;
   auto const [x, y] = motion.velocity;
-  double const rate = scene.shear.strain_rate;
+  double const rate = typical_rate(scene);
   return x * x + y * y > rounding * rate * rate;  // over a length of d_s
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <span>
 
 #include "src/run/warnings/checks.hpp"
 
@@ -26,8 +27,8 @@ double FinishedRun::mean(std::string_view name) const {
 double FinishedRun::measured_strain() const {
   auto const& plan = run.plan;
   double const first =
-      plan.discarded_windows == 0 ? 0.0 : plan.strain(plan.window_end(plan.discarded_windows - 1));
-  return plan.strain(plan.steps) - first;
+      plan.discarded_windows == 0 ? 0.0 : plan.path(plan.window_end(plan.discarded_windows - 1));
+  return plan.path(plan.steps) - first;
 }
 
 double FinishedRun::in_window(std::string_view name, std::size_t window) const {
@@ -40,7 +41,8 @@ double FinishedRun::in_window(std::string_view name, std::size_t window) const {
 
 std::vector<Warning> warnings(FinishedRun const& finished) {
   std::vector<Warning> list;
-  for (auto* check : all_checks)
+  bool const by_pieces = finished.run.scene.shear.by_pieces();
+  for (auto* check : by_pieces ? std::span<Check* const>(checks_of_pieces) : all_checks)
     if (auto warning = check(finished)) list.push_back(std::move(*warning));
   return list;
 }

@@ -4,58 +4,35 @@
 #include <cmath>
 #include <map>
 
-#include "src/statistics/jackknife.hpp"
+#include "src/run/protocols/passes.hpp"
 
 namespace bagnold {
 
 namespace {
 
 /// Windows of one direction, one bin.
-struct Passes {
+struct Bin {
+  Passes passes;
   double rates = 0;  ///< sum over windows
-  std::size_t windows = 0;
-  std::map<std::pair<std::size_t, std::int64_t>, WindowSums> of;  ///< by replica and leg
-
-  void add(std::pair<std::size_t, std::int64_t> pass, std::span<double const> sums, double weight,
-           double rate) {
-    WindowSums& to = of[pass];
-    to.sums.resize(sums.size());
-    for (std::size_t c = 0; c < sums.size(); ++c) to.sums[c] += sums[c];
-    to.weight += weight;
-    rates += rate;
-    ++windows;
-  }
 };
 
-statistics::Estimate estimate_of(statistics::Windows const& passes, statistics::Function const& f) {
-  statistics::Estimate estimate;
-  estimate.samples = passes.size();
-  statistics::Jackknife jackknife(passes, 0, f);
-  if (!std::isfinite(jackknife.value())) return estimate;
-  estimate.mean = jackknife.value();
-  if (passes.size() < statistics::fewest_replicas) return estimate;
-  if (double const error = jackknife.error(1); std::isfinite(error)) estimate.error = error;
-  return estimate;
-}
-
-LoopBin bin_of(Run const& run, Passes const& passes) {
+LoopBin bin_of(Run const& run, Bin const& of) {
   LoopBin bin;
-  bin.windows = passes.windows;
-  bin.strain_rate = passes.rates / static_cast<double>(passes.windows);
-  statistics::Windows table{passes.of.begin()->second.sums.size(), {}, {}};
-  for (auto const& [pass, window] : passes.of) table.push_back(window.sums, window.weight);
+  bin.windows = of.passes.windows;
+  bin.strain_rate = of.rates / static_cast<double>(of.passes.windows);
+  auto const table = of.passes.table();
   Scene scene = run.scene;
   scene.shear.strain_rate = bin.strain_rate;
   bin.observables = observables(scene, run.box_length);
   for (auto const& observable : bin.observables)
-    bin.estimates.push_back(estimate_of(table, observable.value));
+    bin.estimates.push_back(estimate_of_passes(table, observable.value));
   return bin;
 }
 
 }  // namespace
 
 Loop loop_of(Run const& run) {
-  std::map<int, std::map<int, Passes>> bins;  // by direction, then place
+  std::map<int, std::map<int, Bin>> bins;  // by direction, then place
   auto const& plan = run.plan;
   for (std::size_t r = 0; r < run.replicas.size(); ++r) {
     auto const& windows = run.replicas[r].measurement.windows;
@@ -66,12 +43,14 @@ Loop loop_of(Run const& run) {
       double const rate = plan.mean_rate(window);
       int const place =
           static_cast<int>(std::floor(loop_bins_a_decade * std::log10(rate / plan.ramp->lowest)));
-      bins[plan.direction(window)][place].add({r, leg}, windows.row(w), windows.weight[w], rate);
+      Bin& bin = bins[plan.direction(window)][place];
+      bin.passes.add({r, leg}, windows.row(w), windows.weight[w]);
+      bin.rates += rate;
     }
   }
   Loop loop;
-  for (auto const& [place, passes] : bins[+1]) loop.up.push_back(bin_of(run, passes));
-  for (auto const& [place, passes] : bins[-1]) loop.down.push_back(bin_of(run, passes));
+  for (auto const& [place, bin] : bins[+1]) loop.up.push_back(bin_of(run, bin));
+  for (auto const& [place, bin] : bins[-1]) loop.down.push_back(bin_of(run, bin));
   return loop;
 }
 

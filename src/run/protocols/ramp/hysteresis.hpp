@@ -23,9 +23,8 @@ struct Loop {
 inline constexpr int loop_bins_a_decade = 20;
 
 /// Windows of all cycles and replicas in bins of equal width in log(gammadot) from the lowest rate
-/// on, empty ones left out. Values are functions of the averages over a bin. A pass is one way
-/// through a bin, of one cycle and replica; from 3 passes on the error is the jackknife that leaves
-/// out one at a time, with fewer there is none: within a pass windows follow one another.
+/// on, empty ones left out. Values are functions of the averages over a bin, with errors by passes
+/// of cycles and replicas.
 Loop loop_of(Run const& run);
 
 }  // namespace bagnold
