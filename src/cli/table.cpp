@@ -70,8 +70,8 @@ void print_pieces(Run const& run) {
     auto const at = std::ranges::find(piece.observables, name, &Observable::name);
     return with_error(piece.estimates[static_cast<std::size_t>(at - piece.observables.begin())]);
   };
-  fmt::print("\n{:<12} {:<10} {:<10} {:<24} {:<24} {:<14} {}\n", "strain rate", "strain",
-             "time", "p [m/tau_e^2]", "sigma [m/tau_e^2]", "Z", "windows");
+  fmt::print("\n{:<12} {:<10} {:<10} {:<24} {:<24} {:<14} {}\n", "strain rate", "strain", "time",
+             "p [m/tau_e^2]", "sigma [m/tau_e^2]", "Z", "windows");
   for (auto const& piece : pieces)
     fmt::print("{:<12.4g} {:<10.4g} {:<10.4g} {:<24} {:<24} {:<14} {}\n", piece.strain_rate,
                piece.strain, piece.time, of(piece, "p"), of(piece, "sigma"), of(piece, "Z"),

@@ -35,7 +35,7 @@ struct Plan {
   std::optional<Ramp> ramp{};          ///< how it changes, where it does
   /// The same, where motions keep their excess over the flow; null: there is none.
   std::shared_ptr<PieceTable const> pieces{};
-  std::vector<WindowRow> rows{};       ///< windows, where they are not alike
+  std::vector<WindowRow> rows{};  ///< windows, where they are not alike
 
   bool has_one_rate() const { return !ramp && !pieces; }
 

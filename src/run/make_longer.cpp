@@ -53,6 +53,12 @@ Scene with_strain(Scene scene, double strain, std::string const& folder) {
         "--strain {} ({} holds a ramp, whose shear.strain is spent before it goes up): its length "
         "is shear.cycles; run it anew with more of them",
         strain, folder));
+  if (scene.shear.by_pieces())
+    throw InputError(fmt::format(
+        "--strain {} ({} holds a run with shear.protocol = \"{}\", which has no shear.strain): its "
+        "length is shear.cycles; go on from its end with another scene, start.kind = \"state\" and "
+        "start.file = \"{}/state.h5\"",
+        strain, folder, scene.shear.protocol, folder));
   double& last = last_strain(scene);
   if (!(strain >= last))
     throw InputError(fmt::format(

@@ -50,7 +50,7 @@ struct Place {
   std::array<std::string, 5> word;
 
   explicit Place(Scene const& scene)
-      : number{std::log10(typical_rate(scene)), std::log10(scene.disks.elasticity),
+      : number{std::log10(std::max(typical_rate(scene), 1e-9)), std::log10(scene.disks.elasticity),
                10 * scene.disks.packing_fraction,
                0.3 * std::log10(static_cast<double>(scene.disks.count))},
         word{scene.disks.model, scene.shear.protocol, scene.integration.engine,
@@ -83,9 +83,9 @@ std::vector<std::size_t> far_apart(std::vector<PlannedRun> const& runs,
   return chosen;
 }
 
-/// Disks times strain, of all replicas.
+/// Disks times strain, of all replicas; of a stop nearly none.
 double disk_strain(PlannedRun const& run) {
-  return run.plan.path(run.plan.steps) *
+  return std::max(run.plan.path(run.plan.steps), 1e-12) *
          static_cast<double>(run.scene.disks.count * run.scene.disks.replicas);
 }
 

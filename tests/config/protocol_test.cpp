@@ -22,7 +22,10 @@ TEST(Protocols, KeysOfAnotherAreRefused) {
                          {minimal_text, "measure.frame_decades", "0.1", "ramp"},
                          {minimal_text, "output.trajectory_decades", "0.1", "ramp"},
                          {cascade_text, "shear.strain_rate", "1e-3", "steady\" or \"ramp"},
-                         {cascade_text, "shear.cycles", "1", "ramp"}}) {
+                         {cascade_text, "shear.cycles", "1", "ramp"},
+                         {minimal_text, "shear.pieces", "[[1e-4, 1]]", "sequence"},
+                         {sequence_text, "shear.amplitude", "0.1", "oscillate"},
+                         {oscillation_text, "output.sample_strain", "0.1", "steady"}}) {
     std::string const message = refusal(c.text, {c.key + "=" + c.value});
     EXPECT_TRUE(has(message, c.key + " = ") &&
                 has(message, "belongs to shear.protocol = \"" + c.protocol))
@@ -35,9 +38,26 @@ TEST(Protocols, KeysOfAnotherAreRefused) {
     std::string const message = refusal(
         minimal_text,
         {"shear.protocol=ramp", "shear.strain_rate_high=1e-2", "shear.ramp_rate=1e-4", key});
-    EXPECT_TRUE(has(message, "belongs to shear.protocol = \"steady\" or \"cascade\", not \"ramp\""))
+    EXPECT_TRUE(has(message, "belongs to shear.protocol = \"steady\" or \"cascade\"") &&
+                has(message, ", not \"ramp\""))
         << message;
   }
+}
+
+TEST(Protocols, PiecesAreWhatTheyAre) {
+  EXPECT_EQ(parse(sequence_text).shear.pieces,
+            (std::vector<SequencePiece>{{1e-4, 2}, {-1e-4, 2}, {0, 1e4}}));
+  auto const with = [](std::string const& pieces) {
+    return refusal(sequence_text, {"shear.pieces=" + pieces});
+  };
+  EXPECT_TRUE(has(with("[]"), "must be a list of [rate, strain]"));
+  EXPECT_TRUE(has(with("[[1e-4, 1, 2]]"), "must be a list of [rate, strain]"));
+  EXPECT_TRUE(has(with("[[2, 1]]"), "must be at most 1"));
+  EXPECT_TRUE(has(with("[[1e-4, -1]]"), "must be above 0"));
+  EXPECT_TRUE(has(with("[[0, 0]]"), "must be above 0"));
+  EXPECT_TRUE(has(refusal(oscillation_text, {"shear.peak_rate=1e-6"}), "are both given"));
+  EXPECT_TRUE(has(refusal(with_line(oscillation_text, "period", "")), "are missing"));
+  EXPECT_TRUE(has(refusal(sequence_text, {"shear.discard=auto"}), "seeks one steady state"));
 }
 
 TEST(Protocols, RequiredKeysFollowTheProtocol) {

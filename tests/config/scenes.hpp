@@ -26,7 +26,7 @@ strain_rate = 1e-4
 strain = 20.0
 )";
 
-/// The same for a cascade and a ramp.
+/// The same for the other protocols.
 inline std::string const cascade_text = disks_text + R"([shear]
 protocol = "cascade"
 strain_rates = [1e-3, 1e-4, 1e-5]
@@ -39,10 +39,23 @@ strain_rate_high = 1e-2
 ramp_rate = 1e-4
 )";
 
-/// One of the three that may have this key.
+inline std::string const sequence_text = disks_text + R"([shear]
+protocol = "sequence"
+pieces = [[1e-4, 2.0], [-1e-4, 2.0], [0, 1e4]]
+)";
+inline std::string const oscillation_text = disks_text + R"([shear]
+protocol = "oscillate"
+amplitude = 0.01
+period = 1e5
+cycles = 2
+)";
+
+/// One of these that may have this key.
 inline std::string const& text_for(Key const& key) {
   if (belongs(key, "steady")) return minimal_text;
-  return belongs(key, "ramp") ? ramp_text : cascade_text;
+  if (belongs(key, "ramp")) return ramp_text;
+  if (belongs(key, "cascade")) return cascade_text;
+  return belongs(key, "sequence") ? sequence_text : oscillation_text;
 }
 
 inline Scene parse(std::string const& text, std::vector<std::string> const& overrides = {}) {

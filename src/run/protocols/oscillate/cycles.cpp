@@ -27,12 +27,12 @@ Motion motion_of(Run const& run) {
   Motion motion;
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     std::int64_t const samples = (pieces.steps_of(k) + run.plan.every - 1) / run.plan.every;
-    double const time = run.plan.time_step * static_cast<double>((samples - 1) * run.plan.every) / 2;
+    double const time =
+        run.plan.time_step * static_cast<double>((samples - 1) * run.plan.every) / 2;
     double const begin = run.plan.time_step * static_cast<double>(pieces[k].begin);
     motion.strain.push_back(pieces[k].strain.rounded() + pieces[k].rate * time);
     motion.rate.push_back(pieces[k].rate);
-    motion.phase.push_back(2 * std::numbers::pi * (begin + time) /
-                           oscillation_period(run.scene));
+    motion.phase.push_back(2 * std::numbers::pi * (begin + time) / oscillation_period(run.scene));
   }
   return motion;
 }

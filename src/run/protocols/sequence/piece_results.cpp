@@ -25,8 +25,8 @@ std::vector<Measured> measured_windows(Run const& run) {
       auto const [cycle, piece] = pieces.place(begin);
       std::int64_t const since = begin - cycle * pieces.cycle_steps() - pieces[piece].begin;
       auto const of_piece = static_cast<double>(pieces.steps_of(piece));
-      bool const is_last =
-          run.plan.window_end(static_cast<std::int64_t>(w)) - begin + since >= pieces.steps_of(piece);
+      bool const is_last = run.plan.window_end(static_cast<std::int64_t>(w)) - begin + since >=
+                           pieces.steps_of(piece);
       if (static_cast<double>(since) < discard * of_piece && !is_last) continue;
       found[piece].passes.add({r, cycle}, windows.row(w), windows.weight[w]);
       found[piece].each.columns = windows.columns;
@@ -57,9 +57,8 @@ std::vector<PieceResult> piece_results(Run const& run) {
     bool const flows_once = passes.size() == 1 && pieces[k].rate != 0;
     for (auto const& one : list)
       result.estimates.push_back(passes.size() == 0 ? statistics::Estimate{}
-                                 : flows_once
-                                     ? statistics::estimate(found[k].each, 0, one.value)
-                                     : estimate_of_passes(passes, one.value));
+                                 : flows_once ? statistics::estimate(found[k].each, 0, one.value)
+                                              : estimate_of_passes(passes, one.value));
     results.push_back(std::move(result));
   }
   return results;
