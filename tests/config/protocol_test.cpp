@@ -52,7 +52,7 @@ TEST(Protocols, PiecesAreWhatTheyAre) {
   };
   EXPECT_TRUE(has(with("[]"), "must be a list of [rate, strain]"));
   EXPECT_TRUE(has(with("[[1e-4, 1, 2]]"), "must be a list of [rate, strain]"));
-  EXPECT_TRUE(has(with("[[2, 1]]"), "must be at most 1"));
+  EXPECT_TRUE(has(with("[[2, 1]]"), "shear.pieces = 2 (must be"));
   EXPECT_TRUE(has(with("[[1e-4, -1]]"), "must be above 0"));
   EXPECT_TRUE(has(with("[[0, 0]]"), "must be above 0"));
   EXPECT_TRUE(has(refusal(oscillation_text, {"shear.peak_rate=1e-6"}), "are both given"));

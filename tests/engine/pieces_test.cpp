@@ -55,7 +55,7 @@ class Pieces : public EverySimulation {
     scene.integration.scheme = scheme;
     scene.integration.skin = 0.35;
     scene.shear.protocol = "sequence";
-    scene.shear.pieces = {{1e-2, 0.3}, {-1e-2, 0.2}, {0, 10}, {2e-2, 0.1}, {-5e-3, 0.02}};
+    scene.shear.pieces = {{1e-2, 0.1}, {-1e-2, 0.1}, {0, 2.5}, {2e-2, 0.05}, {-5e-3, 0.01}};
     return scene;
   }
 };
@@ -65,6 +65,7 @@ TEST_P(Pieces, AreThoseOfTheAllPairsReference) {
   for (auto const scheme : names_of<Schemes>()) {
     SCOPED_TRACE(scheme);
     for (double const packing_fraction : {0.60, 0.84}) {
+      if (packing_fraction < 0.8 && scheme != DefaultScheme::name) continue;
       Scene const scene = sequence_scene(packing_fraction, scheme);
       auto const pieces = pieces_of(scene).value();
       State const state = shaken_start(scene);
@@ -88,7 +89,7 @@ TEST_P(Pieces, AreThoseOfTheAllPairsReference) {
 /// The state comes back to its strain, and total momentum to zero, whatever was between.
 TEST_P(Pieces, KeepMomentumAndReturnToTheirStrain) {
   Scene scene = sequence_scene(0.84, DefaultScheme::name);
-  scene.shear.pieces = {{1e-2, 0.3}, {0, 5}, {-1e-2, 0.3}};
+  scene.shear.pieces = {{1e-2, 0.1}, {0, 5}, {-1e-2, 0.1}};
   State const state = random_start(scene).state;
   auto const simulation = simulate(scene, state, backend());
   advance(*simulation, pieces_of(scene)->steps());

@@ -15,7 +15,7 @@ import os
 import pathlib
 from typing import TYPE_CHECKING, Any, Union
 
-from . import analysis_page, figure_page, frame_pages, packing_page, paper, run_page, style as styles, sweep_page
+from . import analysis_page, figure_page, frame_pages, packing_page, paper, pieces_page, run_page, style as styles, sweep_page
 from ..errors import FileError, InputError
 from ..hdf5 import open_hdf5
 from ..sweeps import Sweep, sweep as read_sweep
@@ -38,7 +38,8 @@ def run(source: Source, *, style: str = "page", panels: str | None = None) -> Fi
     source: a run, its folder, or its result.h5."""
     data = run_page.Run(str(_result(source)))
     with _styled():
-        return _as(style, run_page.draw(data), panels)
+        page = pieces_page if data.about.get("protocol") in ("sequence", "oscillate") else run_page
+        return _as(style, page.draw(data), panels)
 
 
 def profiles(source: Source, *, style: str = "page", panels: str | None = None) -> Figure:

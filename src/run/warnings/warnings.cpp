@@ -97,7 +97,7 @@ double fewest_independent_windows(FinishedRun const& finished) {
 std::string until_errors(FinishedRun const& finished) {
   double const least = fewest_independent_windows(finished);
   constexpr double share_seen = 1 / 1.5;  // a short series shows too many
-  if (!std::isfinite(least)) return {};
+  if (!std::isfinite(least) || finished.run.scene.shear.by_pieces()) return {};
   return longer_run(finished.run, enough_windows / (share_seen * least));
 }
 

@@ -29,6 +29,12 @@ SCENES = {
     "ramp": {**OFTEN, "shear__protocol": "ramp", "shear__strain_rate": 2.0**-10,
              "shear__strain_rate_high": 2.0**-9, "shear__ramp_rate": 0.01, "shear__discard": None,
              "shear__strain": 2.0**-6, "shear__ramp_window": 8.0, "output__sample_strain": None},
+    "sequence": {**OFTEN, "shear__protocol": "sequence", "shear__strain_rate": None, "shear__strain": None,
+                 "shear__pieces": [[2.0**-6, 2.0**-7], [-2.0**-6, 2.0**-7], [0, 64.0]],
+                 "output__sample_strain": 2.0**-9},
+    "oscillate": {**OFTEN, "shear__protocol": "oscillate", "shear__strain_rate": None, "shear__strain": None,
+                  "shear__amplitude": 2.0**-7, "shear__period": 64.0, "shear__cycle_pieces": 16, "shear__cycles": 3,
+                  "output__sample_strain": None, "output__trajectory_time": 16.0},
     "errors": {**SHORT, "shear__strain": 2.0**-2, "shear__discard": "auto",
                "shear__target_error": {"B_p": 0.5}, "output__sample_strain": 2.0**-10},
 }
