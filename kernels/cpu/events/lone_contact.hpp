@@ -12,7 +12,7 @@ namespace bagnold::events {
 /// Two disks that touch each other and no third one.
 template <bool Rotates>
 struct LoneContact {
-  std::uint32_t i = 0;          ///< the lower one
+  std::uint32_t i = 0;          ///< the lower one when it began: places in memory change
   Neighbor other{};             ///< the image of j that it touches
   bool fresh = true;            ///< the closed form begins where the contact does
   bool binary = true;           ///< neither disk has touched a third one

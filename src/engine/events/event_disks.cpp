@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/engine/events/event_disks.hpp"
 
+#include <numeric>
+
 namespace bagnold::events {
 
 template <bool Rotates>
@@ -9,7 +11,9 @@ EventDisks<Rotates>::EventDisks(Material<Rotates> const& of, std::vector<Species
       path(species.size()),
       spin(species.size()),
       touching(species.size()),
-      member(species.size()) {
+      member(species.size()),
+      name(species.size()) {
+  std::iota(name.begin(), name.end(), std::uint32_t{0});
   for (std::size_t i = 0; i < species.size(); ++i) path[i].species = species[i];
 }
 
@@ -161,6 +165,33 @@ void EventDisks<Rotates>::begin_step(std::uint32_t k) {
     p.fly(m.begin.position, mean, p.begun);
     p.deviation = width + 2 * m.deviation;
   }
+}
+
+template <bool Rotates>
+void EventDisks<Rotates>::reorder(std::vector<std::uint32_t> const& order) {
+  std::vector<std::uint32_t> place(count());
+  for (std::uint32_t k = 0; k < count(); ++k) place[order[k]] = k;
+  auto const moved = [&](Neighbor n) {
+    return Neighbor::make(place[n.index()], n.image(), n.big());
+  };
+  for (std::uint32_t i = 0; i < count(); ++i) {
+    if (path[i].manner == Manner::contact) {
+      auto& contact = contacts[touching[i]];
+      if (--contact.paths > 0) continue;  // at the second of its disks
+      contact.paths = 2;
+      contact.i = place[contact.i];
+      contact.other = moved(contact.other);
+    } else if (path[i].manner == Manner::cluster && member[i] == 0) {
+      auto& cluster = clusters[touching[i]];
+      for (auto& m : cluster.members) m.disk = place[m.disk];
+      for (auto& link : cluster.links) link.other = moved(link.other);
+    }
+  }
+  path = in_order(path, order);
+  spin.reorder(order);
+  touching = in_order(touching, order);
+  member = in_order(member, order);
+  name = in_order(name, order);
 }
 
 template class EventDisks<false>;

@@ -18,18 +18,28 @@ void EventSystem<Rotates>::place(std::vector<Moving> const& disks, ShearedBox co
     s_.disks.fly(i, disks[i], 0);
     position.push_back(disks[i].position);
   }
+  sort(position, box);
   build(std::move(position), box);
   predict_all();
 }
 
 template <bool Rotates>
-void EventSystem<Rotates>::restore(Arrays const& from, std::vector<Vec2<Real>> list_position,
+void EventSystem<Rotates>::restore(Arrays const& from, std::vector<Vec2<Real>> const& list_position,
                                    ShearedBox const& box, std::int64_t list_step,
                                    std::int64_t step) {
   s_.times.count_from(list_step);
   s_.move_to(step);
-  build(std::move(list_position), box);
+  auto const order = saved_order(from);
+  s_.disks.reorder(order);
+  build(in_order(list_position, order), box);
   events::restore(from, s_);
+}
+
+template <bool Rotates>
+void EventSystem<Rotates>::sort(std::vector<Vec2<Real>>& position, ShearedBox const& box) {
+  auto const order = order_along_curve(position, box);
+  s_.disks.reorder(order);
+  position = in_order(position, order);
 }
 
 template <bool Rotates>
@@ -59,7 +69,7 @@ void EventSystem<Rotates>::find_touches() {
       Real const d = disks.distance(i, n);
       if (!(dot(r, r) < d * d)) continue;
       group.touches.push_back({i, n, ever});
-      s_.log.begins(i, j, 0, r, r);
+      s_.log.begins(disks.name[i], disks.name[j], 0, r, r);
       taken[i] = taken[j] = true;
     }
   for (std::uint32_t i = 0; i < disks.count(); ++i)
@@ -200,7 +210,7 @@ void EventSystem<Rotates>::change_rate(std::int64_t step) {
 }
 
 template <bool Rotates>
-void EventSystem<Rotates>::renew(std::int64_t step, ShearedBox const& box) {
+void EventSystem<Rotates>::renew(std::int64_t step, ShearedBox const& box, bool sorted) {
   auto& disks = s_.disks;
   Real const time = s_.times.time(step - s_.times.counted_from());
   s_.times.count_from(step);
@@ -216,7 +226,9 @@ void EventSystem<Rotates>::renew(std::int64_t step, ShearedBox const& box) {
   for (std::uint32_t i = 0; i < disks.count(); ++i) frames.move(i, disks.path[i]);
   s_.now = 0;
   s_.log.shift(time);
-  build(frames.position(), box);
+  auto position = frames.position();
+  if (sorted) sort(position, box);
+  build(std::move(position), box);
   for (auto const k : clusters) touches_.plan(k);
   predict_all();
 }

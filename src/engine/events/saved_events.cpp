@@ -9,7 +9,7 @@ namespace bagnold::events {
 namespace {
 
 constexpr char disks_name[] = "events_disks", contacts_name[] = "events_contacts",
-               clusters_name[] = "events_clusters";
+               clusters_name[] = "events_clusters", order_name[] = "events_order";
 
 std::vector<double> const& array(Arrays const& from, std::string const& name) {
   auto const found = from.find(name);
@@ -23,6 +23,7 @@ std::vector<double> const& array(Arrays const& from, std::string const& name) {
 template <bool Rotates>
 Arrays save(EventDisks<Rotates> const& disks) {
   Arrays arrays;
+  arrays[order_name].assign(disks.name.begin(), disks.name.end());
   Write disk{arrays[disks_name]}, contact{arrays[contacts_name]}, cluster{arrays[clusters_name]};
   std::map<std::uint32_t, std::uint32_t> number;  // of contacts
   for (std::uint32_t i = 0; i < disks.count(); ++i) {
@@ -51,6 +52,11 @@ Arrays save(EventDisks<Rotates> const& disks) {
     for (auto const& link : of.links) visit_link(cluster, link);
   }
   return arrays;
+}
+
+std::vector<std::uint32_t> saved_order(Arrays const& from) {
+  auto const& order = array(from, order_name);
+  return {order.begin(), order.end()};
 }
 
 template <bool Rotates>
