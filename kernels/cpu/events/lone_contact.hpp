@@ -22,7 +22,6 @@ struct LoneContact {
   PairCentre centre{};          ///< at `begun`
   ClosedContact<Rotates> closed{};
   std::uint64_t number = 0;  ///< of its end, where it is reported
-  std::uint8_t paths = 0;    ///< of disks, that begin with it
 
   std::uint32_t j() const { return other.index(); }
   Real end() const { return begun + closed.duration; }

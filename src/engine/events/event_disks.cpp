@@ -62,11 +62,18 @@ Real EventDisks<Rotates>::acceleration(std::uint32_t i) const {
 }
 
 template <bool Rotates>
+std::uint32_t EventDisks<Rotates>::add_contact() {
+  auto const k = contacts.add();
+  if (k >= paths_.size()) paths_.resize(k + 1);
+  paths_[k] = 0;
+  return k;
+}
+
+template <bool Rotates>
 void EventDisks<Rotates>::leave(std::uint32_t i) {
   Path& p = path[i];
   ++p.changes;
-  if (p.manner == Manner::contact && --contacts[touching[i]].paths == 0)
-    contacts.remove(touching[i]);
+  if (p.manner == Manner::contact && --paths_[touching[i]] == 0) contacts.remove(touching[i]);
 }
 
 template <bool Rotates>
@@ -96,8 +103,7 @@ void EventDisks<Rotates>::set_contact(std::uint32_t i, std::uint32_t k, Moving c
   auto& contact = contacts[k];
   Path& p = path[i];
   p.manner = Manner::contact;
-  touching[i] = k;
-  ++contact.paths;
+  hold_contact(i, k);
   p.begun = contact.begun;
   p.straight = contact.end();
   p.fly(end.position, end.motion.velocity, p.straight);
@@ -174,18 +180,20 @@ void EventDisks<Rotates>::reorder(std::vector<std::uint32_t> const& order) {
   auto const moved = [&](Neighbor n) {
     return Neighbor::make(place[n.index()], n.image(), n.big());
   };
+  std::vector<std::uint32_t> of_contacts;
   for (std::uint32_t i = 0; i < count(); ++i) {
     if (path[i].manner == Manner::contact) {
-      auto& contact = contacts[touching[i]];
-      if (--contact.paths > 0) continue;  // at the second of its disks
-      contact.paths = 2;
-      contact.i = place[contact.i];
-      contact.other = moved(contact.other);
+      if (contacts[touching[i]].i == i) of_contacts.push_back(touching[i]);
     } else if (path[i].manner == Manner::cluster && member[i] == 0) {
       auto& cluster = clusters[touching[i]];
       for (auto& m : cluster.members) m.disk = place[m.disk];
       for (auto& link : cluster.links) link.other = moved(link.other);
     }
+  }
+  for (auto const k : of_contacts) {
+    auto& contact = contacts[k];
+    contact.i = place[contact.i];
+    contact.other = moved(contact.other);
   }
   path = in_order(path, order);
   spin.reorder(order);

@@ -81,6 +81,15 @@ class EventDisks {
   /// Bound of |r''| before its line begins, [d_s / tau_e^2].
   Real acceleration(std::uint32_t i) const;
 
+  /// A contact that no path begins with yet.
+  std::uint32_t add_contact();
+
+  /// The path of a disk begins with a contact.
+  void hold_contact(std::uint32_t i, std::uint32_t k) {
+    touching[i] = k;
+    ++paths_[k];
+  }
+
   /// New paths: of a free disk, of both disks of contacts[k], of all disks of clusters[k].
   void fly(std::uint32_t i, Moving const& from, Real time);
   void begin_contact(std::uint32_t k);
@@ -100,6 +109,8 @@ class EventDisks {
   void leave(std::uint32_t i);
   bool keeps_corridor(Cluster<Rotates> const& cluster, Member<Rotates> const& m) const;
   void set_contact(std::uint32_t i, std::uint32_t k, Moving const& end, Real deviation);
+
+  std::vector<std::uint8_t> paths_;  ///< by contact: those that begin with it
 };
 
 extern template class EventDisks<false>;

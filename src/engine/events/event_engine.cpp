@@ -226,7 +226,7 @@ Snapshot EventEngine<Rotates>::snapshot() const {
   auto const& all = system_.all();
   s.list_position.resize(all.disks.count());
   for (std::uint32_t i = 0; i < all.disks.count(); ++i) {
-    auto const& position = all.lists.at_build()[i];
+    auto const& position = all.lists.at_build(i);
     s.list_position[all.disks.name[i]] = {position.x, position.y};
   }
   s.list_step = list_step_;

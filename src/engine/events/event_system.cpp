@@ -19,7 +19,7 @@ void EventSystem<Rotates>::place(std::vector<Moving> const& disks, ShearedBox co
     position.push_back(disks[i].position);
   }
   sort(position, box);
-  build(std::move(position), box);
+  build(position, box);
   predict_all();
 }
 
@@ -43,12 +43,12 @@ void EventSystem<Rotates>::sort(std::vector<Vec2<Real>>& position, ShearedBox co
 }
 
 template <bool Rotates>
-void EventSystem<Rotates>::build(std::vector<Vec2<Real>> position, ShearedBox const& box) {
+void EventSystem<Rotates>::build(std::vector<Vec2<Real>> const& position, ShearedBox const& box) {
   auto const& disks = s_.disks;
   std::vector<Species> species(disks.count());
   for (std::uint32_t i = 0; i < disks.count(); ++i) species[i] = disks.path[i].species;
   s_.disks.shifts = ImageShifts(box);
-  s_.lists.build(std::move(position), species, disks.material.table, box);
+  s_.lists.build(position, species, disks.material.table, box);
   s_.sums.strain_rate = box.strain_rate;
   s_.predictions.watch_reach = true;
   s_.build_step = s_.times.last_within(s_.lists.longest());
@@ -95,7 +95,7 @@ std::int64_t EventSystem<Rotates>::run(std::int64_t step) {
   auto const& times = s_.queue.times;
   while (!s_.too_deep) {
     auto const slot = times.first();
-    Real const time = times.time(slot);
+    Real const time = times.first_time();
     if (time > s_.times.time(std::min(step, s_.build_step))) break;
     s_.now = std::max(s_.now, time);
     Event const event = s_.queue.event[slot];
@@ -108,9 +108,8 @@ std::int64_t EventSystem<Rotates>::run(std::int64_t step) {
         touches_.end_step(s_.disks.touching[slot]);
         break;
       case Event::Kind::touch:
-        if (auto const n = s_.lists.entry(event.entry);
-            s_.disks.path[n.index()].changes == event.changes)
-          touches_.touch(event.disk, n, time);
+        if (s_.disks.path[event.other.index()].changes == event.changes)
+          touches_.touch(event.disk, event.other, time);
         else
           predict(slot);
     }
@@ -228,7 +227,7 @@ void EventSystem<Rotates>::renew(std::int64_t step, ShearedBox const& box, bool 
   s_.log.shift(time);
   auto position = frames.position();
   if (sorted) sort(position, box);
-  build(std::move(position), box);
+  build(position, box);
   for (auto const k : clusters) touches_.plan(k);
   predict_all();
 }

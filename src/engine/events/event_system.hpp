@@ -67,7 +67,7 @@ class EventSystem {
   EventState<Rotates> const& all() const { return s_; }
 
   /// When something happens next.
-  Real next_event() const { return s_.queue.times.time(s_.queue.times.first()); }
+  Real next_event() const { return s_.queue.times.first_time(); }
   EventCounts& counts() { return s_.counts; }
   EventCounts const& counts() const { return s_.counts; }
 
@@ -101,7 +101,7 @@ class EventSystem {
   template <class OfContact, class OfCluster>
   void for_each_under_way(Real time, OfContact const& of_contact, OfCluster const& of_cluster);
   void sort(std::vector<Vec2<Real>>& position, ShearedBox const& box);
-  void build(std::vector<Vec2<Real>> position, ShearedBox const& box);
+  void build(std::vector<Vec2<Real>> const& position, ShearedBox const& box);
 
   EventState<Rotates> s_;
   TouchEvents<Rotates> touches_;

@@ -74,17 +74,15 @@ void restore(Arrays const& from, EventState<Rotates>& state) {
     disk(number[i]);
   }
   while (!contact.done()) {
-    auto const k = disks.contacts.add();
+    auto const k = disks.add_contact();
     auto& of = disks.contacts[k];
     visit_contact<Rotates>(contact, of);
-    of.paths = 0;
     of.solve(disks.contact_class(of));
     contacts.push_back(k);
   }
   for (std::uint32_t i = 0; i < disks.count(); ++i) {
     if (disks.path[i].manner != Manner::contact) continue;
-    disks.touching[i] = contacts.at(number[i]);
-    ++disks.contacts[disks.touching[i]].paths;
+    disks.hold_contact(i, contacts.at(number[i]));
   }
   while (!cluster.done()) {
     auto const k = disks.clusters.add();

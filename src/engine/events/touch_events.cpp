@@ -51,13 +51,12 @@ void TouchEvents<Rotates>::expect_end(LoneContact<Rotates>& contact) {
 template <bool Rotates>
 std::uint32_t TouchEvents<Rotates>::add_contact(Moving const& a, Moving const& b,
                                                 Touch const& touch, bool fresh, Real time) {
-  auto const k = s_.disks.contacts.add();
+  auto const k = s_.disks.add_contact();
   auto& contact = s_.disks.contacts[k];
   contact.i = touch.i;
   contact.other = touch.other;
   contact.binary = fresh;
   contact.touched = touch.touched;
-  contact.paths = 0;
   solve(contact, a, b, fresh, time);
   return k;
 }
