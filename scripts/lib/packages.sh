@@ -7,12 +7,13 @@ build_packages=(
   librandom123-dev libxxhash-dev
 )
 picture_packages=(python3 python3-h5py python3-matplotlib)
+bench_packages=(libbenchmark-dev python3 python3-h5py)
 package_packages=(dpkg-dev file help2man) # what cpack asks to make Debian packages
 wheel_packages=(git python3-venv rsync)
 cross_packages=(gcc-12-aarch64-linux-gnu g++-12-aarch64-linux-gnu qemu-user-static)
 test_packages=(
-  libgtest-dev libbenchmark-dev clang-format-14 python3-numpy python3-yaml zsh
-  "${package_packages[@]}"
+  libgtest-dev clang-format-14 python3-numpy python3-yaml zsh
+  "${bench_packages[@]}" "${package_packages[@]}"
   # Other programs that read what is written here; not MDAnalysis, whose 2.4 opens observables of particles in no H5MD.
   mypy python3-ase python3-gsd python3-pandas python3-xarray python3-h5netcdf python3-jsonschema
   munge slurm-wlm # a cluster of our own

@@ -26,7 +26,8 @@ std::filesystem::path here_or_installed(std::filesystem::path const& file) {
 
 /// A descriptor of this process: /dev/stdin, or /dev/fd/63 of the shell's <(...).
 bool is_open_here(std::filesystem::path const& file) {
-  return file.string().starts_with("/dev/") || file.string().starts_with("/proc/");
+  return file == "/dev/stdin" || file.string().starts_with("/dev/fd/") ||
+         file.string().starts_with("/proc/self/fd/");
 }
 
 }  // namespace

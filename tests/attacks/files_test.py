@@ -8,6 +8,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 import unittest
 
@@ -236,6 +237,12 @@ class Pipes(CliTest):
                 for words in (("status", out), ("sweep", sweep, "--out", out), ("plot", out), ("report", out)):
                     self.assert_ends(*words)
                 (out / name).unlink()
+
+    def test_in_memory(self):
+        with tempfile.TemporaryDirectory(dir="/dev/shm") as folder:  # its name begins as that of a device
+            pipe = pathlib.Path(folder) / "scene.toml"
+            os.mkfifo(pipe)
+            self.assert_clean_error(self.bagnold("validate", pipe, timeout=60), 2, "is a pipe")
 
     def test_that_this_process_has_open_are_read(self):
         scene = self.scene(**FRAMES).read_text()

@@ -65,12 +65,13 @@ struct Cluster {
   Real time = 0;                         ///< at which the step begins, [tau_e]
   Real step = 0;                         ///< how long it is
   int ending = -1;                       ///< the link that parts at its end; -1: none
-  std::vector<Member<Rotates>> members;  ///< by disk
+  std::vector<Member<Rotates>> members;  ///< by disk when it began
   std::vector<Link> links;
 
   Real end() const { return time + step; }
   std::uint32_t slot() const { return members.front().disk; }  ///< in the queue
 
+  /// Of a cluster that has just been made, by disk.
   std::uint32_t member(std::uint32_t disk) const {
     auto const found = std::ranges::lower_bound(members, disk, {}, &Member<Rotates>::disk);
     return static_cast<std::uint32_t>(found - members.begin());

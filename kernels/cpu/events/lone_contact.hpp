@@ -12,7 +12,7 @@ namespace bagnold::events {
 /// Two disks that touch each other and no third one.
 template <bool Rotates>
 struct LoneContact {
-  std::uint32_t i = 0;          ///< the lower one
+  std::uint32_t i = 0;          ///< the lower one when it began: places in memory change
   Neighbor other{};             ///< the image of j that it touches
   bool fresh = true;            ///< the closed form begins where the contact does
   bool binary = true;           ///< neither disk has touched a third one
@@ -22,7 +22,6 @@ struct LoneContact {
   PairCentre centre{};          ///< at `begun`
   ClosedContact<Rotates> closed{};
   std::uint64_t number = 0;  ///< of its end, where it is reported
-  std::uint8_t paths = 0;    ///< of disks, that begin with it
 
   std::uint32_t j() const { return other.index(); }
   Real end() const { return begun + closed.duration; }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/engine/events/event_disks.hpp"
 
+#include <numeric>
+
 namespace bagnold::events {
 
 template <bool Rotates>
@@ -9,7 +11,9 @@ EventDisks<Rotates>::EventDisks(Material<Rotates> const& of, std::vector<Species
       path(species.size()),
       spin(species.size()),
       touching(species.size()),
-      member(species.size()) {
+      member(species.size()),
+      name(species.size()) {
+  std::iota(name.begin(), name.end(), std::uint32_t{0});
   for (std::size_t i = 0; i < species.size(); ++i) path[i].species = species[i];
 }
 
@@ -58,11 +62,18 @@ Real EventDisks<Rotates>::acceleration(std::uint32_t i) const {
 }
 
 template <bool Rotates>
+std::uint32_t EventDisks<Rotates>::add_contact() {
+  auto const k = contacts.add();
+  if (k >= paths_.size()) paths_.resize(k + 1);
+  paths_[k] = 0;
+  return k;
+}
+
+template <bool Rotates>
 void EventDisks<Rotates>::leave(std::uint32_t i) {
   Path& p = path[i];
   ++p.changes;
-  if (p.manner == Manner::contact && --contacts[touching[i]].paths == 0)
-    contacts.remove(touching[i]);
+  if (p.manner == Manner::contact && --paths_[touching[i]] == 0) contacts.remove(touching[i]);
 }
 
 template <bool Rotates>
@@ -92,8 +103,7 @@ void EventDisks<Rotates>::set_contact(std::uint32_t i, std::uint32_t k, Moving c
   auto& contact = contacts[k];
   Path& p = path[i];
   p.manner = Manner::contact;
-  touching[i] = k;
-  ++contact.paths;
+  hold_contact(i, k);
   p.begun = contact.begun;
   p.straight = contact.end();
   p.fly(end.position, end.motion.velocity, p.straight);
@@ -161,6 +171,35 @@ void EventDisks<Rotates>::begin_step(std::uint32_t k) {
     p.fly(m.begin.position, mean, p.begun);
     p.deviation = width + 2 * m.deviation;
   }
+}
+
+template <bool Rotates>
+void EventDisks<Rotates>::reorder(std::vector<std::uint32_t> const& order) {
+  std::vector<std::uint32_t> place(count());
+  for (std::uint32_t k = 0; k < count(); ++k) place[order[k]] = k;
+  auto const moved = [&](Neighbor n) {
+    return Neighbor::make(place[n.index()], n.image(), n.big());
+  };
+  std::vector<std::uint32_t> of_contacts;
+  for (std::uint32_t i = 0; i < count(); ++i) {
+    if (path[i].manner == Manner::contact) {
+      if (contacts[touching[i]].i == i) of_contacts.push_back(touching[i]);
+    } else if (path[i].manner == Manner::cluster && member[i] == 0) {
+      auto& cluster = clusters[touching[i]];
+      for (auto& m : cluster.members) m.disk = place[m.disk];
+      for (auto& link : cluster.links) link.other = moved(link.other);
+    }
+  }
+  for (auto const k : of_contacts) {
+    auto& contact = contacts[k];
+    contact.i = place[contact.i];
+    contact.other = moved(contact.other);
+  }
+  path = in_order(path, order);
+  spin.reorder(order);
+  touching = in_order(touching, order);
+  member = in_order(member, order);
+  name = in_order(name, order);
 }
 
 template class EventDisks<false>;

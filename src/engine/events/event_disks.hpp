@@ -6,6 +6,7 @@
 #include "kernels/cpu/events/cluster_steps.hpp"
 #include "kernels/cpu/events/lone_contact.hpp"
 #include "kernels/cpu/events/path.hpp"
+#include "src/engine/events/disk_order.hpp"
 #include "src/engine/events/pool.hpp"
 
 namespace bagnold::events {
@@ -16,6 +17,7 @@ struct Spins {
   explicit Spins(std::size_t) {}
   void take(std::uint32_t, Motion<false> const&) {}
   void give(std::uint32_t, Motion<false>&) const {}
+  void reorder(std::vector<std::uint32_t> const&) {}
 };
 
 template <>
@@ -24,6 +26,7 @@ struct Spins<true> {
   explicit Spins(std::size_t disks) : value(disks) {}
   void take(std::uint32_t i, Motion<true> const& motion) { value[i] = motion.spin; }
   void give(std::uint32_t i, Motion<true>& motion) const { motion.spin = value[i]; }
+  void reorder(std::vector<std::uint32_t> const& order) { value = in_order(value, order); }
 };
 
 /// All disks between two builds of the lists: their paths, and whom they touch.
@@ -40,6 +43,7 @@ class EventDisks {
   Spins<Rotates> spin;                  ///< [N]
   std::vector<std::uint32_t> touching;  ///< [N], in `contacts` or `clusters`, by its manner
   std::vector<std::uint32_t> member;    ///< [N], in its cluster
+  std::vector<std::uint32_t> name;      ///< [N], of the disk outside of this engine
   Pool<LoneContact<Rotates>> contacts;
   Pool<Cluster<Rotates>> clusters;
 
@@ -77,6 +81,15 @@ class EventDisks {
   /// Bound of |r''| before its line begins, [d_s / tau_e^2].
   Real acceleration(std::uint32_t i) const;
 
+  /// A contact that no path begins with yet.
+  std::uint32_t add_contact();
+
+  /// The path of a disk begins with a contact.
+  void hold_contact(std::uint32_t i, std::uint32_t k) {
+    touching[i] = k;
+    ++paths_[k];
+  }
+
   /// New paths: of a free disk, of both disks of contacts[k], of all disks of clusters[k].
   void fly(std::uint32_t i, Moving const& from, Real time);
   void begin_contact(std::uint32_t k);
@@ -88,10 +101,16 @@ class EventDisks {
   /// Of a contact that has ended: the disk flies since.
   void forget_contact(std::uint32_t i);
 
+  /// Gives each disk, with its contact or cluster, another place: order[k] is the present place of
+  /// the disk that comes k-th. No contact may have ended.
+  void reorder(std::vector<std::uint32_t> const& order);
+
  private:
   void leave(std::uint32_t i);
   bool keeps_corridor(Cluster<Rotates> const& cluster, Member<Rotates> const& m) const;
   void set_contact(std::uint32_t i, std::uint32_t k, Moving const& end, Real deviation);
+
+  std::vector<std::uint8_t> paths_;  ///< by contact: those that begin with it
 };
 
 extern template class EventDisks<false>;

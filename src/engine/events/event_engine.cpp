@@ -183,12 +183,13 @@ template <bool Rotates>
 void EventEngine<Rotates>::go_to(std::int64_t step) {
   step_ = list_step_ + system_.run(std::min(step, clock_.rate_end) - list_step_);
   if (auto const& deep = system_.all().too_deep)
-    failure::too_deep(clock_, step_, deep->disk, deep->relative_overlap);
+    failure::too_deep(clock_, step_, system_.all().disks.name[deep->disk], deep->relative_overlap);
 }
 
 template <bool Rotates>
 void EventEngine<Rotates>::renew() {
-  system_.renew(step_, box_at(step_));
+  constexpr std::int64_t often = 8;  // builds of the lists, between which disks stay near
+  system_.renew(step_, box_at(step_), builds_ % often == 0);
   list_step_ = step_;
   ++builds_;
 }
@@ -209,9 +210,10 @@ void EventEngine<Rotates>::add_motions(State& state) const {
   for (std::uint32_t i = 0; i < disks.count(); ++i) {
     auto const of = disks.at(i, now());
     auto const motion = scaled(of.motion, system_.all().times.speed());
-    state.position[i] = {of.position.x, of.position.y};
-    state.velocity[i] = {motion.velocity.x, motion.velocity.y};
-    if constexpr (Rotates) state.spin[i] = motion.spin;
+    auto const name = disks.name[i];
+    state.position[name] = {of.position.x, of.position.y};
+    state.velocity[name] = {motion.velocity.x, motion.velocity.y};
+    if constexpr (Rotates) state.spin[name] = motion.spin;
   }
 }
 
@@ -221,14 +223,19 @@ Snapshot EventEngine<Rotates>::snapshot() const {
   add_motions(s.state);
   s.state.diameter = diameter_;
   clock_.tell(s.state, step_);
-  s.list_position = pairs(system_.all().lists.at_build());
+  auto const& all = system_.all();
+  s.list_position.resize(all.disks.count());
+  for (std::uint32_t i = 0; i < all.disks.count(); ++i) {
+    auto const& position = all.lists.at_build(i);
+    s.list_position[all.disks.name[i]] = {position.x, position.y};
+  }
   s.list_step = list_step_;
   s.step = step_;
   s.initial_offset = clock_.initial_offset;
   s.initial_time = clock_.initial_time;
   s.list_builds = builds_;
   if (touches_known_) {
-    s.arrays = events::save(system_.all().disks);
+    s.arrays = events::save(all.disks);
     visit_memory(*this, WriteDown{s.memory});
   }
   visit_counters(*this, WriteDown{s.counters});

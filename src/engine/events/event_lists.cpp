@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "src/engine/compiled_once.hpp"
 #include "src/engine/device_copy.hpp"
@@ -22,26 +21,26 @@ EventLists::EventLists(Real skin)
       longest_(share_of_strain * 2 * skin / (big_diameter + skin)),
       reach_(margin * list_reach(longest_, skin)) {}
 
-void EventLists::build(std::vector<Vec2<Real>> position, std::vector<Species> const& species,
+void EventLists::build(std::vector<Vec2<Real>> const& position, std::vector<Species> const& species,
                        SpeciesTable const& table, ShearedBox const& box) {
   box_ = box;
-  at_build_ = std::move(position);
-  auto const places = to_device<Space>("events::at_build", at_build_);
+  auto const places = to_device<Space>("events::at_build", position);
   auto const grid = make_cell_grid_in(room_, Space{}, places, box, big_diameter + skin_, {});
   NeighborSearch<Space> const search{
       places, to_device<Space>("events::species", species), grid, table, box, skin_};
   entries_.clear();
-  row_.assign(1, 0);
-  for (std::uint32_t i = 0; i < at_build_.size(); ++i) {
+  row_.clear();
+  for (std::uint32_t i = 0; i < position.size(); ++i) {
+    auto const begin = static_cast<std::uint32_t>(entries_.size());
     search(i, [&](Neighbor const& n) { entries_.push_back(n); });
-    row_.push_back(static_cast<std::uint32_t>(entries_.size()));
+    row_.push_back({position[i], begin, static_cast<std::uint32_t>(entries_.size())});
   }
 }
 
 Real EventLists::leaves(std::uint32_t i, Vec2<Real> const& place,
                         Vec2<Real> const& velocity) const {
-  auto const w = place - at_build_[i];
-  Vec2<Real> const u{velocity.x - box_.strain_rate * at_build_[i].y, velocity.y};
+  auto const w = place - at_build(i);
+  Vec2<Real> const u{velocity.x - box_.strain_rate * at_build(i).y, velocity.y};
   Real const a = dot(u, u), b = dot(w, u), c = dot(w, w) - reach_ * reach_;
   if (a == 0) return std::numeric_limits<Real>::infinity();
   Real const discriminant = b * b - a * c;

@@ -18,15 +18,15 @@ class EventLists {
   explicit EventLists(Real skin);
 
   /// position: in the box, whose offset is in [0, L_x).
-  void build(std::vector<Vec2<Real>> position, std::vector<Species> const& species,
+  void build(std::vector<Vec2<Real>> const& position, std::vector<Species> const& species,
              SpeciesTable const& table, ShearedBox const& box);
 
-  std::uint32_t begin(std::uint32_t i) const { return row_[i]; }
-  std::uint32_t end(std::uint32_t i) const { return row_[i + 1]; }
+  std::uint32_t begin(std::uint32_t i) const { return row_[i].begin; }
+  std::uint32_t end(std::uint32_t i) const { return row_[i].end; }
   Neighbor entry(std::uint32_t k) const { return entries_[k]; }
   Neighbor const* entries() const { return entries_.data(); }
 
-  std::vector<Vec2<Real>> const& at_build() const { return at_build_; }
+  Vec2<Real> const& at_build(std::uint32_t i) const { return row_[i].at_build; }
   Real reach() const { return reach_; }      ///< [d_s]
   Real longest() const { return longest_; }  ///< strain
   Real strain_rate() const { return box_.strain_rate; }
@@ -35,7 +35,7 @@ class EventLists {
   /// Whether a disk on a line is within its reach at a time.
   bool within_reach(std::uint32_t i, Vec2<Real> const& place, Vec2<Real> const& velocity,
                     Real time) const {
-    Vec2<Real> const& from = at_build_[i];
+    Vec2<Real> const& from = at_build(i);
     Real const x = place.x - from.x + time * (velocity.x - box_.strain_rate * from.y);
     Real const y = place.y - from.y + time * velocity.y;
     return x * x + y * y < reach_ * reach_;
@@ -45,10 +45,15 @@ class EventLists {
   Real leaves(std::uint32_t i, Vec2<Real> const& place, Vec2<Real> const& velocity) const;
 
  private:
+  /// Of a disk; half a cache line.
+  struct alignas(32) Row {
+    Vec2<Real> at_build;       ///< [d_s]
+    std::uint32_t begin, end;  ///< in the entries
+  };
+
   Real skin_, longest_, reach_;
   CellGridRoom<Space> room_;
-  std::vector<Vec2<Real>> at_build_;  ///< [N], [d_s]
-  std::vector<std::uint32_t> row_;    ///< [N + 1]
+  std::vector<Row> row_;  ///< [N]
   std::vector<Neighbor> entries_;
   ShearedBox box_{};
 };

@@ -18,27 +18,37 @@ void EventSystem<Rotates>::place(std::vector<Moving> const& disks, ShearedBox co
     s_.disks.fly(i, disks[i], 0);
     position.push_back(disks[i].position);
   }
-  build(std::move(position), box);
+  sort(position, box);
+  build(position, box);
   predict_all();
 }
 
 template <bool Rotates>
-void EventSystem<Rotates>::restore(Arrays const& from, std::vector<Vec2<Real>> list_position,
+void EventSystem<Rotates>::restore(Arrays const& from, std::vector<Vec2<Real>> const& list_position,
                                    ShearedBox const& box, std::int64_t list_step,
                                    std::int64_t step) {
   s_.times.count_from(list_step);
   s_.move_to(step);
-  build(std::move(list_position), box);
+  auto const order = saved_order(from);
+  s_.disks.reorder(order);
+  build(in_order(list_position, order), box);
   events::restore(from, s_);
 }
 
 template <bool Rotates>
-void EventSystem<Rotates>::build(std::vector<Vec2<Real>> position, ShearedBox const& box) {
+void EventSystem<Rotates>::sort(std::vector<Vec2<Real>>& position, ShearedBox const& box) {
+  auto const order = order_along_curve(position, box);
+  s_.disks.reorder(order);
+  position = in_order(position, order);
+}
+
+template <bool Rotates>
+void EventSystem<Rotates>::build(std::vector<Vec2<Real>> const& position, ShearedBox const& box) {
   auto const& disks = s_.disks;
   std::vector<Species> species(disks.count());
   for (std::uint32_t i = 0; i < disks.count(); ++i) species[i] = disks.path[i].species;
   s_.disks.shifts = ImageShifts(box);
-  s_.lists.build(std::move(position), species, disks.material.table, box);
+  s_.lists.build(position, species, disks.material.table, box);
   s_.sums.strain_rate = box.strain_rate;
   s_.predictions.watch_reach = true;
   s_.build_step = s_.times.last_within(s_.lists.longest());
@@ -59,7 +69,7 @@ void EventSystem<Rotates>::find_touches() {
       Real const d = disks.distance(i, n);
       if (!(dot(r, r) < d * d)) continue;
       group.touches.push_back({i, n, ever});
-      s_.log.begins(i, j, 0, r, r);
+      s_.log.begins(disks.name[i], disks.name[j], 0, r, r);
       taken[i] = taken[j] = true;
     }
   for (std::uint32_t i = 0; i < disks.count(); ++i)
@@ -85,7 +95,7 @@ std::int64_t EventSystem<Rotates>::run(std::int64_t step) {
   auto const& times = s_.queue.times;
   while (!s_.too_deep) {
     auto const slot = times.first();
-    Real const time = times.time(slot);
+    Real const time = times.first_time();
     if (time > s_.times.time(std::min(step, s_.build_step))) break;
     s_.now = std::max(s_.now, time);
     Event const event = s_.queue.event[slot];
@@ -98,9 +108,8 @@ std::int64_t EventSystem<Rotates>::run(std::int64_t step) {
         touches_.end_step(s_.disks.touching[slot]);
         break;
       case Event::Kind::touch:
-        if (auto const n = s_.lists.entry(event.entry);
-            s_.disks.path[n.index()].changes == event.changes)
-          touches_.touch(event.disk, n, time);
+        if (s_.disks.path[event.other.index()].changes == event.changes)
+          touches_.touch(event.disk, event.other, time);
         else
           predict(slot);
     }
@@ -200,7 +209,7 @@ void EventSystem<Rotates>::change_rate(std::int64_t step) {
 }
 
 template <bool Rotates>
-void EventSystem<Rotates>::renew(std::int64_t step, ShearedBox const& box) {
+void EventSystem<Rotates>::renew(std::int64_t step, ShearedBox const& box, bool sorted) {
   auto& disks = s_.disks;
   Real const time = s_.times.time(step - s_.times.counted_from());
   s_.times.count_from(step);
@@ -216,7 +225,9 @@ void EventSystem<Rotates>::renew(std::int64_t step, ShearedBox const& box) {
   for (std::uint32_t i = 0; i < disks.count(); ++i) frames.move(i, disks.path[i]);
   s_.now = 0;
   s_.log.shift(time);
-  build(frames.position(), box);
+  auto position = frames.position();
+  if (sorted) sort(position, box);
+  build(position, box);
   for (auto const k : clusters) touches_.plan(k);
   predict_all();
 }

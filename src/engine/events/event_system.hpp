@@ -31,8 +31,8 @@ class EventSystem {
   void place(std::vector<Moving> const& disks, ShearedBox const& box, std::int64_t step);
 
   /// Goes on from what was saved at a step, with the lists of positions then.
-  void restore(Arrays const& from, std::vector<Vec2<Real>> list_position, ShearedBox const& box,
-               std::int64_t list_step, std::int64_t step);
+  void restore(Arrays const& from, std::vector<Vec2<Real>> const& list_position,
+               ShearedBox const& box, std::int64_t list_step, std::int64_t step);
 
   /// Predicts everything anew.
   void predict_all();
@@ -55,8 +55,8 @@ class EventSystem {
   std::int64_t run(std::int64_t step);
 
   /// Builds the lists at a step, from which times are counted then. box: there, its offset in
-  /// [0, L_x).
-  void renew(std::int64_t step, ShearedBox const& box);
+  /// [0, L_x). sorted: whether disks that are near each other are given near places in memory.
+  void renew(std::int64_t step, ShearedBox const& box, bool sorted);
 
   /// The rate changes at a step: contacts and clusters go on from there with other constants.
   void change_rate(std::int64_t step);
@@ -67,7 +67,7 @@ class EventSystem {
   EventState<Rotates> const& all() const { return s_; }
 
   /// When something happens next.
-  Real next_event() const { return s_.queue.times.time(s_.queue.times.first()); }
+  Real next_event() const { return s_.queue.times.first_time(); }
   EventCounts& counts() { return s_.counts; }
   EventCounts const& counts() const { return s_.counts; }
 
@@ -100,7 +100,8 @@ class EventSystem {
   std::vector<std::uint32_t> forget_ended_contacts(Real time);
   template <class OfContact, class OfCluster>
   void for_each_under_way(Real time, OfContact const& of_contact, OfCluster const& of_cluster);
-  void build(std::vector<Vec2<Real>> position, ShearedBox const& box);
+  void sort(std::vector<Vec2<Real>>& position, ShearedBox const& box);
+  void build(std::vector<Vec2<Real>> const& position, ShearedBox const& box);
 
   EventState<Rotates> s_;
   TouchEvents<Rotates> touches_;

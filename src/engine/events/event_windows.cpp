@@ -72,6 +72,7 @@ void EventWindows<Rotates>::add_ahead(Real time, Real sign) {
 template <bool Rotates>
 std::vector<TouchingPair<Rotates>> touching_pairs(EventState<Rotates> const& state, Real time) {
   auto const& disks = state.disks;
+  auto const& name = disks.name;
   std::vector<TouchingPair<Rotates>> all;
   auto const add = [&](std::uint32_t i, Neighbor n) {
     auto const j = n.index();
@@ -82,7 +83,7 @@ std::vector<TouchingPair<Rotates>> touching_pairs(EventState<Rotates> const& sta
       Real const a = d[disks.path[i].species], b = d[disks.path[j].species];
       spin = (a * motion.spin_i + b * motion.spin_j) / (a + b);
     }
-    all.push_back({i, j, motion, spin});
+    all.push_back({std::min(name[i], name[j]), std::max(name[i], name[j]), motion, spin});
   };
   for_each_touch(disks, time, add);
   return all;
@@ -91,7 +92,10 @@ std::vector<TouchingPair<Rotates>> touching_pairs(EventState<Rotates> const& sta
 template <bool Rotates>
 TouchingPairs who_touches(EventDisks<Rotates> const& disks, Real time) {
   TouchingPairs all;
-  for_each_touch(disks, time, [&](std::uint32_t i, Neighbor n) { all.push_back({i, n.index()}); });
+  for_each_touch(disks, time, [&](std::uint32_t i, Neighbor n) {
+    all.push_back(std::minmax(disks.name[i], disks.name[n.index()]));
+  });
+  std::ranges::sort(all);
   return all;
 }
 

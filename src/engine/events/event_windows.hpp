@@ -39,19 +39,19 @@ extern template class EventWindows<true>;
 
 using TouchingPairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-/// A contact at a time, i < j.
+/// A contact at a time.
 template <bool Rotates>
 struct TouchingPair {
-  std::uint32_t i, j;
-  PairMotion<Rotates> motion;
-  Real spin;  ///< see contact_velocities
+  std::uint32_t i, j;          ///< names of the disks, i < j
+  PairMotion<Rotates> motion;  ///< of one against the other
+  Real spin;                   ///< see contact_velocities
 };
 
-/// All that touch at a time that has been reached, i < j, with their motion.
+/// All that touch at a time that has been reached, with their motion.
 template <bool Rotates>
 std::vector<TouchingPair<Rotates>> touching_pairs(EventState<Rotates> const& state, Real time);
 
-/// The same without it.
+/// Names of all disks that touch at a time that has been reached, i < j, in their order.
 template <bool Rotates>
 TouchingPairs who_touches(EventDisks<Rotates> const& disks, Real time);
 

@@ -23,7 +23,7 @@ void Predictions<Rotates>::of_disk(std::uint32_t i) {
   Path const& p = paths[i];
   auto pack = pack_of(p);
   Real first = never;
-  Event event{i, 0, 0, Event::Kind::leave};
+  Event event{i, {}, 0, Event::Kind::leave};
   auto const end = lists_->end(i);
   for (auto k = lists_->begin(i); k < end; k += simd::width) {
     auto const* const neighbors = lists_->entries() + k;
@@ -38,13 +38,13 @@ void Predictions<Rotates>::of_disk(std::uint32_t i) {
       Real const time = near ? pairs_.touch(i, n) : pack.time[lane];
       if (!(time < first)) continue;
       first = time;
-      event = {i, k + lane, q.changes, Event::Kind::touch};
+      event = {i, n, q.changes, Event::Kind::touch};
     }
   }
   if (watch_reach && !lists_->within_reach(i, p.place, p.velocity, first))
     if (Real const leaves = lists_->leaves(i, p.place, p.velocity); leaves < first) {
       first = leaves;
-      event = {i, 0, 0, Event::Kind::leave};
+      event = {i, {}, 0, Event::Kind::leave};
     }
   queue_->set(i, first, event);
 }
@@ -72,7 +72,7 @@ void Predictions<Rotates>::of_cluster(std::uint32_t k) {
   auto const* const paths = disks_->path.data();
   auto const& cluster = disks_->clusters[k];
   Real first = cluster.end();
-  Event event{cluster.slot(), 0, 0, Event::Kind::end};
+  Event event{cluster.slot(), {}, 0, Event::Kind::end};
   for (auto const& m : cluster.members)
     if (m.strays) find_near(m.disk);
   for (std::uint32_t a = 0; a < cluster.members.size(); ++a) {
@@ -87,7 +87,7 @@ void Predictions<Rotates>::of_cluster(std::uint32_t k) {
       Real const time = pairs_.touch(i, n);
       if (!(time < first)) return;
       first = time;
-      event = {i, begin + e, paths[j].changes, Event::Kind::touch};
+      event = {i, n, paths[j].changes, Event::Kind::touch};
     });
   }
   queue_->set(cluster.slot(), first, event);

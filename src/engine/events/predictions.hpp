@@ -18,7 +18,7 @@ struct Event {
     end     ///< the step of the cluster ends
   };
   std::uint32_t disk = 0;
-  std::uint32_t entry = 0;    ///< the neighbour in the lists
+  Neighbor other{};           ///< the neighbour
   std::uint32_t changes = 0;  ///< of its path, when this was predicted
   Kind kind = Kind::leave;
 };

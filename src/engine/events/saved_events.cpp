@@ -9,7 +9,7 @@ namespace bagnold::events {
 namespace {
 
 constexpr char disks_name[] = "events_disks", contacts_name[] = "events_contacts",
-               clusters_name[] = "events_clusters";
+               clusters_name[] = "events_clusters", order_name[] = "events_order";
 
 std::vector<double> const& array(Arrays const& from, std::string const& name) {
   auto const found = from.find(name);
@@ -23,6 +23,7 @@ std::vector<double> const& array(Arrays const& from, std::string const& name) {
 template <bool Rotates>
 Arrays save(EventDisks<Rotates> const& disks) {
   Arrays arrays;
+  arrays[order_name].assign(disks.name.begin(), disks.name.end());
   Write disk{arrays[disks_name]}, contact{arrays[contacts_name]}, cluster{arrays[clusters_name]};
   std::map<std::uint32_t, std::uint32_t> number;  // of contacts
   for (std::uint32_t i = 0; i < disks.count(); ++i) {
@@ -53,6 +54,11 @@ Arrays save(EventDisks<Rotates> const& disks) {
   return arrays;
 }
 
+std::vector<std::uint32_t> saved_order(Arrays const& from) {
+  auto const& order = array(from, order_name);
+  return {order.begin(), order.end()};
+}
+
 template <bool Rotates>
 void restore(Arrays const& from, EventState<Rotates>& state) {
   auto& disks = state.disks;
@@ -68,17 +74,15 @@ void restore(Arrays const& from, EventState<Rotates>& state) {
     disk(number[i]);
   }
   while (!contact.done()) {
-    auto const k = disks.contacts.add();
+    auto const k = disks.add_contact();
     auto& of = disks.contacts[k];
     visit_contact<Rotates>(contact, of);
-    of.paths = 0;
     of.solve(disks.contact_class(of));
     contacts.push_back(k);
   }
   for (std::uint32_t i = 0; i < disks.count(); ++i) {
     if (disks.path[i].manner != Manner::contact) continue;
-    disks.touching[i] = contacts.at(number[i]);
-    ++disks.contacts[disks.touching[i]].paths;
+    disks.hold_contact(i, contacts.at(number[i]));
   }
   while (!cluster.done()) {
     auto const k = disks.clusters.add();

@@ -17,6 +17,9 @@ using Arrays = std::map<std::string, std::vector<double>>;
 template <bool Rotates>
 Arrays save(EventDisks<Rotates> const& disks);
 
+/// Names of disks in the order in which they are in memory.
+std::vector<std::uint32_t> saved_order(Arrays const& from);
+
 /// Of disks that have been placed where the lists were built; steps: of clusters.
 template <bool Rotates>
 void restore(Arrays const& from, EventState<Rotates>& state);

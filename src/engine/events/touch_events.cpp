@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/engine/events/touch_events.hpp"
 
+#include <tuple>
+
 namespace bagnold::events {
 
 template <bool Rotates>
@@ -20,7 +22,7 @@ void TouchEvents<Rotates>::touch(std::uint32_t i, Neighbor n, Real time) {
   group.touches.push_back({i, n, time});
   if (s_.log.on) {
     auto const pair = pair_motion(group.of(i), s_.disks.image(group.of(n.index()), n, time));
-    s_.log.begins(i, n.index(), time, pair.separation, pair.velocity);
+    s_.log.begins(name(i), name(n.index()), time, pair.separation, pair.velocity);
   }
   settle(group, time);
 }
@@ -33,7 +35,7 @@ void TouchEvents<Rotates>::begin_lone(std::uint32_t i, Neighbor n, Real time) {
   auto const k =
       add_contact(s_.disks.on_line(i, time), s_.disks.on_line(j, time), {i, n, time}, true, time);
   auto const& start = s_.disks.contacts[k].start;
-  s_.log.begins(i, j, time, start.separation, start.velocity);
+  s_.log.begins(name(i), name(j), time, start.separation, start.velocity);
   s_.disks.begin_contact(k);
   s_.predictions.of_disk(i);
   s_.predictions.of_disk(j);
@@ -42,20 +44,19 @@ void TouchEvents<Rotates>::begin_lone(std::uint32_t i, Neighbor n, Real time) {
 template <bool Rotates>
 void TouchEvents<Rotates>::expect_end(LoneContact<Rotates>& contact) {
   auto const& end = contact.closed.end;
-  contact.number =
-      s_.log.expect_end(contact.i, contact.j(), contact.end(), end.separation, end.velocity);
+  contact.number = s_.log.expect_end(name(contact.i), name(contact.j()), contact.end(),
+                                     end.separation, end.velocity);
 }
 
 template <bool Rotates>
 std::uint32_t TouchEvents<Rotates>::add_contact(Moving const& a, Moving const& b,
                                                 Touch const& touch, bool fresh, Real time) {
-  auto const k = s_.disks.contacts.add();
+  auto const k = s_.disks.add_contact();
   auto& contact = s_.disks.contacts[k];
   contact.i = touch.i;
   contact.other = touch.other;
   contact.binary = fresh;
   contact.touched = touch.touched;
-  contact.paths = 0;
   solve(contact, a, b, fresh, time);
   return k;
 }
@@ -85,8 +86,11 @@ void TouchEvents<Rotates>::settle(Group& group, Real time) {
     if (part.disks.size() == 1) {
       s_.disks.fly(part.disks[0].disk, part.disks[0].motion, time);
     } else if (part.disks.size() == 2) {
-      s_.disks.begin_contact(add_contact(part.disks[0].motion, part.disks[1].motion,
-                                         part.touches[0], part.touches[0].touched == time, time));
+      auto const& touch = part.touches[0];
+      auto const& [low, high] = std::tie(part.disks[0].motion, part.disks[1].motion);
+      bool const in_order = touch.i < touch.j();  // not where disks changed places in memory
+      s_.disks.begin_contact(add_contact(in_order ? low : high, in_order ? high : low, touch,
+                                         touch.touched == time, time));
     } else {
       clusters.push_back(add_cluster(part, time));
     }
@@ -150,7 +154,8 @@ void TouchEvents<Rotates>::end_step(std::uint32_t k) {
   }
   auto const parted = cluster.links[static_cast<std::size_t>(cluster.ending)];
   auto const i = cluster.members[parted.a].disk;
-  s_.log.ends(i, parted.other.index(), time, s_.steps.separation(cluster, parted, cluster.step),
+  s_.log.ends(name(i), name(parted.other.index()), time,
+              s_.steps.separation(cluster, parted, cluster.step),
               s_.steps.velocity(cluster, parted, cluster.step));
   auto& group = gathering_.group;
   group.clear();

@@ -39,6 +39,7 @@ class TouchEvents {
   void expect_end(LoneContact<Rotates>& contact);
 
  private:
+  std::uint32_t name(std::uint32_t i) const { return s_.disks.name[i]; }
   void begin_lone(std::uint32_t i, Neighbor n, Real time);
   std::uint32_t add_cluster(typename Group::Part const& part, Real time);
 

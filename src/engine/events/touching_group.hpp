@@ -22,7 +22,7 @@ class TouchingGroup {
     std::uint32_t disk;
     DiskMotion<Rotates> motion;
   };
-  /// Disk i touches the image `other` of a higher one.
+  /// Disk i touches an image of another one, which was higher when the contact began.
   struct Touch {
     std::uint32_t i;
     Neighbor other;
