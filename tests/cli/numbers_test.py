@@ -8,6 +8,7 @@ numbers ("0.3 to 0.5%", "within 1%") is their least and greatest. A phrase that 
 import csv
 import itertools
 import re
+import sys
 import tomllib
 import unittest
 from decimal import Decimal
@@ -16,6 +17,9 @@ import h5py
 import numpy as np
 
 from bagnold import SOURCE, CliTest
+
+sys.path.insert(0, str(SOURCE / "python/bagnold"))  # the module alone, as `bagnold` is that of these tests
+from observables import rounded as with_error  # noqa: E402
 
 NUMBER = r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?"
 PAPERS, DEFAULT, IMPLICIT = "modified-velocity-verlet", "two-stage-leapfrog", "implicit-damping"
@@ -497,6 +501,21 @@ class Pages(Shown):
         self.says("docs/long_steps.md", "| bands: p | {}({})e-5 |", 1e5 * narrow["p"], 1e6 * narrow["p_error"])
         self.says("docs/long_steps.md", "| bands: μ | {}({}) |", narrow["mu"], 1e3 * narrow["mu_error"])
         self.says("docs/reproduction.md", "p includes the flow of the bands; p_el is {}({})e-5", 1e5 * dense["p_el"], 1e7 * dense["p_el_error"])
+
+    def test_crossover_a_decade_slower(self):
+        found = {}
+        for rate, table in (("1e-5", "figures/cd_n"), ("1e-6", "physics/cd_n_slow")):
+            out = self.folder / rate
+            self.bagnold("analyse", "crossover", SOURCE / f"docs/data/{table}.csv", "--by", "disks.packing_fraction",
+                         "--where", f"shear.strain_rate={rate}", "--out", out)
+            with open(f"{out}.csv", newline="") as file:
+                found[rate] = [(float(row["Q_star"]), float(row["Q_star_error"])) for row in csv.DictReader(file)]
+        rows = table_of("docs/physics.md", "φ | 0.60 | 0.66 | 0.70")
+        self.assertEqual([row[0] for row in rows], list(found))
+        for rate, *cells in rows:
+            self.assertEqual(cells, [with_error(*one) for one in found[rate]], rate)
+        far = sum((b - a)**2 / (e**2 + f**2) for (a, e), (b, f) in zip(*found.values(), strict=True))
+        self.says("docs/physics.md", "They agree: χ² = {} of 11", far)
 
     def test_what_is_said_of_the_contact_number(self):
         lines = text_of("docs/physics.md").split("<!-- table contact_number")[1].split("\n")
