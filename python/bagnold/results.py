@@ -95,6 +95,36 @@ class Branch:
     error: Array  #: [n], jackknife over passes; NaN below three
 
 
+@dataclass(frozen=True)
+class Piece:
+    """One piece of a sequence, averaged over its later part. Beginnings are those in the first cycle."""
+
+    strain_rate: float  #: 1/tau_e, of any sign; 0 of a stop
+    begin_strain: float  #: since the start of the run
+    strain: float  #: of the piece, with its sign
+    begin_time: float  #: tau_e, since the start of the run
+    time: float  #: tau_e, of the piece
+    windows: int  #: measured, of all cycles and replicas
+    mean: dict[str, float]  #: by the names of the series
+    error: dict[str, float]  #: standard errors; NaN where unknown
+
+
+@dataclass(frozen=True)
+class Oscillation:
+    """An oscillation gamma_0 sin(2 pi t/T), and its mean cycle: [K] values at the windows of a cycle."""
+
+    amplitude: float  #: gamma_0
+    period: float  #: T, tau_e
+    cycles: int  #: in all
+    discarded_cycles: int  #: the first ones, in no average
+    strain: Array  #: [K]
+    strain_rate: Array  #: [K], 1/tau_e
+    sigma: Array  #: [K], m/tau_e^2
+    sigma_error: Array  #: [K], standard errors; NaN where unknown
+    p: Array  #: [K], m/tau_e^2
+    p_error: Array  #: [K], as sigma_error
+
+
 class Run:
     """Folder of a run. Files are read on access, so a run that is in progress can be read."""
 
@@ -184,7 +214,7 @@ class Run:
         found = self.observables
         if name not in found:
             raise KeyError(f"{name} is not among the averages of {self.folder}: "
-                           f"{', '.join(found) or 'a ramp has none, see r.loop'}")
+                           f"{', '.join(found) or 'a ramp has none, see r.loop, nor a sequence, see r.pieces'}")
         return found[name]
 
     @property
@@ -307,6 +337,23 @@ class Run:
                                    np.array([number(one["observables"][name]["error"]) for one in have]))
         return branches
 
+    @cached_property
+    def pieces(self) -> list[Piece]:
+        """Pieces of a sequence, in their order: ``r.pieces[0].mean["sigma"]``."""
+        if "pieces" not in self.summary:
+            raise InputError(f"{self.folder} is no sequence: it has no pieces, its averages are r[\"p\"]")
+        return [_piece(one) for one in self.summary["pieces"]]
+
+    @cached_property
+    def oscillation(self) -> Oscillation:
+        """The mean cycle of an oscillation; its moduli are ``r["G_storage"]`` and ``r["G_loss"]``."""
+        if "oscillation" not in self.summary:
+            raise InputError(f"{self.folder} is no oscillation: it has no mean cycle")
+        found = self.summary["oscillation"]
+        wave = {name: np.array([number(one) for one in values]) for name, values in found["waveform"].items()}
+        return Oscillation(found["amplitude"], found["period"], found["cycles"], found["discarded_cycles"], wave["strain"],
+                           wave["strain_rate"], wave["sigma"], wave["sigma_error"], wave["p"], wave["p_error"])
+
     def plot(self) -> Figure:
         """The picture of the run, plot.png. Needs matplotlib."""
         from . import plots
@@ -335,6 +382,12 @@ def load(folder: str | os.PathLike[str]) -> Run:
     if not (place / "scene.toml").exists() and not (place / "result.h5").exists():
         raise FileError(f"{place} is no folder of a run: {_what_is(place)}")
     return Run(place)
+
+
+def _piece(found: dict[str, Any]) -> Piece:
+    mean, error = ({name: number(one[part]) for name, one in found["observables"].items()} for part in ("mean", "error"))
+    return Piece(found["strain_rate"], found["begin_strain"], found["strain"], found["begin_time"], found["time"],
+                 found["windows"], mean, error)
 
 
 def read_summary(folder: pathlib.Path) -> dict[str, Any]:

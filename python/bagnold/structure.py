@@ -179,8 +179,8 @@ def d2_min(frames: Iterable[Frame], r_max: float = 2.5) -> tuple[Array, Array]:
     apart = moved[i] - moved[j]
 
     def by_disk(a: Array, b: Array) -> Array:
-        return np.stack([[np.bincount(i, a[:, k] * b[:, m], minlength=len(first)) for m in (0, 1)] for k in (0, 1)]
-                        ).transpose(2, 0, 1)
+        sums = [[np.bincount(i, a[:, k] * b[:, m], minlength=len(first)) for m in (0, 1)] for k in (0, 1)]
+        return np.array(sums, dtype=np.float64).transpose(2, 0, 1)
 
     square, mixed, spread = by_disk(away, away), by_disk(apart, away), by_disk(apart, apart)
     spans = np.linalg.det(square) > 1e-9 * np.trace(square, axis1=1, axis2=2)**2

@@ -126,6 +126,41 @@ class Results(Folder):
         with self.assertRaisesRegex(bagnold.InputError, "is no ramp"):
             made().loop("sigma")
 
+    def test_a_sequence(self):
+        scene = {**SCENE, "output": {"plot": False, "sample_strain": 2.0**-6},
+                 "shear": {"protocol": "sequence", "pieces": [[2.0**-7, 0.25], [-2.0**-7, 0.125], [0, 64.0]], "discard": 0.5}}
+        r = run(scene, self.folder / "sequence", disks__replicas=3)
+        self.assertEqual([one.strain_rate for one in r.pieces], [2.0**-7, -2.0**-7, 0])
+        self.assertEqual([one.strain for one in r.pieces], [0.25, -0.125, 0])
+        self.assertEqual([one.begin_time for one in r.pieces], [0, 32, 48])
+        self.assertEqual(r.pieces[1].windows, 3 * 4)
+        sigma = r.series["sigma"]
+        for piece, windows in zip(r.pieces, (slice(8, 16), slice(20, 24))):  # the later half of each, windows alike
+            self.assertAlmostEqual(piece.mean["sigma"] / sigma[:, windows].mean(), 1, places=10)
+            each = sigma[:, windows].mean(axis=1)
+            self.assertAlmostEqual(piece.error["sigma"] / (each.std(ddof=1) / np.sqrt(3)), 1, places=6)
+        with self.assertRaisesRegex(KeyError, "p is not among .*see r.pieces"):
+            r["p"]
+        with self.assertRaisesRegex(bagnold.InputError, "is no sequence"):
+            made().pieces
+        self.assertIn("<h2>Pictures</h2>", bagnold.report(r).read_text())
+
+    def test_an_oscillation(self):
+        scene = {**SCENE, "output": {"plot": False},
+                 "shear": {"protocol": "oscillate", "amplitude": 0.125, "period": 64.0, "cycles": 6, "cycle_pieces": 16, "discard": 0.5}}
+        r = run(scene, self.folder / "oscillation", disks__model="CD")
+        found = r.oscillation
+        self.assertEqual((found.amplitude, found.period, found.cycles, found.discarded_cycles), (0.125, 64.0, 6, 3))
+        sigma = r.series["sigma"].reshape(6, 16)[3:]
+        np.testing.assert_allclose(found.sigma, sigma.mean(axis=0), rtol=1e-10)
+        np.testing.assert_allclose(found.sigma_error, sigma.std(axis=0, ddof=1) / np.sqrt(3), rtol=1e-6)
+        self.assertEqual(found.p_error.shape, found.strain.shape)
+        np.testing.assert_allclose(found.strain_rate, r.series["strain_rate"][:16], rtol=1e-10)
+        self.assertTrue(np.isfinite(r["G_storage"].mean))
+        with self.assertRaisesRegex(bagnold.InputError, "is no oscillation"):
+            made().oscillation
+        self.assertIn("<h2>Averages</h2>", bagnold.report(r).read_text())
+
     def test_what_is_no_run_says_what_it_is(self):
         for path, words in ((self.folder / "none", "the folder is not there"), (self.folder, "holds no run")):
             with self.assertRaisesRegex(bagnold.FileError, words):
