@@ -101,6 +101,113 @@ class Runs(Pictures):
             self.assertIn(title.replace("$", r"\$"), scene_text(figure))
 
 
+class Sequences(Pictures):
+    def drawn(self, **changes):
+        scene = {**SCENE, "output": {"plot": False, "sample_strain": 2.0**-6},
+                 "shear": {"protocol": "sequence", "pieces": [[2.0**-7, 0.25], [-2.0**-7, 0.125], [0, 128.0]]}}
+        return run(scene, self.folder / "sequence", **changes)
+
+    def lines(self, axes):
+        """Those of pieces: with more than one point, not level."""
+        return [line for line in axes.get_lines() if len(line.get_xdata()) > 2 and line.get_linestyle() == "-"]
+
+    def test_pieces_are_told_apart(self):
+        source = self.drawn(disks__replicas=3)
+        figure = plots.run(source)
+        self.readable(figure)
+        self.has_scene(figure, "model CD_rot", "3 pieces", "strain 0.375", "3 replicas", "standard error over replicas")
+        names = [text.get_text() for text in figure.legends[0].get_texts()]
+        self.assertEqual(names[0], r"1: $\dot\gamma\tau_e = $$7.812\times 10^{-3}$, strain 0.25")
+        self.assertIn("= -$", names[1])
+        self.assertIn("3: stop", names[2])
+        sigma, strain = source.series["sigma"].mean(axis=0), source.series["strain"][0]
+        against, _, _, since, pressure, _ = figure.axes
+        for axes, sign in ((against, -1), (since, 1)):
+            forth, back = self.lines(axes)
+            self.assertNotEqual(forth.get_color(), back.get_color())
+            np.testing.assert_allclose(forth.get_ydata(), sigma[:16])
+            np.testing.assert_allclose(back.get_ydata(), -sign * sigma[16:24])
+        np.testing.assert_allclose(self.lines(against)[1].get_xdata(), strain[16:24] + 2.0**-7)
+        np.testing.assert_allclose(self.lines(since)[1].get_xdata(), (np.arange(8) + 0.5) * 2.0**-6)
+        stop, = self.lines(pressure)
+        np.testing.assert_allclose(stop.get_ydata(), source.series["p"].mean(axis=0)[24:])
+        ends = source.series["time"][0][24:] - 48
+        np.testing.assert_allclose(stop.get_xdata(), (ends + np.append(0, ends[:-1])) / 2)
+        self.assertEqual(pressure.get_xscale(), "log")
+
+    def test_from_a_state_and_again_and_again(self):
+        first = self.drawn()
+        state = str(first.folder / "state.h5")
+        scene = {**SCENE, "output": {"plot": False, "sample_strain": 2.0**-6}, "start": {"kind": "state", "file": state},
+                 "shear": {"protocol": "sequence", "cycles": 3, "pieces": [[0, 16.0], [2.0**-7, 0.0625]]}}
+        source = run(scene, self.folder / "again")
+        self.assertGreater(source.series["time"][0], 100)  # it goes on from the state's
+        figure = plots.run(source)
+        self.readable(figure)
+        flows, stops = self.lines(figure.axes[0]), self.lines(figure.axes[4])
+        self.assertEqual([len(line.get_xdata()) for line in flows], [4, 4, 4])
+        self.assertEqual(len(stops), 3)
+        self.assertEqual(len({line.get_color() for line in flows}), 1)
+        for line in stops[1:]:
+            np.testing.assert_allclose(line.get_xdata(), stops[0].get_xdata())
+        self.assertIn("3 times", scene_text(figure))
+
+    def test_stops_alone_and_flows_alone(self):
+        for pieces, panels in (([[0, 64.0]], 3), ([[2.0**-7, 0.25]], 6)):
+            source = run({**SCENE, "output": {"plot": False, "sample_strain": 2.0**-6},
+                          "shear": {"protocol": "sequence", "pieces": pieces}}, self.folder / str(panels))
+            figure = plots.run(source)
+            self.readable(figure)
+            self.assertEqual(len(figure.axes), panels)
+
+
+class Oscillations(Pictures):
+    def drawn(self, **changes):
+        scene = {**SCENE, "output": {"plot": False},
+                 "shear": {"protocol": "oscillate", "amplitude": 0.125, "period": 64.0, "cycles": 6, "cycle_pieces": 32,
+                           "discard": 0.5}}
+        return run(scene, self.folder / "oscillation", **{"disks__model": "CD", **changes})
+
+    def test_the_mean_cycle_is_that_of_the_program(self):
+        for replicas in (1, 3):
+            source = self.drawn(disks__replicas=replicas, disks__seed=replicas)
+            figure = plots.run(source)
+            self.readable(figure)
+            self.has_scene(figure, "model CD", r"$\gamma_0 = 0.125$", "T = $64", "6 cycles", "grey: not measured")
+            wave = source.oscillation
+            for axes, x in ((figure.axes[0], wave.strain), (figure.axes[1], wave.strain_rate * 64 / (2 * np.pi * 0.125))):
+                mean = [line for line in axes.get_lines() if line.get_label() == "their mean"][0]
+                np.testing.assert_allclose(mean.get_ydata()[:-1], wave.sigma, rtol=1e-9)
+                np.testing.assert_allclose(mean.get_xdata()[:-1], x, atol=0.04 * np.abs(x).max())
+                self.assertEqual(mean.get_xdata()[0], mean.get_xdata()[-1])
+            moduli, = [axes for axes in figure.axes if axes.get_ylabel().startswith("$G'$")]
+            labelled = {line.get_label()[:5]: line.get_ydata() for line in moduli.get_lines() if line.get_label()[0] == "$"}
+            self.assertEqual(set(labelled), {"$G''$", "$G'$ "})
+            for label, name in (("$G'$ ", "G_storage"), ("$G''$", "G_loss")):
+                self.assertEqual(len(labelled[label]), 6)
+                self.assertAlmostEqual(labelled[label][3:].mean() / source[name].mean, 1, delta=0.02)
+            shutil.rmtree(source.folder)
+
+    def test_while_it_runs(self):
+        source = self.drawn()
+        shutil.copytree(source.folder, self.folder / "begun")
+        (self.folder / "begun/summary.json").unlink()
+        for windows, words in ((80, "harmonics come with the end of the run"), (20, "no cycle is finished yet")):
+            with h5py.File(self.folder / "begun/result.h5", "r+") as file:
+                for name in list(file["series"]):
+                    values, attributes = file["series"][name][:windows], dict(file["series"][name].attrs)
+                    del file["series"][name]
+                    file["series"][name] = values
+                    file["series"][name].attrs["unit"] = attributes["unit"]
+            figure = plots.run(self.folder / "begun")
+            self.readable(figure)
+            self.assertIn(words, [text.get_text() for axes in figure.axes for text in axes.texts])
+
+    def test_for_a_journal(self):
+        figure = plots.run(self.drawn(), style="paper", panels="ah")
+        self.assertEqual(len(figure.axes), 2)
+
+
 class Ramps(Pictures):
     @classmethod
     def setUpClass(cls):

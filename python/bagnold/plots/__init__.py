@@ -15,7 +15,8 @@ import os
 import pathlib
 from typing import TYPE_CHECKING, Any, Union
 
-from . import analysis_page, figure_page, frame_pages, packing_page, paper, pieces_page, run_page, style as styles, sweep_page
+from . import (analysis_page, figure_page, frame_pages, oscillation_page, packing_page, paper, run_page, sequence_page,
+               style as styles, sweep_page)
 from ..errors import FileError, InputError
 from ..hdf5 import open_hdf5
 from ..sweeps import Sweep, sweep as read_sweep
@@ -29,17 +30,19 @@ if TYPE_CHECKING:
 
     Source = Union["Run", str, "os.PathLike[str]"]
 
+_PAGES = {"sequence": sequence_page.draw, "oscillate": oscillation_page.draw}  # of protocols that have their own
+
 __all__ = ["analysis", "draw_to", "fields", "figure", "film", "histograms", "packing", "profiles", "run", "save", "sweep"]
 
 
 def run(source: Source, *, style: str = "page", panels: str | None = None) -> Figure:
-    """One run on one page, plot.png: stresses, Z, mu, T_g, R_v, the last state; of a ramp its loop.
+    """One run on one page, plot.png: stresses, Z, mu, T_g, R_v, the last state; of a ramp its loop, of a sequence each
+    piece against strain, of an oscillation Lissajous curves and moduli.
 
     source: a run, its folder, or its result.h5."""
     data = run_page.Run(str(_result(source)))
     with _styled():
-        page = pieces_page if data.about.get("protocol") in ("sequence", "oscillate") else run_page
-        return _as(style, page.draw(data), panels)
+        return _as(style, _PAGES.get(str(data.about.get("protocol")), run_page.draw)(data), panels)
 
 
 def profiles(source: Source, *, style: str = "page", panels: str | None = None) -> Figure:

@@ -38,6 +38,16 @@ def plain_ticks(axis):
     axis.set_major_formatter(matplotlib.ticker.FuncFormatter(short_power))
 
 
+def scaled_ticks(axis, symbol, unit):
+    """Sets numbers and label of a linear axis, once its limits are set: "$p$  $[10^{-4} m/\\tau_e^2]$" for small ones."""
+    largest = np.abs(axis.get_view_interval()).max()
+    power = int(np.floor(np.log10(largest))) if largest > 0 else 0
+    power = 0 if -3 < power < 4 else power
+    axis.set_major_formatter(matplotlib.ticker.FuncFormatter(lambda value, _: f"{value / 10.0**power:.5g}"))
+    factor, known = rf"10^{{{power}}}\," if power else "", UNITS.get(unit, rf"\mathrm{{{unit}}}")
+    axis.set_label_text(f"{symbol}  $[{factor}{known}]$" if factor or known else symbol)
+
+
 def steps_of(decades, across):
     """Numbers below 10 to be written on so many decades; across: beside each other, so fewer."""
     if decades > (0.7 if across else 1.0):

@@ -7,6 +7,7 @@ velocity profile and packing) and the standard errors (summary.json).
 
 import json
 import os
+import tomllib
 
 import numpy as np
 
@@ -41,6 +42,7 @@ class Run:
             self.unit = {k: plain(d.attrs.get("unit", "")) for k, d in group.items()}
             self.discarded = int(group.attrs.get("discarded_windows", 0))
             self.about = {k: plain(v) for k, v in file.attrs.items()}
+        self.scene = tomllib.loads(str(self.about.get("scene", "")))
         shapes = {values.shape for values in self.each.values()}
         if any(values.size == 0 for values in self.each.values()):
             raise InputError(f"{path}: no measurement window is finished yet; draw it later")
