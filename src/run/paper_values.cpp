@@ -10,6 +10,7 @@
 namespace bagnold {
 
 std::vector<PaperValue> paper_values(Scene const& scene, std::vector<Observable> const& list) {
+  if (scene.shear.by_pieces()) return {};  // the papers have none
   using Averages = std::span<double const>;
   auto const& disks = scene.disks;
   double const phi = disks.packing_fraction, q = disks.elasticity;

@@ -7,7 +7,7 @@ import unittest
 import h5py
 import numpy as np
 
-from bagnold import CliTest, read_series, read_state, read_summary, write_state
+from bagnold import LAWS, CliTest, read_series, read_state, read_summary, write_state
 
 PACKING = {
     "disks": {"model": "CD", "count": 64, "packing_fraction": 0.86, "elasticity": 1.0, "mass": "equal"},
@@ -187,6 +187,20 @@ class Sequence(CliTest):
         self.assertAlmostEqual(read_series(out)["strain"][0][-1], 0, places=12)
         self.assertEqual(read_summary(out)["strain"]["total"], 0.5)
         self.assertNotIn("B_p", read_summary(out)["pieces"][0]["observables"])
+
+    def test_every_law_oscillates(self):
+        for model in LAWS:
+            with self.subTest(model=model):
+                out = self.folder / model
+                oscillation = {**self.REVERSAL, "disks__model": model, "shear__protocol": "oscillate", "shear__pieces": None,
+                               "shear__amplitude": 2.0**-5, "shear__period": 64.0, "shear__cycles": 3,
+                               "shear__cycle_pieces": 16, "output__sample_strain": None, "disks__replicas": 3}
+                result = self.run_scene(self.scene(**oscillation), out, "--all")
+                self.assertIn("G_loss", result.stdout)
+                self.assertGreater(read_summary(out)["observables"]["G_loss"]["error"], 0)
+                wave = read_summary(out)["oscillation"]["waveform"]
+                self.assertEqual(len(wave["sigma"]), 16)
+                self.assertGreater(min(wave["sigma_error"]), 0)
 
     def test_bits_do_not_depend_on_threads_or_on_where_it_is_cut(self):
         one = self.run_new("one", "--threads", "1", **self.REVERSAL)

@@ -16,6 +16,11 @@ void Passes::add(std::pair<std::size_t, std::int64_t> pass, std::span<double con
   ++windows;
 }
 
+std::pair<std::size_t, std::int64_t> pass_of(Run const& run, std::size_t replica,
+                                             std::int64_t cycle) {
+  return {replica, run.replicas.size() >= statistics::fewest_replicas ? 0 : cycle};
+}
+
 statistics::Windows Passes::table() const {
   statistics::Windows table{of.empty() ? 0 : of.begin()->second.sums.size(), {}, {}};
   for (auto const& [pass, window] : of) table.push_back(window.sums, window.weight);

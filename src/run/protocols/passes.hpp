@@ -22,6 +22,11 @@ struct Passes {
   statistics::Windows table() const;
 };
 
+/// Pass of a cycle of a replica. From 3 replicas on all cycles of one are one pass: those of a
+/// packing that comes back are not independent.
+std::pair<std::size_t, std::int64_t> pass_of(Run const& run, std::size_t replica,
+                                             std::int64_t cycle);
+
 /// Mean over all passes, and from 3 passes on the error by the jackknife that leaves out one at a
 /// time; with fewer there is none: within a pass windows follow one another.
 statistics::Estimate estimate_of_passes(statistics::Windows const& passes,

@@ -125,7 +125,7 @@ Waveform waveform_of(Run const& run) {
   for (std::size_t r = 0; r < run.replicas.size(); ++r) {
     auto const& windows = run.replicas[r].measurement.windows;
     for (auto w = static_cast<std::size_t>(run.plan.discarded_windows); w < windows.size(); ++w)
-      passes[w % count].add({r, static_cast<std::int64_t>(w / count)}, windows.row(w),
+      passes[w % count].add(pass_of(run, r, static_cast<std::int64_t>(w / count)), windows.row(w),
                             windows.weight[w]);
   }
   auto const motion = motion_of(run);

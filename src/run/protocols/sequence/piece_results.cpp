@@ -28,7 +28,7 @@ std::vector<Measured> measured_windows(Run const& run) {
       bool const is_last = run.plan.window_end(static_cast<std::int64_t>(w)) - begin + since >=
                            pieces.steps_of(piece);
       if (static_cast<double>(since) < discard * of_piece && !is_last) continue;
-      found[piece].passes.add({r, cycle}, windows.row(w), windows.weight[w]);
+      found[piece].passes.add(pass_of(run, r, cycle), windows.row(w), windows.weight[w]);
       found[piece].each.columns = windows.columns;
       found[piece].each.push_back(windows.row(w), windows.weight[w]);
     }

@@ -18,8 +18,8 @@ struct PieceResult {
 };
 
 /// Results of each piece of a cycle. The share shear.discard of the time of each piece is left out,
-/// to whole windows. Errors: of several passes (cycles times replicas) by the jackknife over these,
-/// from 3 on; of a single one by blocks of its windows, where it flows.
+/// to whole windows. Errors: by the jackknife over replicas from 3 on, otherwise over cycles, from
+/// 3 on; of a single pass by blocks of its windows, where it flows.
 std::vector<PieceResult> piece_results(Run const& run);
 
 }  // namespace bagnold
