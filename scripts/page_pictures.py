@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Draws the pictures of docs that no other script draws: scripts/page_pictures.py [NAME...]
 
-quickstart is of inputs/quickstart.toml, flow-curve of the sweep in docs/tutorial.md: both are run. The others of
-docs/analysis are of made data, those of tests/cli/analyse_test.py.
+quickstart, start_up and oscillation are of scenes in inputs, flow-curve of the sweep in docs/tutorial.md: these are run.
+The others of docs/analysis are of made data, those of tests/cli/analyse_test.py.
 """
 
 import argparse
@@ -21,6 +21,7 @@ import python_package  # noqa: E402 F401  the Python package as bagnold_package,
 import bagnold_package  # noqa: E402
 
 DPI = 220  # of a PNG: twice what a page shows
+SCENES = {"quickstart": "quickstart", "start_up": "start_up", "oscillation": "oscillate"}  # picture: input
 MADE = {  # of made data: the test's method that makes them, and what is asked of `bagnold analyse`
     "crossover": ("bagnold_states", []), "transition": ("two_transitions", []),
     "kink": ("bands", ["--kinks", "2", "--log-y"]), "constant-pressure": ("bands", ["--pressure", "2e-5"])}
@@ -30,11 +31,11 @@ def call(program, *words):
     subprocess.run([program, *words], check=True, stdout=subprocess.DEVNULL)
 
 
-def quickstart(program, folder):
+def scene(program, folder, name):
     from bagnold_package.plots import style
-    call(program, "run", ROOT / "inputs/quickstart.toml", "--out", folder / "run", "--set", "output.plot=false")
+    call(program, "run", ROOT / f"inputs/{SCENES[name]}.toml", "--out", folder / "run", "--set", "output.plot=false")
     figure = bagnold_package.plots.run(bagnold_package.load(folder / "run"))
-    style.save(figure, ROOT / "docs/quickstart.png", dpi=DPI * 5 / 6, colours=128)
+    style.save(figure, ROOT / f"docs/{name}.png", dpi=DPI * 5 / 6, colours=128)
 
 
 def analysed(program, folder, kind, options, name):
@@ -62,7 +63,7 @@ def made(program, folder, name):
 
 
 def main():
-    names = ["quickstart", "flow-curve", *MADE]
+    names = [*SCENES, "flow-curve", *MADE]
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("names", nargs="*", metavar="NAME", choices=[*names, []], help=f"of {', '.join(names)}")
     parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build/openmp/bagnold")
@@ -72,8 +73,10 @@ def main():
             arguments = given.program.resolve(), pathlib.Path(folder)
             if name in MADE:
                 made(*arguments, name)
+            elif name in SCENES:
+                scene(*arguments, name)
             else:
-                {"quickstart": quickstart, "flow-curve": flow_curve}[name](*arguments)
+                flow_curve(*arguments)
 
 
 if __name__ == "__main__":
