@@ -502,6 +502,20 @@ class Pages(Shown):
         self.says("docs/long_steps.md", "| bands: μ | {}({}) |", narrow["mu"], 1e3 * narrow["mu_error"])
         self.says("docs/reproduction.md", "p includes the flow of the bands; p_el is {}({})e-5", 1e5 * dense["p_el"], 1e7 * dense["p_el_error"])
 
+    def test_oscillation(self):
+        rows = data("results/oscillation")
+        names = ("disks.model", "disks.packing_fraction", "shear.amplitude")
+        at = {tuple(row[name] for name in names): row for row in rows}
+        amplitudes = (1e-4, 1e-3, 0.01, 0.1, 0.3)
+        kinds = list(itertools.product(("CD", "CD_rot"), (0.84, 0.845, 0.85)))
+        expected = [[f"{model}, {phi}", *("; ".join(with_error(1e3 * at[model, phi, one][name], 1e3 * at[model, phi, one][name + "_error"])
+                                                    for name in ("G_storage", "G_loss")) for one in amplitudes)] for model, phi in kinds]
+        self.assertEqual(table_of("docs/results/oscillation.md", "model, φ"), expected)
+        fluid = [at[model, phi, 0.3]["G_loss"] / at[model, phi, 0.3]["G_storage"] for model, phi in kinds]
+        self.says("docs/results/oscillation.md", "G'' is {} to {} times G'", min(fluid), max(fluid))
+        more = [at["CD", phi, one]["G_loss"] / at["CD_rot", phi, one]["G_loss"] for phi in (0.84, 0.845, 0.85) for one in (0.03, 0.1, 0.3)]
+        self.says("docs/results/oscillation.md", "CD dissipates {} to {} times as much", min(more), max(more))
+
     def test_crossover_a_decade_slower(self):
         found = {}
         for rate, table in (("1e-5", "figures/cd_n"), ("1e-6", "physics/cd_n_slow")):
