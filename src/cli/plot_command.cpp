@@ -52,7 +52,7 @@ void plot_run(fs::path const& folder, std::string const& format) {
   };
   refuse(draw_plot(result, picture("plot")));
   say_drawn(picture("plot"), of);
-  Scene const scene = read_scene(folder / "scene.toml");
+  Scene const scene = read_kept_scene(folder / "scene.toml");
   if (!scene.measure.profiles && !makes_histograms(scene)) return;
   refuse(draw_frames(result, format == "png" ? folder : picture("frames")));
   say_drawn(picture("profiles"), of);
@@ -95,7 +95,7 @@ int plot_command(PlotOptions const& options) {
     return done;
   }
   status_of(folder);  // or it holds nothing
-  Scene const scene = read_scene(folder / "scene.toml");
+  Scene const scene = read_kept_scene(folder / "scene.toml");
   if (scene.shear.protocol == "cascade")
     plot_cascade(folder, scene, options.format);
   else

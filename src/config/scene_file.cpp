@@ -341,4 +341,12 @@ Scene read_scene(std::filesystem::path const& file, std::vector<std::string> con
                      overrides);
 }
 
+Scene read_kept_scene(std::filesystem::path const& file) {
+  std::error_code ignored;
+  if (std::filesystem::is_fifo(file, ignored))
+    throw InputError(
+        fmt::format("{}: is a pipe, not the file that a run keeps; remove it", file.string()));
+  return read_scene(file);
+}
+
 }  // namespace bagnold

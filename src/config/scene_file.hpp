@@ -14,6 +14,10 @@ namespace bagnold {
 /// that cannot be read is bad input.
 Scene read_scene(std::filesystem::path const& file, std::vector<std::string> const& overrides = {});
 
+/// Reads the scene that a run keeps in its folder. A pipe in its place, of which nobody may write
+/// the other end, is refused, where read_scene waits: a user may give a scene by a pipe.
+Scene read_kept_scene(std::filesystem::path const& file);
+
 /// A scene as TOML text that reads back to the same scene, bit for bit; with `derived` values of
 /// interest as comments.
 std::string write_scene(Scene const& scene);

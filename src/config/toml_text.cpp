@@ -24,12 +24,6 @@ std::filesystem::path here_or_installed(std::filesystem::path const& file) {
   return find_shipped_input(name.lexically_relative("inputs")).value_or(file);
 }
 
-/// A descriptor of this process: /dev/stdin, or /dev/fd/63 of the shell's <(...).
-bool is_open_here(std::filesystem::path const& file) {
-  return file == "/dev/stdin" || file.string().starts_with("/dev/fd/") ||
-         file.string().starts_with("/proc/self/fd/");
-}
-
 }  // namespace
 
 std::string read_text(std::filesystem::path const& file) {
@@ -37,10 +31,6 @@ std::string read_text(std::filesystem::path const& file) {
   std::error_code error;
   if (std::filesystem::is_directory(file, error))
     throw InputError(fmt::format("{}: is a folder, not a scene file", file.string()));
-  if (std::filesystem::is_fifo(file, error) && !is_open_here(file))
-    throw InputError(fmt::format(
-        "{}: is a pipe, which may be waited for without end; give a scene file, or /dev/stdin",
-        file.string()));
   std::ifstream in(here_or_installed(file), std::ios::binary);
   if (!in)
     throw InputError(fmt::format("{}: cannot be read ({}); check the path", file.string(),

@@ -8,8 +8,7 @@
 namespace bagnold {
 
 /// The text of a scene file; of `inputs/NAME` that is not there, of the scene that was installed
-/// with the program. Throws InputError if it cannot be read, is a pipe that this process has not
-/// open, or is over a megabyte.
+/// with the program. Throws InputError if it cannot be read or is over a megabyte.
 std::string read_text(std::filesystem::path const& file);
 
 /// TOML text as JSON, for code that nvcc compiles: it does not compile the parser's header. Throws

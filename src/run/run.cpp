@@ -46,7 +46,7 @@ void give_strain(RunFolder const& folder, double strain, RunMonitor& monitor) {
         "{}: is a rate of the cascade in {}, whose last rate alone can be made longer: `bagnold "
         "resume {} --strain {}`",
         folder.path().string(), stage->cascade.string(), stage->cascade.string(), strain));
-  Scene const before = read_scene(folder.scene());
+  Scene const before = read_kept_scene(folder.scene());
   Scene const after = with_strain(before, strain, folder.path().string());
   if (write_scene(after) == write_scene(before)) return;
   if (before.shear.protocol != "cascade") return make_longer(folder, after);
@@ -65,7 +65,7 @@ RunEnd go_on(RunFolder const& folder, RunOptions const& options, char const* fin
   if (io::run_finished(folder.path())) {
     folder.remove_trajectory_parts();
     if (std::filesystem::exists(folder.scene()) && !cascade_in(folder))
-      draw_missing_pictures(folder, read_scene(folder.scene()));
+      draw_missing_pictures(folder, read_kept_scene(folder.scene()));
     monitor.status(fmt::format("{} is finished: {}", folder.path().string(), finished));
     return RunEnd::done;
   }

@@ -65,7 +65,7 @@ void refuse_other_scene(std::filesystem::path const& folder, Scene const& wanted
            fmt::format("`bagnold resume {}` goes on with it, ", name));
   Scene there;
   try {
-    there = read_scene(file);
+    there = read_kept_scene(file);
   } catch (InputError const& error) {
     refuse(fmt::format("holds a run whose scene cannot be read ({})", error.what()), "");
   }

@@ -89,7 +89,7 @@ std::string mean_motion_taken_off(std::vector<StartedState> const& started) {
 /// Scene beside a checkpoint, if it is that of the checkpoint with more strain. InputError if it is
 /// neither that nor the checkpoint's.
 std::optional<Longer> longer_than(Scene const& before, RunFolder const& folder) {
-  Scene const after = read_scene(folder.scene());
+  Scene const after = read_kept_scene(folder.scene());
   if (write_scene(after) == write_scene(before)) return std::nullopt;
   if (is_longer(before, after)) return Longer(before, after);
   throw InputError(
@@ -164,7 +164,7 @@ RunEnd go_on_in(RunFolder const& folder, Machine const& machine, RunMonitor& mon
   if (begun(folder.path()))
     say(fmt::format("no checkpoint in {} can be used: starting again from its scene.toml",
                     folder.path().string()));
-  Scene const scene = read_scene(folder.scene());
+  Scene const scene = read_kept_scene(folder.scene());
   return run_from_start(folder, scene, choose(machine, scene), monitor, states_in_file(scene));
 }
 

@@ -119,7 +119,7 @@ RunStatus status_of(fs::path const& folder) {
     add_summary(status, folder / "summary.json");
     return status;
   }
-  Scene const scene = read_scene(folder / "scene.toml");
+  Scene const scene = read_kept_scene(folder / "scene.toml");
   bool begun = false;
   if (scene.shear.protocol != "cascade") {
     Plan const plan = make_plan(scene);
@@ -136,7 +136,7 @@ RunStatus status_of(fs::path const& folder) {
 std::vector<RunStatus> status_of_stages(fs::path const& folder) {
   std::vector<RunStatus> stages;
   if (!fs::exists(folder / "scene.toml")) return stages;
-  Scene const scene = read_scene(folder / "scene.toml");
+  Scene const scene = read_kept_scene(folder / "scene.toml");
   if (scene.shear.protocol != "cascade") return stages;
   for (std::size_t k = 0; k < scene.shear.strain_rates.size(); ++k) {
     auto const path = folder / stage_folder(scene, k);

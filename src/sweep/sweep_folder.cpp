@@ -107,7 +107,8 @@ std::vector<std::size_t> SweepFolder::shorter_on_disk(Sweep const& sweep) const 
     auto const file = point(k) / "scene.toml";
     if (!fs::exists(file)) continue;
     auto const& wanted = sweep.points[k].scene;
-    if (wanted.shear.protocol == "steady" && read_scene(file).shear.strain < wanted.shear.strain)
+    if (wanted.shear.protocol == "steady" &&
+        read_kept_scene(file).shear.strain < wanted.shear.strain)
       points.push_back(k);
   }
   return points;
@@ -116,7 +117,7 @@ std::vector<std::size_t> SweepFolder::shorter_on_disk(Sweep const& sweep) const 
 void SweepFolder::make_longer(Sweep const& sweep, std::vector<std::size_t> const& points,
                               void (*how)(RunFolder const&, Scene const&)) const {
   for (auto const k : points) try {
-      Scene scene = read_scene(point(k) / "scene.toml");
+      Scene scene = read_kept_scene(point(k) / "scene.toml");
       scene.shear.strain = sweep.points[k].scene.shear.strain;
       how(RunFolder::open(point(k)), scene);
     } catch (InputError const& error) {

@@ -29,7 +29,7 @@ using Json = nlohmann::ordered_json;
 /// strain.
 std::optional<Scene> longer_stage(fs::path const& path, double strain) {
   if (!begun(path) || !fs::exists(path / "scene.toml")) return std::nullopt;
-  Scene stage = read_scene(path / "scene.toml");
+  Scene stage = read_kept_scene(path / "scene.toml");
   if (stage.shear.strain >= strain) return std::nullopt;
   stage.shear.strain = strain;
   return stage;
@@ -87,7 +87,7 @@ void write_summary(RunFolder const& folder, Scene const& cascade) {
 
 std::optional<Scene> cascade_in(RunFolder const& folder) {
   if (!fs::exists(folder.scene())) return std::nullopt;
-  Scene scene = read_scene(folder.scene());
+  Scene scene = read_kept_scene(folder.scene());
   return scene.shear.protocol == "cascade" ? std::optional(scene) : std::nullopt;
 }
 
@@ -98,7 +98,7 @@ std::optional<StageFolder> stage_folder_in_cascade(fs::path const& folder) {
   if (!fs::is_regular_file(file, ignored)) return std::nullopt;
   Scene scene;
   try {
-    scene = read_scene(file);
+    scene = read_kept_scene(file);
   } catch (InputError const&) {  // anyone's: what lies beside a run is no part of it
     return std::nullopt;
   }
