@@ -73,6 +73,14 @@ configure() {
   fi
 }
 
+# configure_without_tests PRESET ARGUMENT...: the first time; tests need more packages than the program, and
+# scripts/check turns them on.
+configure_without_tests() {
+  local first_time=()
+  [ -f "$root/build/$1/CMakeCache.txt" ] || first_time=(-DBAGNOLD_TESTS=OFF -DBAGNOLD_BENCH=OFF)
+  configure "$1" "${first_time[@]}" "${@:2}"
+}
+
 # build PRESET ARGUMENT...
 build() {
   local preset="$1"
