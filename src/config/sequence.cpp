@@ -13,6 +13,12 @@
 
 namespace bagnold {
 
+namespace {
+
+constexpr double most_change = 0.01;  ///< of a rate or a time, by which steps become whole
+
+}  // namespace
+
 PieceTable make_sequence(Scene const& scene) {
   auto const& shear = scene.shear;
   double const dt = time_step(scene);
@@ -29,8 +35,18 @@ PieceTable make_sequence(Scene const& scene) {
                     "their strains or times",
                     steps, most_steps));
   PieceTable table(dt, shear.cycles);
-  for (auto const& piece : shear.pieces)
-    table.add(static_cast<std::int64_t>(steps_of(piece)), piece.rate);
+  for (auto const& piece : shear.pieces) {
+    double const taken = steps_of(piece) * dt;
+    double const wanted = piece.rate == 0 ? piece.amount : piece.amount / std::abs(piece.rate);
+    if (std::abs(taken / wanted - 1) > most_change)
+      throw InputError(fmt::format(
+          "shear.pieces: [{}, {}] takes {:.3g} steps of {} tau_e (whole ones change its rate or "
+          "time by more than {:g}); take a longer piece, or a smaller integration.time_step",
+          piece.rate, piece.amount, wanted / dt, dt, most_change));
+    // the strain is kept, and the rate fits the steps
+    table.add(static_cast<std::int64_t>(steps_of(piece)),
+              piece.rate == 0 ? 0 : std::copysign(piece.amount / taken, piece.rate));
+  }
   return table;
 }
 

@@ -7,8 +7,9 @@ namespace bagnold {
 
 struct Scene;
 
-/// Pieces of a scene with shear.protocol = "sequence", each of the nearest whole number of steps.
-/// Throws InputError where they are too many steps.
+/// Pieces of a scene with shear.protocol = "sequence", each of the nearest whole number of steps:
+/// strains are those asked for, rates change by at most 1%. Throws InputError where they would
+/// change by more, or where steps are too many.
 PieceTable make_sequence(Scene const& scene);
 
 }  // namespace bagnold

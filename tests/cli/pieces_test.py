@@ -210,6 +210,16 @@ class Sequence(CliTest):
         for name in a:
             np.testing.assert_array_equal(a[name], b[name], name)
 
+    def test_strains_are_those_asked_for(self):
+        """Also where a piece is no whole number of steps: rates fit, and nothing is left after the cycles."""
+        out = self.run_new("out", **{**self.REVERSAL, "shear__pieces": [[1e-2, 0.1234], [-2e-2, 0.1234]], "shear__cycles": 5})
+        forth, back = read_summary(out)["pieces"]
+        self.assertAlmostEqual(forth["strain"], 0.1234, places=15)
+        self.assertAlmostEqual(back["strain"], -0.1234, places=15)
+        self.assertAlmostEqual(forth["strain_rate"] / 1e-2, 1, delta=0.01)
+        self.assertAlmostEqual(read_series(out)["strain"][-1], 0, places=14)
+        self.refused(self.scene(**{**self.REVERSAL, "shear__pieces": [[1e-2, 0.005], [-5e-3, 0.005]]}), "shear.pieces", "longer piece")
+
     def test_what_cannot_be_is_refused(self):
         scene = {**self.REVERSAL}
         self.refused(self.scene(**{**scene, "shear__pieces": [[1e-3, -1.0]]}), "shear.pieces", "above 0")
