@@ -25,6 +25,13 @@ std::string with_error(statistics::Estimate const& estimate) {
   return rounded(*estimate.mean, *estimate.error) + (estimate.rough ? " (rough)" : "");
 }
 
+/// Of a name, where observables and their estimates stand side by side.
+template <class Averages>
+std::string with_error(Averages const& of, std::string_view name) {
+  auto const at = std::ranges::find(of.observables, name, &Observable::name);
+  return with_error(of.estimates[static_cast<std::size_t>(at - of.observables.begin())]);
+}
+
 /// True for the observables of the short table. B is constant in Bagnold's rheology. eta is
 /// constant in Newton's, which damping along the normal alone does not have.
 bool is_short(Scene const& scene, std::string_view name) {
@@ -52,10 +59,7 @@ bool is_short(Scene const& scene, std::string_view name) {
 /// Shear stress up and down, every few rates.
 void print_loop(Run const& run) {
   Loop const loop = loop_of(run);
-  auto const sigma = [](LoopBin const& bin) {
-    auto const at = std::ranges::find(bin.observables, "sigma", &Observable::name);
-    return with_error(bin.estimates[static_cast<std::size_t>(at - bin.observables.begin())]);
-  };
+  auto const sigma = [](LoopBin const& bin) { return with_error(bin, "sigma"); };
   fmt::print("\n{:<13} {:<28} {}\n", "strain rate", "sigma up [m/tau_e^2]", "sigma down");
   for (std::size_t k = 0; k < std::min(loop.up.size(), loop.down.size());
        k += loop_bins_a_decade / 4)
@@ -66,16 +70,12 @@ void print_loop(Run const& run) {
 /// Each piece of a sequence: what it was and what it met.
 void print_pieces(Run const& run) {
   auto const pieces = piece_results(run);
-  auto const of = [](PieceResult const& piece, std::string_view name) {
-    auto const at = std::ranges::find(piece.observables, name, &Observable::name);
-    return with_error(piece.estimates[static_cast<std::size_t>(at - piece.observables.begin())]);
-  };
   fmt::print("\n{:<12} {:<10} {:<10} {:<24} {:<24} {:<14} {}\n", "strain rate", "strain", "time",
              "p [m/tau_e^2]", "sigma [m/tau_e^2]", "Z", "windows");
   for (auto const& piece : pieces)
     fmt::print("{:<12.4g} {:<10.4g} {:<10.4g} {:<24} {:<24} {:<14} {}\n", piece.strain_rate,
-               piece.strain, piece.time, of(piece, "p"), of(piece, "sigma"), of(piece, "Z"),
-               piece.windows);
+               piece.strain, piece.time, with_error(piece, "p"), with_error(piece, "sigma"),
+               with_error(piece, "Z"), piece.windows);
 }
 
 /// "; `command`", to be typed with this folder; "" where there is none.

@@ -22,12 +22,17 @@ namespace bagnold {
 namespace {
 
 constexpr std::int64_t most_disks = 1024, most_given_disks = 16384;
-constexpr double first_trial_rate =
-    1e-3;                     // [1/tau_e]; random disks need much strain at smaller ones
-constexpr double factor = 2;  // within which estimates lie (docs/run_time.md)
+constexpr double first_trial_rate = 1e-3;  // [1/tau_e]: random disks need much strain below
+constexpr double factor = 2;               // within which estimates lie (docs/run_time.md)
 constexpr std::int64_t endless = std::int64_t{1} << 50;
 constexpr double picture_seconds = 1.2, frames_picture_seconds = 1.5;
 constexpr double bytes_per_second = 150e6, bytes_of_a_frame = 56;  // of a disk in a trajectory
+
+/// Rate at which a scene is tried; of one that only stops any will do.
+double trial_rate(Scene const& scene) {
+  double const rate = typical_rate(scene);
+  return rate > 0 ? rate : first_trial_rate;
+}
 
 double cpu_seconds() {
   timespec now{};
@@ -145,7 +150,7 @@ RunTimeTrial::RunTimeTrial(Scene const& scene, std::optional<State> start, doubl
   small_.integration.time_step = automatic;
   small_.integration.engine = "auto";
   small_.measure = {};
-  double const rate = typical_rate(scene), target = rate > 0 ? rate : first_trial_rate;
+  double const target = trial_rate(scene);
   small_.shear.strain_rate = std::max(target, first_trial_rate);
   if (given) {
     state_ = *std::move(start);
@@ -179,8 +184,7 @@ RunTimeTrial::Cost RunTimeTrial::cost(Scene const& run, Plan const& plan, double
   Plan trial = plan;
   if (plan.pieces) {  // as at one rate
     scene.shear.protocol = "steady";
-    double const rate = typical_rate(run);
-    scene.shear.strain_rate = rate > 0 ? rate : first_trial_rate;
+    scene.shear.strain_rate = trial_rate(run);
     scene.shear.strain = 1.0;
     trial = make_plan(scene);
   }

@@ -3,49 +3,10 @@
 // Pieces with a strain rate of any sign or none, in every engine: reversals, stops, oscillations.
 #include "kernels/physics/type_list.hpp"
 #include "src/config/strain_rates.hpp"
-#include "tests/reference/implicit.hpp"
-#include "tests/reference/two_stage.hpp"
 #include "tests/support/contacts.hpp"
-#include "tests/support/simulations.hpp"
+#include "tests/support/scheduled_reference.hpp"
 
 namespace bagnold::test {
-
-/// All pairs, all images; where the rate changes motions keep their excess over the mean flow.
-class PiecesReference {
- public:
-  PiecesReference(Scene const& scene, PieceTable const& pieces, State const& start)
-      : pieces_(pieces),
-        scheme_(scene.integration.scheme),
-        system_(reference_parameters(scene), start) {
-    system_.p.strain_rate = pieces_.at(0).rate;
-  }
-
-  void step() {
-    double dissipative[2][2];
-    if (scheme_ == papers_scheme)
-      reference::step(system_);
-    else if (is_implicit(scheme_))
-      reference::implicit_step(system_, reference::rotates(system_.p) ? 5 : 4, dissipative);
-    else
-      reference::two_stage_step(system_, dissipative);
-    auto const step = system_.step;
-    if (step == pieces_.steps() || pieces_.at(step).begin != step) return;
-    auto& p = system_.p;
-    double const rate = pieces_.at(step).rate, rise = rate - p.strain_rate;
-    system_.initial_strain -= rise * p.time_step * static_cast<double>(step);
-    p.strain_rate = rate;
-    for (std::size_t i = 0; i < system_.s.velocity.size(); ++i)
-      system_.s.velocity[i][0] += rise * system_.s.position[i][1];
-    for (auto& spin : system_.s.spin) spin -= rise / 2;
-  }
-
-  reference::System const& system() const { return system_; }
-
- private:
-  PieceTable pieces_;
-  std::string scheme_;
-  reference::System system_;
-};
 
 class Pieces : public EverySimulation {
  public:
@@ -70,7 +31,7 @@ TEST_P(Pieces, AreThoseOfTheAllPairsReference) {
       auto const pieces = pieces_of(scene).value();
       State const state = shaken_start(scene);
       auto const simulation = simulate(scene, state, backend());
-      PiecesReference oracle(scene, pieces, state);
+      ScheduledReference oracle(scene, state);
       for (std::size_t k = 0; k < pieces.size(); ++k) {
         auto const stop = pieces[k].begin + pieces.steps_of(k);
         while (oracle.system().step < stop) oracle.step();

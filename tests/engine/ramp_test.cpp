@@ -4,10 +4,9 @@
 #include "src/config/ramp.hpp"
 
 #include "kernels/physics/type_list.hpp"
-#include "tests/reference/implicit.hpp"
-#include "tests/reference/two_stage.hpp"
 #include "tests/support/contacts.hpp"
 #include "tests/support/ramps.hpp"
+#include "tests/support/scheduled_reference.hpp"
 
 namespace bagnold::test {
 
@@ -65,40 +64,6 @@ class Ramps : public EverySimulation {
   }
 };
 
-/// All pairs, all images, with P2 Eqs. (40)-(41) where the rate changes.
-class RampedReference {
- public:
-  RampedReference(Scene const& scene, State const& start)
-      : ramp_(make_ramp(scene)),
-        scheme_(scene.integration.scheme),
-        system_(reference_parameters(scene), start) {}
-
-  void step() {
-    double dissipative[2][2];
-    if (scheme_ == papers_scheme)
-      reference::step(system_);
-    else if (is_implicit(scheme_))
-      reference::implicit_step(system_, reference::rotates(system_.p) ? 5 : 4, dissipative);
-    else
-      reference::two_stage_step(system_, dissipative);
-    auto const step = system_.step;
-    if (step == ramp_.steps() || ramp_.piece(step).begin != step) return;
-    auto& p = system_.p;
-    double const rate = ramp_.piece(step).rate, factor = rate / p.strain_rate;
-    system_.initial_strain += (p.strain_rate - rate) * p.time_step * static_cast<double>(step);
-    p.strain_rate = rate;
-    for (auto& v : system_.s.velocity) v = {factor * v[0], factor * v[1]};
-    for (auto& spin : system_.s.spin) spin *= factor;
-  }
-
-  reference::System const& system() const { return system_; }
-
- private:
-  Ramp ramp_;
-  std::string scheme_;
-  reference::System system_;
-};
-
 TEST_P(Ramps, AreThoseOfTheAllPairsReference) {
   if (backend() != backend_names().front()) GTEST_SKIP() << "see DoNotDependOnTheBackend";
   for_schemes([&](std::string_view scheme) {
@@ -111,7 +76,7 @@ TEST_P(Ramps, AreThoseOfTheAllPairsReference) {
         State const state = slow_start(scene);
         Ramp const ramp = make_ramp(scene);
         auto const simulation = simulate(scene, state, backend());
-        RampedReference oracle(scene, state);
+        ScheduledReference oracle(scene, state);
         for (std::int64_t const stop :
              {ramp.first_leg() + 3, ramp.first_leg() + ramp.leg_steps(), ramp.steps()}) {
           while (oracle.system().step < stop) oracle.step();
@@ -139,7 +104,7 @@ TEST_P(Ramps, LoseNoContactInASuddenChange) {
   State const state = random_start(scene).state;
   Ramp const ramp = make_ramp(scene);
   auto const simulation = simulate(scene, state, backend());
-  RampedReference oracle(scene, state);
+  ScheduledReference oracle(scene, state);
   auto const jump = ramp.first_leg() + ramp.piece_steps;
   for (auto const stop : {jump, jump + 20, jump + 200}) {
     while (oracle.system().step < stop) oracle.step();

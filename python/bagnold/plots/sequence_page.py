@@ -47,7 +47,7 @@ def pieces_of(run):
     found, first, steps = [], 0, 0.0
     for k in range(len(wanted) * int(run.scene["shear"].get("cycles", 1))):
         rate, amount = wanted[k % len(wanted)]
-        steps += max(1.0, np.round((amount if rate == 0 else amount / abs(rate)) / step))
+        steps += max(1.0, np.floor((amount if rate == 0 else amount / abs(rate)) / step + 0.5))
         last = int(np.searchsorted(time, start + (steps + 0.5) * step))
         if last > first:
             before = (strain[first - 1], time[first - 1]) if first else (0.0, start)
