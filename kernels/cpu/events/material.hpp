@@ -19,6 +19,7 @@ struct Material {
   LinearDamping<Rotates> damping;
   ContactClasses<Rotates> classes;
   Real longest_step = 0;  ///< of a cluster, [tau_e]
+  Real remember = 0;      ///< longer than any lone contact and any step, [tau_e]
 
   static Material of(LinearDamping<Rotates> const& damping, SpeciesTable const& table) {
     Material material{table, damping, {}};
@@ -32,6 +33,9 @@ struct Material {
         fastest = std::max({fastest, c.frequency0 / longest_phase,
                             2 * c.rates.damping / longest_decay, c.rates.sliding / longest_decay});
     material.longest_step = 1 / fastest;
+    material.remember = material.longest_step;
+    for (auto const& row : material.classes.of)
+      for (auto const& c : row) material.remember = std::max(material.remember, 2 * c.half_period);
     return material;
   }
 

@@ -12,7 +12,8 @@ EventDisks<Rotates>::EventDisks(Material<Rotates> const& of, std::vector<Species
       spin(species.size()),
       touching(species.size()),
       member(species.size()),
-      name(species.size()) {
+      name(species.size()),
+      own_count(static_cast<std::uint32_t>(species.size())) {
   std::iota(name.begin(), name.end(), std::uint32_t{0});
   for (std::size_t i = 0; i < species.size(); ++i) path[i].species = species[i];
 }
@@ -50,36 +51,19 @@ auto EventDisks<Rotates>::at(std::uint32_t i, Real time) const -> Moving {
 }
 
 template <bool Rotates>
-Real EventDisks<Rotates>::acceleration(std::uint32_t i) const {
+Real EventDisks<Rotates>::acceleration(std::uint32_t i, Real from) const {
   Path const& p = path[i];
-  if (p.manner == Manner::free) return 0;
-  if (p.manner == Manner::cluster) {
-    return clusters[touching[i]].members[member[i]].acceleration;
-  }
+  if (p.manner == Manner::cluster) return clusters[touching[i]].members[member[i]].acceleration;
+  if (from >= p.straight) return 0;
   auto const& contact = contacts[touching[i]];
   auto const& c = contact_class(contact);
   return (i == contact.i ? c.share_i : c.share_j) * contact.closed.largest_acceleration(c);
 }
 
 template <bool Rotates>
-std::uint32_t EventDisks<Rotates>::add_contact() {
-  auto const k = contacts.add();
-  if (k >= paths_.size()) paths_.resize(k + 1);
-  paths_[k] = 0;
-  return k;
-}
-
-template <bool Rotates>
-void EventDisks<Rotates>::leave(std::uint32_t i) {
+void EventDisks<Rotates>::forget_contact(std::uint32_t i) {
   Path& p = path[i];
   ++p.changes;
-  if (p.manner == Manner::contact && --paths_[touching[i]] == 0) contacts.remove(touching[i]);
-}
-
-template <bool Rotates>
-void EventDisks<Rotates>::forget_contact(std::uint32_t i) {
-  leave(i);
-  Path& p = path[i];
   p.manner = Manner::free;
   p.begun = p.straight;
   p.deviation = 0;
@@ -87,8 +71,8 @@ void EventDisks<Rotates>::forget_contact(std::uint32_t i) {
 
 template <bool Rotates>
 void EventDisks<Rotates>::fly(std::uint32_t i, Moving const& from, Real time) {
-  leave(i);
   Path& p = path[i];
+  ++p.changes;
   p.manner = Manner::free;
   p.fly(from.position, from.motion.velocity, time);
   p.begun = p.straight = time;
@@ -99,9 +83,9 @@ void EventDisks<Rotates>::fly(std::uint32_t i, Moving const& from, Real time) {
 template <bool Rotates>
 void EventDisks<Rotates>::set_contact(std::uint32_t i, std::uint32_t k, Moving const& end,
                                       Real deviation) {
-  leave(i);
-  auto& contact = contacts[k];
+  auto const& contact = contacts[k];
   Path& p = path[i];
+  ++p.changes;
   p.manner = Manner::contact;
   hold_contact(i, k);
   p.begun = contact.begun;
@@ -129,8 +113,8 @@ void EventDisks<Rotates>::begin_cluster(std::uint32_t k) {
   auto const& members = clusters[k].members;
   for (std::uint32_t a = 0; a < members.size(); ++a) {
     auto const i = members[a].disk;
-    leave(i);
     Path& p = path[i];
+    ++p.changes;
     if (p.manner != Manner::cluster) p.straight = p.deviation = 0;  // no corridor yet
     p.manner = Manner::cluster;
     touching[i] = k;
@@ -183,6 +167,7 @@ void EventDisks<Rotates>::reorder(std::vector<std::uint32_t> const& order) {
   std::vector<std::uint32_t> of_contacts;
   for (std::uint32_t i = 0; i < count(); ++i) {
     if (path[i].manner == Manner::contact) {
+      member[i] = place[member[i]];
       if (contacts[touching[i]].i == i) of_contacts.push_back(touching[i]);
     } else if (path[i].manner == Manner::cluster && member[i] == 0) {
       auto& cluster = clusters[touching[i]];

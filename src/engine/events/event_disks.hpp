@@ -6,6 +6,7 @@
 #include "kernels/cpu/events/cluster_steps.hpp"
 #include "kernels/cpu/events/lone_contact.hpp"
 #include "kernels/cpu/events/path.hpp"
+#include "src/engine/events/contact_ring.hpp"
 #include "src/engine/events/disk_order.hpp"
 #include "src/engine/events/pool.hpp"
 
@@ -42,11 +43,15 @@ class EventDisks {
   std::vector<Path> path;               ///< [N]
   Spins<Rotates> spin;                  ///< [N]
   std::vector<std::uint32_t> touching;  ///< [N], in `contacts` or `clusters`, by its manner
-  std::vector<std::uint32_t> member;    ///< [N], in its cluster
+  std::vector<std::uint32_t> member;    ///< [N], in its cluster; of a lone contact: the other disk
   std::vector<std::uint32_t> name;      ///< [N], of the disk outside of this engine
-  Pool<LoneContact<Rotates>> contacts;
+  ContactRing<Rotates> contacts;        ///< of paths that are remembered
   Pool<Cluster<Rotates>> clusters;
+  Real now = 0;                 ///< up to which all has happened
+  std::uint32_t own_first = 0;  ///< of a part of a system: which disks are its own, and not of the
+  std::uint32_t own_count;      ///< halo around them
 
+  bool owns(std::uint32_t i) const { return i - own_first < own_count; }
   std::uint32_t count() const { return static_cast<std::uint32_t>(path.size()); }
   Real mass(std::uint32_t i) const { return 1 / material.table.inverse_mass[path[i].species]; }
 
@@ -78,16 +83,28 @@ class EventDisks {
   Moving first_of(LoneContact<Rotates> const& contact, Real time) const;
   Moving second_of(LoneContact<Rotates> const& contact, Real time) const;
 
-  /// Bound of |r''| before its line begins, [d_s / tau_e^2].
-  Real acceleration(std::uint32_t i) const;
+  /// Bound of |r''| from a time of its path on, before its line begins, [d_s / tau_e^2].
+  Real acceleration(std::uint32_t i, Real from) const;
 
-  /// A contact that no path begins with yet.
-  std::uint32_t add_contact();
+  /// Whether both paths begin with their contact.
+  bool touch_each_other(std::uint32_t i, std::uint32_t j) const {
+    return path[i].manner == Manner::contact && path[j].manner == Manner::contact &&
+           member[i] == j && member[j] == i;
+  }
+
+  /// Whether the contact that a path begins with may still be asked for at a time: by disks that
+  /// came to touch others while it lasted.
+  bool remembers(std::uint32_t i, Real time) const {
+    return path[i].manner == Manner::contact && path[i].straight + material.remember >= time;
+  }
+
+  /// A contact that begins at a time, with which no path begins yet.
+  std::uint32_t add_contact(Real time) { return contacts.add(time, material.remember); }
 
   /// The path of a disk begins with a contact.
   void hold_contact(std::uint32_t i, std::uint32_t k) {
     touching[i] = k;
-    ++paths_[k];
+    member[i] = i == contacts[k].i ? contacts[k].j() : contacts[k].i;
   }
 
   /// New paths: of a free disk, of both disks of contacts[k], of all disks of clusters[k].
@@ -106,11 +123,8 @@ class EventDisks {
   void reorder(std::vector<std::uint32_t> const& order);
 
  private:
-  void leave(std::uint32_t i);
   bool keeps_corridor(Cluster<Rotates> const& cluster, Member<Rotates> const& m) const;
   void set_contact(std::uint32_t i, std::uint32_t k, Moving const& end, Real deviation);
-
-  std::vector<std::uint8_t> paths_;  ///< by contact: those that begin with it
 };
 
 extern template class EventDisks<false>;

@@ -73,7 +73,10 @@ void EventEngine<Rotates>::restore(Snapshot const& snapshot) {
   system_.restore(snapshot.arrays, vectors(snapshot.list_position), box_at(list_step_), list_step_,
                   step_);
   visit_memory(*this, RestoreMemory{snapshot.memory});
-  if (in_window_) system_.windows().recall_rates(begun_, step_);
+  if (in_window_) {
+    system_.windows().recall_rates(begun_, step_);
+    open_window();
+  }
   system_.predict_all();
 }
 
@@ -99,7 +102,8 @@ void EventEngine<Rotates>::advance(std::int64_t steps, Sampling const& sampling,
     auto const window = sampling.window(step_);
     auto const window_end = std::min((window + 1) * sampling.window_steps, sampling.last_step);
     auto const from = step_;
-    open_window(columns_of(window, windows));
+    columns_of(window, windows);
+    open_window();
     auto to = std::min(end, window_end);
     if (windows.contacts && windows.contacts->choice) {
       look_at_contacts(sampling, *windows.contacts);
@@ -108,12 +112,11 @@ void EventEngine<Rotates>::advance(std::int64_t steps, Sampling const& sampling,
     go_to(to);
     windows.of(window).weight += static_cast<double>(step_ - from);
     if (step_ == window_end) {
-      system_.windows().end(now());
+      system_.windows().end(now(), columns_of(window, windows));
       in_window_ = false;
     }
     if (windows.contacts) tell_contacts(from, sampling, windows);
     if (step_ == clock_.rate_end) {
-      if (in_window_) open_window(columns_of(window, windows));  // they may have moved
       change_rate();
     }
     if (step_ - list_step_ == system_.all().build_step) renew();
@@ -169,10 +172,9 @@ void EventEngine<Rotates>::look_at_contacts(Sampling const& sampling, ContactRec
 }
 
 template <bool Rotates>
-void EventEngine<Rotates>::open_window(double* columns) {
-  if (in_window_)
-    return system_.windows().resume(columns, system_.all().times.between(list_step_, begun_));
-  system_.windows().begin(columns, now());
+void EventEngine<Rotates>::open_window() {
+  if (in_window_) return system_.windows().resume(system_.all().times.between(list_step_, begun_));
+  system_.windows().begin(now());
   begun_ = step_;
   in_window_ = true;
   if (!std::exchange(touches_known_, true)) system_.find_touches();
@@ -235,7 +237,7 @@ Snapshot EventEngine<Rotates>::snapshot() const {
   s.initial_time = clock_.initial_time;
   s.list_builds = builds_;
   if (touches_known_) {
-    s.arrays = events::save(all.disks);
+    s.arrays = events::save(all, now());
     visit_memory(*this, WriteDown{s.memory});
   }
   visit_counters(*this, WriteDown{s.counters});

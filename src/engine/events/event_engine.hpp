@@ -57,7 +57,7 @@ class EventEngine final : public Simulation {
   double now() const { return system_.all().times.time(step_ - list_step_); }
   ShearedBox box_at(std::int64_t step) const;
   double* columns_of(std::int64_t window, OpenWindows& windows) const;
-  void open_window(double* columns);
+  void open_window();
   void tell_contacts(std::int64_t from, Sampling const& sampling, OpenWindows& windows);
   std::int64_t next_look(Sampling const& sampling, ContactRecord const& record) const;
   void look_at_contacts(Sampling const& sampling, ContactRecord& record) const;

@@ -25,18 +25,20 @@ struct DeepOverlap {
   Real relative_overlap;
 };
 
+inline constexpr std::uint32_t usual_group = 1024;  ///< disks that are added up together
+
 /// All that moves on from event to event, in times since the lists were built (StepTimes).
 template <bool Rotates>
 struct EventState {
   EventState(Material<Rotates> const& material, std::vector<Species> const& species, Real skin,
-             StepTimes const& of_steps)
+             StepTimes const& of_steps, std::uint32_t group = usual_group)
       : at_first_rate(material),
         times(of_steps),
         disks(material, species),
         lists(skin),
         queue(disks.count()),
         predictions(disks, lists, queue),
-        sums(disks, times.time_step()),
+        sums(disks, times.time_step(), group),
         steps(disks.material, disks.shifts) {}
   EventState(EventState const&) = delete;
 
@@ -51,7 +53,6 @@ struct EventState {
   EventCounts counts;
   ContactLog log;
   std::int64_t build_step = 0;  ///< after which the lists are built anew at the latest
-  Real now = 0;                 ///< of the last event
   std::optional<DeepOverlap> too_deep;
 
   /// Takes the rate from a step of the run on.
@@ -62,14 +63,15 @@ struct EventState {
     sums.set_speed(times.speed());
   }
 
-  /// The lists are to be built at the first end of a step from a time on.
-  void ask_for_build(Real from) {
-    predictions.watch_reach = false;
-    build_step = std::min(build_step, times.step_at(from));
+  /// A disk is out of its reach: the lists are to be built at the first end of a step from a time
+  /// on.
+  void ask_for_build(std::uint32_t disk, Real from) {
+    if (disks.owns(disk)) build_step = std::min(build_step, times.step_at(from));
   }
+  Real build_time() const { return times.time(build_step); }
 
   void check_overlap(std::uint32_t disk, Real relative_overlap) {
-    if (!(relative_overlap <= largest_relative_overlap) && !too_deep)
+    if (disks.owns(disk) && !(relative_overlap <= largest_relative_overlap) && !too_deep)
       too_deep = {disk, relative_overlap};
   }
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/engine/events/event_sums.hpp"
 
+#include <algorithm>
+
 #include "kernels/cpu/events/node_roots.hpp"
 
 namespace bagnold::events {
@@ -8,7 +10,7 @@ namespace bagnold::events {
 namespace {
 
 /// Columns at the nodes, of all that is in a cluster.
-struct Columns {
+struct NodeColumns {
   AtNodes value[SumColumns::count_rotating];
   AtNodes& operator[](int column) { return value[column]; }
 };
@@ -32,31 +34,49 @@ void EventSums<Rotates>::set_speed(Real speed) {
 template <bool Rotates>
 void EventSums<Rotates>::step(Cluster<Rotates> const& cluster, Real until) {
   Real const from = std::max(cluster.time, begin_);
-  if (!(until > from) || !to_) return;
+  if (!(until > from) || !open_) return;
   Real const half = (until - from) / 2, weight = half * inverse_step_ / speed_;
   AtNodes const s = AtNodes(from - cluster.time + half) + AtNodes(half) * AtNodes::abscissas();
-  Columns columns;
-  for (auto& c : columns.value) c = AtNodes(0.0);
-  nodes_.resize(cluster.members.size());
-  for (std::size_t k = 0; k < nodes_.size(); ++k) {
-    auto const& m = cluster.members[k];
-    auto& of = nodes_[k];
+  nodes_.clear();
+  for (auto const& m : cluster.members) {
+    auto& of = nodes_.emplace_back();
     of.position = m.position(s);
     of.velocity = m.velocity(s);
-    add_motion(columns, AtNodes(disks_->mass(m.disk)),
-               peculiar_x(of.velocity.x, of.position.y, strain_rate), of.velocity.y);
-    if constexpr (Rotates) {
-      of.spin = value(m.spin, s);
-      add_spin(columns, of.spin);
-    }
+    if constexpr (Rotates) of.spin = value(m.spin, s);
   }
-  AtNodes const time = AtNodes(cluster.time) + s;
-  in_units([&](Real* to, ContactMotion* of_motion) {
-    for (auto const& link : cluster.links)
-      add(columns.value, cluster, link, time, weight, of_motion);
+  auto const& members = cluster.members;
+  for (auto m = members.begin(); m != members.end(); ++m) {
+    Real* const to = sums_of(m->disk);
+    bool const added = std::any_of(members.begin(), m,
+                                   [&](auto const& before) { return sums_of(before.disk) == to; });
+    if (to && !added) add_members(to, cluster, AtNodes(cluster.time) + s, weight);
+  }
+}
+
+/// All that is added to the same columns.
+template <bool Rotates>
+void EventSums<Rotates>::add_members(Real* columns, Cluster<Rotates> const& cluster,
+                                     AtNodes const& time, Real weight) {
+  NodeColumns sums;
+  for (auto& c : sums.value) c = AtNodes(0.0);
+  for (std::size_t k = 0; k < nodes_.size(); ++k) {
+    auto const disk = cluster.members[k].disk;
+    if (sums_of(disk) != columns) continue;
+    auto const& of = nodes_[k];
+    add_motion(sums, AtNodes(disks_->mass(disk)),
+               peculiar_x(of.velocity.x, of.position.y, strain_rate), of.velocity.y);
+    if constexpr (Rotates) add_spin(sums, of.spin);
+  }
+  in_units(columns, [&](Real* to, ContactMotion* of_motion) {
+    int links = 0;
+    for (auto const& link : cluster.links) {
+      if (sums_of(cluster.members[link.a].disk) != columns) continue;
+      add(sums.value, cluster, link, time, weight, of_motion);
+      ++links;
+    }
     for (int c = 0; c < Sums<Rotates>::columns; ++c)
-      if (c != SumColumns::contacts) to[c] += weight * columns[c].integral();
-    to[SumColumns::contacts] += 4 * weight * static_cast<Real>(cluster.links.size());
+      if (c != SumColumns::contacts) to[c] += weight * sums[c].integral();
+    to[SumColumns::contacts] += 4 * weight * static_cast<Real>(links);
   });
 }
 

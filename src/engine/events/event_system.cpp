@@ -20,7 +20,7 @@ void EventSystem<Rotates>::place(std::vector<Moving> const& disks, ShearedBox co
   }
   sort(position, box);
   build(position, box);
-  predict_all();
+  loop_.predict_all();
 }
 
 template <bool Rotates>
@@ -32,6 +32,7 @@ void EventSystem<Rotates>::restore(Arrays const& from, std::vector<Vec2<Real>> c
   auto const order = saved_order(from);
   s_.disks.reorder(order);
   build(in_order(list_position, order), box);
+  s_.disks.now = s_.times.time(step - list_step);
   events::restore(from, s_);
 }
 
@@ -50,7 +51,6 @@ void EventSystem<Rotates>::build(std::vector<Vec2<Real>> const& position, Sheare
   s_.disks.shifts = ImageShifts(box);
   s_.lists.build(position, species, disks.material.table, box);
   s_.sums.strain_rate = box.strain_rate;
-  s_.predictions.watch_reach = true;
   s_.build_step = s_.times.last_within(s_.lists.longest());
 }
 
@@ -74,7 +74,7 @@ void EventSystem<Rotates>::find_touches() {
     }
   for (std::uint32_t i = 0; i < disks.count(); ++i)
     if (taken[i]) group.disks.push_back({i, disks.on_line(i, 0)});
-  touches_.settle(group, 0);
+  loop_.touches.settle(group, 0);
 }
 
 template <bool Rotates>
@@ -86,58 +86,14 @@ void EventSystem<Rotates>::watch_contacts(Real time) {
     Path const& p = disks.path[i];
     if (p.manner != Manner::contact || p.straight <= time) continue;
     if (auto& contact = disks.contacts[disks.touching[i]]; contact.i == i)
-      touches_.expect_end(contact);
+      loop_.touches.expect_end(contact);
   }
 }
 
 template <bool Rotates>
 std::int64_t EventSystem<Rotates>::run(std::int64_t step) {
-  auto const& times = s_.queue.times;
-  while (!s_.too_deep) {
-    auto const slot = times.first();
-    Real const time = times.first_time();
-    if (time > s_.times.time(std::min(step, s_.build_step))) break;
-    s_.now = std::max(s_.now, time);
-    Event const event = s_.queue.event[slot];
-    switch (event.kind) {
-      case Event::Kind::leave:
-        s_.ask_for_build(s_.now);
-        predict(slot);
-        break;
-      case Event::Kind::end:
-        touches_.end_step(s_.disks.touching[slot]);
-        break;
-      case Event::Kind::touch:
-        if (s_.disks.path[event.other.index()].changes == event.changes)
-          touches_.touch(event.disk, event.other, time);
-        else
-          predict(slot);
-    }
-  }
+  loop_.run(s_.times.time(step));
   return std::min(step, s_.build_step);
-}
-
-template <bool Rotates>
-void EventSystem<Rotates>::predict(std::uint32_t slot) {
-  if (s_.disks.path[slot].manner == Manner::cluster)
-    s_.predictions.of_cluster(s_.disks.touching[slot]);
-  else
-    s_.predictions.of_disk(slot);
-}
-
-template <bool Rotates>
-void EventSystem<Rotates>::predict_all() {
-  auto const& disks = s_.disks;
-  for (std::uint32_t i = 0; i < disks.count(); ++i)
-    if (disks.path[i].manner == Manner::cluster) s_.predictions.find_near(i);
-  for (std::uint32_t i = 0; i < disks.count(); ++i) {
-    bool const follows =
-        disks.path[i].manner == Manner::cluster && disks.clusters[disks.touching[i]].slot() != i;
-    if (follows)
-      s_.queue.set(i, never, {i});
-    else
-      predict(i);
-  }
 }
 
 /// Calls of_contact(contact, its number) and of_cluster(cluster, its number) for all that touch at
@@ -196,16 +152,16 @@ void EventSystem<Rotates>::change_rate(std::int64_t step) {
       time,
       [&](LoneContact<Rotates>& contact, std::uint32_t k) {
         ++s_.counts.carried_contacts;
-        touches_.solve(contact, pair->first, pair->second, false, time);
+        loop_.touches.solve(contact, pair->first, pair->second, false, time);
         ++pair;
         s_.disks.begin_contact(k);
         slots.insert(slots.end(), {contact.i, contact.j()});
       },
       [&](Cluster<Rotates>& cluster, std::uint32_t k) {
-        touches_.plan(k);
+        loop_.touches.plan(k);
         slots.push_back(cluster.slot());
       });
-  for (auto const slot : slots) predict(slot);
+  for (auto const slot : slots) loop_.predict(slot);
 }
 
 template <bool Rotates>
@@ -222,14 +178,15 @@ void EventSystem<Rotates>::renew(std::int64_t step, ShearedBox const& box, bool 
         frames.move(cluster);
         clusters.push_back(k);
       });
+  disks.contacts.shift(time);
   for (std::uint32_t i = 0; i < disks.count(); ++i) frames.move(i, disks.path[i]);
-  s_.now = 0;
+  disks.now = 0;
   s_.log.shift(time);
   auto position = frames.position();
   if (sorted) sort(position, box);
   build(position, box);
-  for (auto const k : clusters) touches_.plan(k);
-  predict_all();
+  for (auto const k : clusters) loop_.touches.plan(k);
+  loop_.predict_all();
 }
 
 template class EventSystem<false>;

@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
+#include "src/engine/events/event_loop.hpp"
 #include "src/engine/events/event_windows.hpp"
 #include "src/engine/events/saved_events.hpp"
-#include "src/engine/events/touch_events.hpp"
 
 namespace bagnold::events {
 
@@ -25,7 +25,7 @@ class EventSystem {
 
   EventSystem(Material<Rotates> const& material, std::vector<Species> const& species, Real skin,
               StepTimes const& times)
-      : s_(material, species, skin, times), touches_(s_), windows_(s_) {}
+      : s_(material, species, skin, times), loop_(s_), windows_(s_) {}
 
   /// Disks that fly from a step on, in the box, whether they overlap or not.
   void place(std::vector<Moving> const& disks, ShearedBox const& box, std::int64_t step);
@@ -35,7 +35,7 @@ class EventSystem {
                ShearedBox const& box, std::int64_t list_step, std::int64_t step);
 
   /// Predicts everything anew.
-  void predict_all();
+  void predict_all() { loop_.predict_all(); }
 
   /// What else its bits depend on.
   template <class Visit>
@@ -93,10 +93,8 @@ class EventSystem {
   template <class All, class Visit>
   static void visit_memory_of(All& all, Visit const& visit) {
     visit("events_build_step", all.build_step);
-    visit("events_watch_reach", all.predictions.watch_reach);
   }
 
-  void predict(std::uint32_t slot);
   std::vector<std::uint32_t> forget_ended_contacts(Real time);
   template <class OfContact, class OfCluster>
   void for_each_under_way(Real time, OfContact const& of_contact, OfCluster const& of_cluster);
@@ -104,7 +102,7 @@ class EventSystem {
   void build(std::vector<Vec2<Real>> const& position, ShearedBox const& box);
 
   EventState<Rotates> s_;
-  TouchEvents<Rotates> touches_;
+  EventLoop<Rotates> loop_;
   EventWindows<Rotates> windows_;
 };
 

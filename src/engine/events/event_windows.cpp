@@ -25,15 +25,15 @@ void for_each_touch(EventDisks<Rotates> const& disks, Real time, Visit const& vi
 }  // namespace
 
 template <bool Rotates>
-void EventWindows<Rotates>::begin(Real* columns, Real time) {
-  s_.sums.begin(columns, time);
+void EventWindows<Rotates>::begin(Real time) {
+  s_.sums.begin(time);
   s_.sums.speeds().clear();
   s_.sums.speeds().add(0, s_.times.speed());
   add_ahead(time, 1);
 }
 
 template <bool Rotates>
-void EventWindows<Rotates>::end(Real time) {
+void EventWindows<Rotates>::end(Real time, Real* columns) {
   add_ahead(time, -1);
   auto const& disks = s_.disks;
   for (std::uint32_t i = 0; i < disks.count(); ++i) {
@@ -43,7 +43,7 @@ void EventWindows<Rotates>::end(Real time) {
       s_.sums.step(cluster, std::min(time, cluster.end()));
     }
   }
-  s_.sums.close();
+  s_.sums.close(columns);
 }
 
 template <bool Rotates>

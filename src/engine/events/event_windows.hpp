@@ -14,10 +14,10 @@ class EventWindows {
  public:
   explicit EventWindows(EventState<Rotates>& state) : s_(state) {}
 
-  /// A window begins: all from then on is added to these columns.
-  void begin(Real* columns, Real time);
-  /// It goes on in these. begun: when it began.
-  void resume(Real* columns, Real begun) { s_.sums.begin(columns, begun); }
+  /// A window begins: all from then on is added up.
+  void begin(Real time);
+  /// It goes on. begun: when it began, in the times of now.
+  void resume(Real begun) { s_.sums.begin(begun); }
 
   /// The window under way began at a step of the run: what rates it has had up to another one.
   void recall_rates(std::int64_t begun, std::int64_t step);
@@ -25,8 +25,8 @@ class EventWindows {
   void add_rate(std::int64_t begun, std::int64_t step) {
     s_.sums.speeds().add(s_.times.between(begun, step), s_.times.speed());
   }
-  /// It ends: all before that is in it, and nothing of what lies ahead.
-  void end(Real time);
+  /// It ends: all before that is added to these columns, and nothing of what lies ahead.
+  void end(Real time, Real* columns);
 
  private:
   void add_ahead(Real time, Real sign);

@@ -44,13 +44,12 @@ class Frames {
     path.straight -= time_;
   }
 
+  /// But for its times, which are those of all contacts.
   void move(LoneContact<Rotates>& contact) const {
     auto& centre = contact.centre;
     centre.position = centre.position - shift(contact.i, contact.begun);
     centre.velocity.x -= speed(contact.i);
     contact.other = seen(contact.i, contact.other);
-    contact.begun -= time_;
-    contact.touched -= time_;
   }
 
   void move(Cluster<Rotates>& cluster) const {

@@ -59,9 +59,7 @@ template <bool Rotates>
 Real PairTouches<Rotates>::touch(std::uint32_t i, Neighbor n) const {
   auto const j = n.index();
   Path const &p = disks_->path[i], &q = disks_->path[j];
-  if (p.manner == Manner::contact && q.manner == Manner::contact &&
-      disks_->touching[i] == disks_->touching[j])
-    return never;  // they part, and fly straight
+  if (disks_->touch_each_other(i, j)) return never;  // they part, and fly straight
   bool const first_steps = p.manner == Manner::cluster, second_steps = q.manner == Manner::cluster;
   if (first_steps || second_steps) {
     Real from = -never, until = never;
@@ -78,6 +76,7 @@ Real PairTouches<Rotates>::touch(std::uint32_t i, Neighbor n) const {
     return gap_closes(i, n, from, until);
   }
   auto const pair = lines(i, n);
+  if (pair.from <= disks_->now) return pair.touch();  // before, they did not
   Real const time = gap_closes(i, n, std::max(p.begun, q.begun), pair.from);
   return time < never ? time : pair.touch();
 }
@@ -98,7 +97,7 @@ Real PairTouches<Rotates>::gap_closes(std::uint32_t i, Neighbor n, Real from, Re
     Real const width = std::sqrt(dot(r, r));
     return Gap{width - d, dot(r, v) / width};
   };
-  Real const acceleration = disks_->acceleration(i) + disks_->acceleration(j);
+  Real const acceleration = disks_->acceleration(i, from) + disks_->acceleration(j, from);
   auto const [r, v] = pair(from);
   if (far_apart(r, v, d, acceleration, until - from)) return never;
   return first_touch(gap, from, until, acceleration);

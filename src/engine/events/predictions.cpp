@@ -18,7 +18,7 @@ PackTouches pack_of(Path const& p) {
 }  // namespace
 
 template <bool Rotates>
-void Predictions<Rotates>::of_disk(std::uint32_t i) {
+void Predictions<Rotates>::of_disk(std::uint32_t i, bool watched) {
   auto const* const paths = disks_->path.data();
   Path const& p = paths[i];
   auto pack = pack_of(p);
@@ -41,7 +41,7 @@ void Predictions<Rotates>::of_disk(std::uint32_t i) {
       event = {i, n, q.changes, Event::Kind::touch};
     }
   }
-  if (watch_reach && !lists_->within_reach(i, p.place, p.velocity, first))
+  if (watched && !lists_->within_reach(i, p.place, p.velocity, first))
     if (Real const leaves = lists_->leaves(i, p.place, p.velocity); leaves < first) {
       first = leaves;
       event = {i, {}, 0, Event::Kind::leave};

@@ -54,14 +54,12 @@ class Predictions {
   Predictions(EventDisks<Rotates> const& disks, EventLists const& lists, EventQueue& queue)
       : disks_(&disks), lists_(&lists), queue_(&queue), pairs_(disks), near_(disks.count()) {}
 
-  void of_disk(std::uint32_t i);
+  /// watched: whether the disk is told to leave its reach.
+  void of_disk(std::uint32_t i, bool watched = true);
   void of_cluster(std::uint32_t k);
 
   /// Whom a disk of a cluster may touch in its corridor.
   void find_near(std::uint32_t i);
-
-  /// Whether disks are still told to leave their reach.
-  bool watch_reach = true;
 
  private:
   EventDisks<Rotates> const* disks_;

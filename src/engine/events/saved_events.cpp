@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/engine/events/saved_events.hpp"
 
+#include <utility>
+
 #include "src/config/errors.hpp"
 #include "src/engine/events/saved_values.hpp"
 
@@ -8,8 +10,9 @@ namespace bagnold::events {
 
 namespace {
 
-constexpr char disks_name[] = "events_disks", contacts_name[] = "events_contacts",
-               clusters_name[] = "events_clusters", order_name[] = "events_order";
+constexpr char disks_name[] = "events_paths", contacts_name[] = "events_lone_contacts",
+               clusters_name[] = "events_clusters", order_name[] = "events_order",
+               sums_name[] = "events_sums";
 
 std::vector<double> const& array(Arrays const& from, std::string const& name) {
   auto const found = from.find(name);
@@ -21,24 +24,21 @@ std::vector<double> const& array(Arrays const& from, std::string const& name) {
 }  // namespace
 
 template <bool Rotates>
-Arrays save(EventDisks<Rotates> const& disks) {
+Arrays save(EventState<Rotates> const& state, Real time) {
+  auto const& disks = state.disks;
   Arrays arrays;
   arrays[order_name].assign(disks.name.begin(), disks.name.end());
   Write disk{arrays[disks_name]}, contact{arrays[contacts_name]}, cluster{arrays[clusters_name]};
-  std::map<std::uint32_t, std::uint32_t> number;  // of contacts
   for (std::uint32_t i = 0; i < disks.count(); ++i) {
     Path const& path = disks.path[i];
     visit_path(disk, path);
     disk(static_cast<int>(path.manner));
     if constexpr (Rotates) disk(disks.spin.value[i]);
-    if (path.manner != Manner::contact) {
-      disk(0);
-    } else {
-      auto const [place, is_new] =
-          number.try_emplace(disks.touching[i], static_cast<std::uint32_t>(number.size()));
-      if (is_new) visit_contact<Rotates>(contact, disks.contacts[place->first]);
-      disk(place->second);
-    }
+    auto const other = path.manner == Manner::contact ? disks.member[i] : i;
+    disk(other);
+    bool const written = other < i && disks.touch_each_other(i, other);
+    if (disks.remembers(i, time) && !written)
+      visit_contact<Rotates>(contact, disks.contacts[disks.touching[i]]);
     if (path.manner != Manner::cluster) continue;
     auto const& of = disks.clusters[disks.touching[i]];
     if (of.slot() != i) continue;
@@ -51,6 +51,9 @@ Arrays save(EventDisks<Rotates> const& disks) {
     }
     for (auto const& link : of.links) visit_link(cluster, link);
   }
+  if (state.sums.open())
+    for (auto const& group : state.sums.groups())
+      arrays[sums_name].insert(arrays[sums_name].end(), group.begin(), group.end());
   return arrays;
 }
 
@@ -64,25 +67,22 @@ void restore(Arrays const& from, EventState<Rotates>& state) {
   auto& disks = state.disks;
   Read disk{array(from, disks_name)}, contact{array(from, contacts_name)},
       cluster{array(from, clusters_name)};
-  std::vector<std::uint32_t> contacts;
-  std::vector<std::uint32_t> number(disks.count());
   for (std::uint32_t i = 0; i < disks.count(); ++i) {
     Path& path = disks.path[i];
     visit_path(disk, path);
     path.manner = static_cast<Manner>(static_cast<int>(disk.take()));
     if constexpr (Rotates) disk(disks.spin.value[i]);
-    disk(number[i]);
+    disk(disks.member[i]);
   }
   while (!contact.done()) {
-    auto const k = disks.add_contact();
+    auto const k = disks.add_contact(-never);
     auto& of = disks.contacts[k];
     visit_contact<Rotates>(contact, of);
     of.solve(disks.contact_class(of));
-    contacts.push_back(k);
-  }
-  for (std::uint32_t i = 0; i < disks.count(); ++i) {
-    if (disks.path[i].manner != Manner::contact) continue;
-    disks.hold_contact(i, contacts.at(number[i]));
+    for (auto const& [i, other] : {std::pair(of.i, of.j()), std::pair(of.j(), of.i)})
+      if (Path const& path = disks.path[i];
+          path.manner == Manner::contact && path.begun == of.begun && disks.member[i] == other)
+        disks.hold_contact(i, k);
   }
   while (!cluster.done()) {
     auto const k = disks.clusters.add();
@@ -102,10 +102,14 @@ void restore(Arrays const& from, EventState<Rotates>& state) {
     state.steps.plan(of);
     disks.begin_step(k);
   }
+  if (!from.contains(sums_name)) return;
+  Read sums{array(from, sums_name)};
+  for (auto& group : state.sums.groups())
+    for (Real& value : group) sums(value);
 }
 
-template Arrays save(EventDisks<false> const&);
-template Arrays save(EventDisks<true> const&);
+template Arrays save(EventState<false> const&, Real);
+template Arrays save(EventState<true> const&, Real);
 template void restore(Arrays const&, EventState<false>&);
 template void restore(Arrays const&, EventState<true>&);
 

@@ -12,10 +12,10 @@ namespace bagnold::events {
 /// Arrays of a snapshot.
 using Arrays = std::map<std::string, std::vector<double>>;
 
-/// All that the bits of later events depend on, beside the lists: paths, and what contacts and
-/// clusters begin with. The rest is a function of these.
+/// All that the bits of later events depend on at a time, beside the lists: paths, what contacts
+/// and clusters begin with, and sums of the window under way. The rest is a function of these.
 template <bool Rotates>
-Arrays save(EventDisks<Rotates> const& disks);
+Arrays save(EventState<Rotates> const& state, Real time);
 
 /// Names of disks in the order in which they are in memory.
 std::vector<std::uint32_t> saved_order(Arrays const& from);

@@ -7,14 +7,15 @@ namespace bagnold::events {
 
 template <bool Rotates>
 void TouchEvents<Rotates>::touch(std::uint32_t i, Neighbor n, Real time) {
-  ++s_.counts.collisions;
   auto const j = n.index();
   if (j < i) {
     n = seen_from_other(i, s_.disks.path[i].species != 0, n);
     i = j;
   }
+  bool const counts = s_.disks.owns(i);
+  s_.counts.collisions += counts;
   if (s_.disks.flies(i, time) && s_.disks.flies(n.index(), time)) return begin_lone(i, n, time);
-  ++s_.counts.busy_collisions;
+  s_.counts.busy_collisions += counts;
   auto& group = gathering_.group;
   group.clear();
   gathering_.take_in(i, time);
@@ -51,7 +52,7 @@ void TouchEvents<Rotates>::expect_end(LoneContact<Rotates>& contact) {
 template <bool Rotates>
 std::uint32_t TouchEvents<Rotates>::add_contact(Moving const& a, Moving const& b,
                                                 Touch const& touch, bool fresh, Real time) {
-  auto const k = s_.disks.add_contact();
+  auto const k = s_.disks.add_contact(time);
   auto& contact = s_.disks.contacts[k];
   contact.i = touch.i;
   contact.other = touch.other;
@@ -130,12 +131,11 @@ template <bool Rotates>
 void TouchEvents<Rotates>::plan(std::uint32_t k) {
   auto& cluster = s_.disks.clusters[k];
   s_.steps.plan(cluster);
-  ++s_.counts.cluster_steps;
+  s_.counts.cluster_steps += s_.disks.owns(cluster.slot());
   s_.disks.begin_step(k);
-  if (s_.predictions.watch_reach)
-    for (auto const& m : cluster.members)
-      if (!s_.lists.within_reach(m.disk, m.position(cluster.step), {}, cluster.end()))
-        s_.ask_for_build(cluster.end());
+  for (auto const& m : cluster.members)
+    if (!s_.lists.within_reach(m.disk, m.position(cluster.step), {}, cluster.end()))
+      s_.ask_for_build(m.disk, cluster.end());
   for (std::size_t n = 0; n < cluster.links.size(); ++n)
     s_.check_overlap(cluster.members[cluster.links[n].a].disk,
                      s_.steps.relative_overlap(cluster, n));

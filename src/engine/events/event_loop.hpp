@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "src/engine/events/touch_events.hpp"
+
+namespace bagnold::events {
+
+/// Takes event after event, in the order of time.
+template <bool Rotates>
+class EventLoop {
+ public:
+  explicit EventLoop(EventState<Rotates>& state) : touches(state), s_(state) {}
+
+  TouchEvents<Rotates> touches;
+
+  /// Does what happens up to a time, or to the end of the step at which the lists are to be built.
+  void run(Real until);
+
+  /// What happens next to a disk, or to the cluster whose event it has.
+  void predict(std::uint32_t slot);
+  void predict_all();
+
+  /// Has no event of its own: its cluster has one.
+  bool follows(std::uint32_t i) const {
+    auto const& disks = s_.disks;
+    return disks.path[i].manner == Manner::cluster && disks.clusters[disks.touching[i]].slot() != i;
+  }
+
+ private:
+  EventState<Rotates>& s_;
+};
+
+extern template class EventLoop<false>;
+extern template class EventLoop<true>;
+
+}  // namespace bagnold::events
