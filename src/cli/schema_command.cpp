@@ -52,7 +52,7 @@ Json form_of(Key const& key, std::vector<SequencePiece> const&) {
       {"maxItems", 2}};
   return {{"type", "array"}, {"items", pair}, {"minItems", 1}};
 }
-Json form_of(Key const& key, Strain const&) {
+Json form_of(Key const& key, NumberOrList const&) {
   return {{"anyOf", {number_of(key, "number"), form_of(key, std::vector<double>())}}};
 }
 Json form_of(Key const& key, std::map<std::string, double> const&) {
@@ -65,7 +65,7 @@ Json value_of(NumberOrWord const& value) {
   return value.number ? Json(*value.number) : Json(value.word);
 }
 Json value_of(std::vector<SequencePiece> const&) { return Json::array(); }
-Json value_of(Strain const& value) { return value.each.front(); }
+Json value_of(NumberOrList const& value) { return value.each.front(); }
 template <class T>
 Json value_of(T const& value) {
   return value;

@@ -137,7 +137,7 @@ constexpr std::array demands = {
            [](Scene const& scene) { return scene.shear.protocol == "ramp"; },
            [](Scene const& scene) { return scene.shear.protocol; }},
     Demand{"shear.protocol", &Abilities::pieces,
-           [](Scene const& scene) { return scene.shear.by_pieces(); },
+           [](Scene const& scene) { return scene.shear.by_pieces() || scene.shear.controlled(); },
            [](Scene const& scene) { return scene.shear.protocol; }},
     Demand{"measure.contacts", &Abilities::contacts,
            [](Scene const& scene) { return scene.measure.contacts; }, no_value,

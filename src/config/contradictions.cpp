@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <string_view>
 #include <vector>
@@ -52,7 +53,8 @@ void look_at_protocol(Scene const& scene, Refusals const& refuse) {
             "shear.strain_rate_high = {} (must be more than shear.strain_rate = {}, the lowest); "
             "raise it",
             shear.strain_rate_high, shear.strain_rate));
-  if (shear.by_pieces() && !shear.discard)
+  bool const changes = shear.by_pieces() && (!shear.controlled() || shear.stress.is_list());
+  if (changes && !shear.discard)
     refuse({"shear.discard"},
            fmt::format("shear.discard = \"auto\" (seeks one steady state, which shear.protocol = "
                        "\"{}\" has not); give a share",
@@ -62,6 +64,17 @@ void look_at_protocol(Scene const& scene, Refusals const& refuse) {
            fmt::format("shear.period and shear.peak_rate {} (either makes the other, by "
                        "shear.amplitude = peak_rate period/2 pi); give one of them",
                        shear.period ? "are both given" : "are missing"));
+  bool const by_number = shear.inertial_number.has_value();
+  if (shear.protocol == "pressure" && !by_number && shear.strain_rate == 0)
+    refuse({"shear.strain_rate", "shear.inertial_number"},
+           "shear.strain_rate and shear.inertial_number are missing (either makes the other, by "
+           "I = strain_rate/sqrt(pressure)); give one of them");
+  double const by_pressure = shear.inertial_number.value_or(0) * std::sqrt(shear.pressure);
+  if (by_number && std::abs(by_pressure - shear.strain_rate) > 1e-9 * by_pressure)
+    refuse({"shear.strain_rate", "shear.inertial_number", "shear.pressure"},
+           fmt::format("shear.strain_rate = {} (shear.inertial_number = {} and shear.pressure = {} "
+                       "make {:.6g}); give one of the two",
+                       shear.strain_rate, *shear.inertial_number, shear.pressure, by_pressure));
   if (!shear.target_error.empty() &&
       (scene.measure.profiles || scene.measure.fields || scene.measure.rotation))
     refuse(

@@ -122,26 +122,29 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
             0,
             0,
             false,
-            {"steady", "cascade", "ramp", "sequence", "oscillate"}},
+            {"steady", "cascade", "ramp", "sequence", "oscillate", "stress", "pressure"}},
         shear.protocol);
-  visit(of({"steady", "ramp"}, Key{"shear.strain_rate", "1/tau_e", "gammadot; of a ramp the lowest",
-                                   is("steady") || is("ramp"), 0, 1, above}),
+  visit(of({"steady", "ramp", "stress", "pressure"},
+           Key{"shear.strain_rate", "1/tau_e",
+               "gammadot; of a ramp the lowest; at given stress that of the start",
+               is("steady") || is("ramp") || is("stress"), 0, 1, above}),
         shear.strain_rate);
   visit(of({"cascade"}, Key{"shear.strain_rates", "1/tau_e",
                             "gammadot of each stage, largest first", is("cascade"), 0, 1, above}),
         shear.strain_rates);
-  visit(of({"steady", "cascade", "ramp"},
+  visit(of({"steady", "cascade", "ramp", "pressure"},
            Key{"shear.strain", "", "gamma, total; of a ramp at its lowest rate, before it",
-               is("steady") || is("cascade"), 0, 1e9, above}),
+               is("steady") || is("cascade") || is("pressure"), 0, 1e9, above}),
         shear.strain);
   visit(
-      of({"steady", "cascade", "sequence", "oscillate"},
+      of({"steady", "cascade", "sequence", "oscillate", "stress", "pressure"},
          Key{"shear.discard", "",
              "share of the strain not measured, rounded up to whole windows, or \"auto\": MSER-5; "
-             "of each piece of a sequence, of the cycles of an oscillation",
+             "of each piece of a sequence, of the cycles of an oscillation, of the time of a "
+             "stress",
              optional, 0, 1}),
       shear.discard);
-  visit(of({"steady", "cascade"},
+  visit(of({"steady", "cascade", "pressure"},
            Key{"shear.target_error", "",
                "relative standard errors of NAMEs at which a run ends before `strain`", optional, 0,
                1, above}),
@@ -179,6 +182,29 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
   visit(of({"oscillate"}, Key{"shear.cycle_pieces", "", "pieces of a cycle, each at one rate",
                               optional, 8, 65536}),
         shear.cycle_pieces);
+  visit(of({"stress"},
+           Key{"shear.stress", "m/tau_e^2", "sigma to be held; or a list, one after the other",
+               is("stress"), 0, 10, above}),
+        shear.stress);
+  visit(of({"stress"},
+           Key{"shear.time", "tau_e", "that each stress is held", is("stress"), 0, 1e12, above}),
+        shear.time);
+  visit(of({"stress"}, Key{"shear.box_inertia", "m",
+                           "M of the box: M dgammadot/dt = stress - sigma, or \"auto\": 0.5 "
+                           "stress/strain_rate^2",
+                           optional, 0, 1e15, above}),
+        shear.box_inertia);
+  visit(of({"pressure"}, Key{"shear.pressure", "m/tau_e^2", "p to be held by the size of the box",
+                             is("pressure"), 0, 10, above}),
+        shear.pressure);
+  visit(of({"pressure"},
+           Key{"shear.inertial_number", "",
+               "I = strain_rate/sqrt(pressure), instead of strain_rate", optional, 0, 10, above}),
+        shear.inertial_number);
+  visit(of({"pressure"},
+           Key{"shear.response", "", "gamma_p: d ln(area)/d gamma = (p/pressure - 1)/gamma_p",
+               optional, 0, 1e6, above}),
+        shear.response);
 
   visit(Key{"drive.kind", "", "force on each disk alone, P2 Sec. IV", optional, 0, 0, false,
             drive_words()},
@@ -255,9 +281,10 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
                          optional, 0, 100, above}),
         measure.frame_decades);
 
-  visit(of({"steady", "cascade", "sequence"},
-           Key{"output.sample_strain", "", "window whose averages are recorded", optional, 0, many,
-               above}),
+  visit(of({"steady", "cascade", "sequence", "stress", "pressure"},
+           Key{"output.sample_strain", "",
+               "window whose averages are recorded; at given stress at the rate of the start",
+               optional, 0, many, above}),
         output.sample_strain);
   visit(of({"steady", "cascade"},
            Key{"output.trajectory_strain", "", "between the frames of trajectory.h5md; 0: none",

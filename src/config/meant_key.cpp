@@ -59,11 +59,10 @@ constexpr Elsewhere keys_elsewhere[] = {
      "takes "
      "integration.time_step"},
     {"pressure p p0 confiningpressure load pext", "",
-     "the area is given, by disks.packing_fraction, and the pressure p is measured; `bagnold "
-     "analyse "
+     "shear.protocol = \"pressure\" holds shear.pressure by the size of the box; `bagnold analyse "
      "constant-pressure` finds the states of one pressure in a sweep"},
     {"stress shearstress sigma tau shearforce", "",
-     "shear.strain_rate is given, and the stress sigma is measured"},
+     "shear.protocol = \"stress\" holds shear.stress by the strain rate"},
     {"stiffness k kn ke kt young youngs youngsmodulus modulus springconstant", "",
      "it is the unit: k_e = 1 where lengths are in d_s and times in tau_e; disks.elasticity is "
      "what is "

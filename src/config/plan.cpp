@@ -9,6 +9,7 @@
 
 #include "kernels/physics/species.hpp"
 #include "src/config/abilities.hpp"
+#include "src/config/control.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/piece_table.hpp"
 #include "src/config/skin.hpp"
@@ -169,7 +170,14 @@ Plan plan_of_pieces(Scene const& scene) {
 
 Plan make_plan(Scene const& scene) {
   if (scene.shear.protocol == "ramp") return plan_of_ramp(scene);
-  if (scene.shear.by_pieces()) return plan_of_pieces(scene);
+  if (pieces_of(scene)) return plan_of_pieces(scene);
+  if (scene.shear.controlled()) {
+    Plan plan = plan_of_control(scene);
+    refuse_many_windows(static_cast<double>(plan.windows), "output.sample_strain",
+                        scene.output.sample_strain, 2 * scene.output.sample_strain);
+    plan.discarded_windows = discarded_of(scene, plan.windows / plan.stages);
+    return plan;
+  }
   Plan plan;
   plan.strain_rate = scene.shear.strain_rate;
   plan.time_step = time_step(scene);

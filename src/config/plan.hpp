@@ -36,6 +36,9 @@ struct Plan {
   /// The same, where motions keep their excess over the flow; null: there is none.
   std::shared_ptr<PieceTable const> pieces{};
   std::vector<WindowRow> rows{};  ///< windows, where they are not alike
+  /// Steps of a piece after which a controller decides on the rate or the box; 0: there is none.
+  std::int64_t control_steps = 0;
+  std::int64_t stages = 1;  ///< equal parts of the run, each at another stress
 
   bool has_one_rate() const { return !ramp && !pieces; }
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "src/config/drives.hpp"
+#include "src/config/number_or_list.hpp"
 #include "src/config/number_or_word.hpp"
 #include "src/config/schemes.hpp"
-#include "src/config/strain.hpp"
 
 namespace bagnold {
 
@@ -56,7 +56,7 @@ struct Scene {
     std::string protocol = "steady";
     double strain_rate = 0;               ///< gammadot; of a ramp the lowest
     std::vector<double> strain_rates;     ///< of a cascade, the largest first
-    Strain strain = 2.0;                  ///< gamma; of a ramp: before it, at the lowest rate
+    NumberOrList strain = 2.0;            ///< gamma; of a ramp: before it, at the lowest rate
     std::optional<double> discard = 0.5;  ///< none: "auto"
     std::map<std::string, double> target_error;  ///< relative standard error, by NAME
     double ramp_rate = 0;                        ///< kappa~, P2 Eq. 39
@@ -64,14 +64,25 @@ struct Scene {
     std::int64_t cycles = 1;
     double ramp_window = 1e3;
     double ramp_every = 1;
-    std::vector<SequencePiece> pieces;  ///< of a sequence
-    double amplitude = 0;               ///< gamma_0 of an oscillation
-    std::optional<double> period;       ///< T of an oscillation; none: from peak_rate
-    std::optional<double> peak_rate;    ///< none: from period
-    std::int64_t cycle_pieces = 128;    ///< K of an oscillation
+    std::vector<SequencePiece> pieces;      ///< of a sequence
+    double amplitude = 0;                   ///< gamma_0 of an oscillation
+    std::optional<double> period;           ///< T of an oscillation; none: from peak_rate
+    std::optional<double> peak_rate;        ///< none: from period
+    std::int64_t cycle_pieces = 128;        ///< K of an oscillation
+    NumberOrList stress = 0.0;              ///< sigma to be held, one after the other, [m/tau_e^2]
+    double time = 0;                        ///< that each of them is held, [tau_e]
+    std::optional<double> box_inertia;      ///< M, [m]; none: box_inertia(scene)
+    double pressure = 0;                    ///< to be held, [m/tau_e^2]
+    std::optional<double> inertial_number;  ///< gives strain_rate at that pressure
+    double response = 10;                   ///< gamma_p: how slowly the box follows the pressure
 
-    /// True if the run goes by pieces, at whose beginning motions keep their excess over the flow.
-    bool by_pieces() const { return protocol == "sequence" || protocol == "oscillate"; }
+    /// True if the strain rate changes, and motions keep their excess over the flow where it does.
+    bool by_pieces() const {
+      return protocol == "sequence" || protocol == "oscillate" || protocol == "stress";
+    }
+
+    /// True if the sums of a piece decide on the next one's strain rate or box.
+    bool controlled() const { return protocol == "stress" || protocol == "pressure"; }
   } shear;
 
   /// A force on each disk alone, beside contacts.

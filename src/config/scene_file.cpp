@@ -51,6 +51,9 @@ class Reader {
     if (!missing.empty())
       mistakes_.add("", fmt::format("{}: {}; every scene must give {}", origin_,
                                     fmt::join(missing, ", "), missing.size() == 1 ? "it" : "them"));
+    auto& shear = scene.shear;
+    if (shear.protocol == "pressure" && shear.inertial_number && shear.strain_rate == 0)
+      shear.strain_rate = *shear.inertial_number * std::sqrt(shear.pressure);
     bool const has_scheme = table_.at_path("integration.scheme").node() != nullptr;
     if (abilities_of(scene).own_scheme && !has_scheme) scene.integration.scheme = automatic;
     return scene;
@@ -235,7 +238,7 @@ class Reader {
     }
   }
 
-  void take(Key const& key, toml::node const& node, Strain& member) const {
+  void take(Key const& key, toml::node const& node, NumberOrList& member) const {
     if (node.is_array())
       take(key, node, member.each);
     else

@@ -47,6 +47,8 @@ std::optional<PieceTable> pieces_of(Scene const& scene) {
 StrainRates strain_rates(Scene const& scene) {
   if (scene.shear.protocol == "ramp") return make_ramp(scene);
   if (auto const pieces = pieces_of(scene)) return *pieces;
+  if (scene.shear.controlled())
+    return {std::make_shared<PieceHistory const>(scene.shear.strain_rate)};
   return scene.shear.strain_rate;
 }
 

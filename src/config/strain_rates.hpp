@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 
+#include "src/config/piece_history.hpp"
 #include "src/config/piece_table.hpp"
 #include "src/config/ramp.hpp"
 #include "src/config/rate_schedule.hpp"
@@ -20,6 +22,8 @@ class StrainRates {
   StrainRates(double rate) : rate_(rate) {}
   StrainRates(Ramp const& ramp);
   StrainRates(PieceTable const& pieces) : schedule_(std::make_shared<PieceTable>(pieces)) {}
+  StrainRates(std::shared_ptr<PieceHistory const> history)
+      : schedule_(history), history_(std::move(history)) {}
 
   /// Stretch of a step. Nothing changes after the last step of a schedule.
   Stretch at(std::int64_t step) const {
@@ -31,12 +35,16 @@ class StrainRates {
     return schedule_ ? schedule_->strain_before(stretch) : DoubleDouble{};
   }
 
+  /// Pieces so far, where they are decided on as the run goes; else null.
+  std::shared_ptr<PieceHistory const> const& history() const { return history_; }
+
   /// True if motions are scaled where the rate changes, or it never does.
   bool scales_motions() const { return !schedule_ || schedule_->scales_motions(); }
 
  private:
   double rate_ = 0;
   std::shared_ptr<RateSchedule const> schedule_;  ///< null: constant
+  std::shared_ptr<PieceHistory const> history_;
 };
 
 /// Strain rates of a scene whose protocol is not a cascade.

@@ -84,8 +84,8 @@ bool suits_implicit_damping(Scene const& scene) {
   auto const& engine = abilities_of(scene);
   return damps_sliding(scene.disks) && scene.integration.time_step.word != of_papers &&
          engine.scheme.empty() && engine.implicit_schemes.empty() &&
-         scene.shear.protocol != "ramp" && !scene.shear.by_pieces() && !scene.driven() &&
-         !scene.measure.contacts;
+         scene.shear.protocol != "ramp" && !scene.shear.by_pieces() && !scene.shear.controlled() &&
+         !scene.driven() && !scene.measure.contacts;
 }
 
 }  // namespace

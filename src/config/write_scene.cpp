@@ -45,7 +45,7 @@ std::string toml_value(std::vector<SequencePiece> const& list) {
         fmt::format("{}[{}, {}]", text.empty() ? "" : ", ", toml_value(rate), toml_value(amount));
   return "[" + text + "]";
 }
-std::string toml_value(Strain const& strain) {
+std::string toml_value(NumberOrList const& strain) {
   return strain.is_list() ? toml_value(strain.each) : toml_value(strain.at(0));
 }
 std::string toml_value(std::map<std::string, double> const& table) {

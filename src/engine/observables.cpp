@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/engine/observables.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "kernels/physics/sums/sums.hpp"
 #include "src/config/time_step.hpp"
 #include "src/engine/contacts/contact_columns.hpp"
+#include "src/engine/control_columns.hpp"
 #include "src/engine/drive_columns.hpp"
 
 namespace bagnold {
@@ -102,6 +104,34 @@ void add_contacts(Scene const& scene, std::vector<Observable>& list) {
                   [=](Averages a) { return sum(a, K::binary) / sum(a, K::ended); }});
 }
 
+std::size_t control_column(Scene const& scene, int column) {
+  return static_cast<std::size_t>(engine_columns(scene.rotates(), scene.driven()) + column);
+}
+
+/// Adds observables over the mean strain rate, of a flow at given stress.
+void add_strain_rate(Scene const& scene, double area, std::vector<Observable>& list) {
+  auto const at = control_column(scene, ControlColumns::strain_rate);
+  double const elasticity = scene.disks.elasticity;
+  list.push_back(
+      {"strain_rate", "1/tau_e", "gammadot, mean over time", [=](Averages a) { return a[at]; }});
+  list.push_back({"eta_sigma", "1", "viscosity Q sigma/gammadot",
+                  [=](Averages a) { return elasticity * shear_stress(a) / (area * a[at]); }});
+  list.push_back({"I", "1", "inertial number gammadot/sqrt(p), P1 Eq. 20",
+                  [=](Averages a) { return a[at] / std::sqrt(pressure(a) / area); }});
+}
+
+/// Adds the packing fraction of a box that changes, and takes T_g of its disks.
+void add_box(Scene const& scene, std::vector<Observable>& list) {
+  auto const phi = control_column(scene, ControlColumns::packing_fraction);
+  auto const kinetic = control_column(scene, ControlColumns::kinetic);
+  double const n = static_cast<double>(scene.disks.count);
+  list.push_back(
+      {"packing_fraction", "1", "phi, mean over time", [=](Averages a) { return a[phi]; }});
+  std::ranges::find(list, "T_g", &Observable::name)->value = [=](Averages a) {
+    return a[kinetic] / n;
+  };
+}
+
 }  // namespace
 
 std::vector<Observable> observables(Scene const& scene, double box_length) {
@@ -189,11 +219,13 @@ std::vector<Observable> observables(Scene const& scene, double box_length) {
          [=](Averages a) { return a[drive + DriveColumns::push] / (shear_stress(a) * rate); }});
   }
   if (scene.measure.contacts) add_contacts(scene, list);
+  if (scene.shear.protocol == "pressure") add_box(scene, list);
   if (scene.shear.by_pieces()) {
     std::erase_if(list, [](Observable const& one) { return is_over_rate(one.name); });
     list.push_back({"dissipation", "m/tau_e^3", "power that contacts take, of an area of 1",
                     [=](Averages a) { return a[C::dissipation] / area; }});
   }
+  if (scene.shear.protocol == "stress") add_strain_rate(scene, area, list);
   return list;
 }
 

@@ -8,8 +8,9 @@
 
 namespace bagnold {
 
-/// Clock of the present step of a run, and of other steps. It depends on the step alone, so
-/// interruptions of a run do not matter.
+/// Clock of the present step of a run, and of other steps. It depends on the step alone, or in a
+/// controlled run on the pieces so far, which a snapshot holds: so interruptions of a run do not
+/// matter.
 struct RunClock : Clock {
   StrainRates rates;
   std::int64_t rate_end = StrainRates::never;  ///< step at which the rate changes
@@ -22,6 +23,12 @@ struct RunClock : Clock {
               snapshot.initial_time,
               snapshot.state.box_aspect},
         rates(all) {
+    if (all.history()) {
+      auto const known = snapshot.arrays.find(pieces_name);
+      pieces_ = std::make_shared<PieceHistory>(
+          known == snapshot.arrays.end() ? *all.history() : PieceHistory(known->second));
+      rates = StrainRates(pieces_);
+    }
     move_to(snapshot.step);
   }
 
@@ -47,6 +54,35 @@ struct RunClock : Clock {
     if (rates.scales_motions()) return {strain_rate / before, 0};
     return {1, strain_rate - before};
   }
+
+  /// Begins a piece of a controlled run at a step. Returns the change of all motions there. Pieces
+  /// that ended before `needed` are forgotten.
+  RateChange begin_piece(std::int64_t step, double rate, std::int64_t needed) {
+    double const before = strain_rate;
+    pieces_->begin(step, rate, mark(step).strain);
+    pieces_->forget_before(needed);
+    move_to(step);
+    return {1, rate - before};
+  }
+
+  /// Scales the box, whose images keep their places in it.
+  void scale_box(double factor) {
+    box_length *= factor;
+    initial_offset *= factor;
+  }
+
+  /// Puts the pieces from a step on into a snapshot.
+  void save_pieces(Snapshot& snapshot, std::int64_t from) const {
+    if (!pieces_) return;
+    auto pieces = *pieces_;
+    pieces.forget_before(from);
+    snapshot.arrays[pieces_name] = pieces.numbers();
+  }
+
+ private:
+  static constexpr char pieces_name[] = "pieces";
+
+  std::shared_ptr<PieceHistory> pieces_;  ///< of a controlled run; else null
 };
 
 }  // namespace bagnold

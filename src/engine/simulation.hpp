@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <stdexcept>
 
 #include "src/engine/sampling.hpp"
 #include "src/state/snapshot.hpp"
@@ -23,6 +24,13 @@ class Simulation {
   /// Evaluates configurations at the start of sampled steps and adds them to `windows`. The
   /// division of a run into calls changes no bit. Throws NumericalError.
   virtual void advance(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) = 0;
+
+  /// Begins a piece of a controlled run at the present step, at another strain rate, [1/tau_e], and
+  /// in a box whose length and height are `scale` times those before: positions are mapped
+  /// affinely, velocities and spins keep their excess over the mean flow.
+  virtual void begin_piece(double /*strain_rate*/, double /*scale*/) {
+    throw std::logic_error("this engine is in control of no pieces");  // Abilities::pieces
+  }
 
   virtual Snapshot snapshot() const = 0;
 

@@ -25,7 +25,7 @@ double& last_strain(Scene& scene) {
 }
 
 /// Replaces a list of equal strains by a number.
-void make_plain(Strain& strain) {
+void make_plain(NumberOrList& strain) {
   if (std::ranges::count(strain.each, strain.each.front()) == std::ssize(strain.each))
     strain = strain.each.front();
 }

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/run/results.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <cmath>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
@@ -10,12 +14,14 @@
 #include "src/config/oscillation.hpp"
 #include "src/config/scene_file.hpp"
 #include "src/config/strain_rates.hpp"
+#include "src/engine/control_columns.hpp"
 #include "src/engine/levels/levels.hpp"
 #include "src/io/atomic_file.hpp"
 #include "src/io/result_file.hpp"
 #include "src/run/protocols/oscillate/cycles.hpp"
 #include "src/run/protocols/ramp/hysteresis.hpp"
 #include "src/run/protocols/sequence/piece_results.hpp"
+#include "src/run/protocols/stress/stress_results.hpp"
 #include "src/run/provenance.hpp"
 #include "src/run/target_error.hpp"
 #include "src/run/warnings/warning.hpp"
@@ -41,7 +47,7 @@ Json scene_json(Scene const& scene) {
       value = member ? Json(*member) : Json("auto");
     else if constexpr (std::is_same_v<Member, NumberOrWord>)
       value = member.number ? Json(*member.number) : Json(member.word);
-    else if constexpr (std::is_same_v<Member, Strain>)
+    else if constexpr (std::is_same_v<Member, NumberOrList>)
       value = member.is_list() ? Json(member.each) : Json(member.at(0));
     else if constexpr (std::is_same_v<Member, std::vector<SequencePiece>>)
       for (auto const& piece : member) value.push_back({piece.rate, piece.amount});
@@ -63,6 +69,27 @@ std::int64_t end_of(Run const& run, std::size_t window) {
 
 double rate_of(Run const& run, std::size_t window) {
   return run.plan.mean_rate(static_cast<std::int64_t>(window));
+}
+
+/// The same of a replica, whose controller may have chosen its own.
+double rate_of(Run const& run, Replica const& replica, std::size_t window) {
+  if (run.scene.shear.protocol != "stress") return rate_of(run, window);
+  auto const& windows = replica.measurement.windows;
+  return windows.row(
+             window)[windows.columns - ControlColumns::count + ControlColumns::strain_rate] /
+         windows.weight[window];
+}
+
+/// Strain of the first windows, both signs added up, mean over the replicas.
+double path_of(Run const& run, std::size_t windows) {
+  if (windows == 0) return 0;
+  if (run.scene.shear.protocol != "stress") return run.plan.path(end_of(run, windows - 1));
+  double sum = 0;
+  for (auto const& replica : run.replicas)
+    for (std::size_t w = 0; w < windows; ++w)
+      sum += std::abs(rate_of(run, replica, w)) * run.plan.time_step *
+             static_cast<double>(run.plan.window_steps);
+  return sum / static_cast<double>(run.replicas.size());
 }
 
 /// Largest number of windows of a replica; all have as many once the run is done.
@@ -121,6 +148,17 @@ io::Series series(Run const& run, std::string_view name, std::string_view unit,
 
 }  // namespace
 
+std::vector<double> strains_of(Run const& run, Replica const& replica) {
+  std::vector<double> strains;
+  double strain = 0;
+  double const time = run.plan.time_step * static_cast<double>(run.plan.window_steps);
+  for (std::size_t w = 0; w < replica.measurement.windows.size(); ++w)
+    strains.push_back(run.scene.shear.protocol == "stress"
+                          ? strain += rate_of(run, replica, w) * time
+                          : run.plan.strain(end_of(run, w)));
+  return strains;
+}
+
 statistics::ReplicaEstimate estimate(Run const& run, statistics::Function const& f) {
   auto const windows = windows_of(run);
   auto found = statistics::estimate(windows, discarded(run), f);
@@ -154,7 +192,7 @@ std::vector<NamedEstimate> estimates_of_cycles(Run const& run) {
 std::vector<NamedEstimate> estimates(Run const& run) {
   std::vector<NamedEstimate> list;
   if (run.scene.shear.protocol == "oscillate") return estimates_of_cycles(run);
-  if (!run.plan.has_one_rate()) return list;  // there is none to average at
+  if (!run.plan.has_one_rate() || run.plan.stages > 1) return list;  // there is no one flow
   auto const windows = windows_of(run);
   for (auto const& observable : observables(run.scene, run.box_length))
     list.push_back({{observable, windows},
@@ -191,6 +229,7 @@ void add_observables(Run const& run, std::vector<io::Series>& all) {
   }
   for (std::size_t k = 0; k < at_rate.front().size(); ++k) {
     auto const& first = at_rate.front()[k];
+    if (first.name == "strain_rate") continue;  // stands there already
     all.push_back(series(run, first.name, first.unit, first.meaning,
                          [&](Replica const& replica, std::size_t w) {
                            auto const& here = at_rate[run.plan.ramp ? w : 0][k];
@@ -236,8 +275,10 @@ void write_result_file(RunFolder const& folder, Run const& run) {
   result.discarded_windows = static_cast<std::int64_t>(discarded(run));
   result.replicas = run.replicas.size();
 
-  auto const strain = [&](Replica const&, std::size_t w) {
-    return run.plan.strain(end_of(run, w));
+  std::map<Replica const*, std::vector<double>> strains;
+  for (auto const& replica : run.replicas) strains[&replica] = strains_of(run, replica);
+  auto const strain = [&](Replica const& replica, std::size_t w) {
+    return strains.at(&replica)[w];
   };
   auto const time = [&](Replica const& replica, std::size_t w) {
     return replica.initial_time + run.plan.time_step * static_cast<double>(end_of(run, w));
@@ -246,7 +287,7 @@ void write_result_file(RunFolder const& folder, Run const& run) {
       series(run, "strain", "1", "at the end of the window, from 0 at the start", strain),
       series(run, "time", "tau_e", "at the end of the window", time),
       series(run, "strain_rate", "1/tau_e", "gammadot, mean over the window",
-             [&](Replica const&, std::size_t w) { return rate_of(run, w); }),
+             [&](Replica const& replica, std::size_t w) { return rate_of(run, replica, w); }),
       series(run, "evaluations", "1", "configurations evaluated in the window",
              [](Replica const& replica, std::size_t w) {
                return replica.measurement.windows.weight[w];
@@ -299,6 +340,16 @@ Json pieces_json(std::vector<PieceResult> const& pieces) {
   return all;
 }
 
+Json stresses_json(std::vector<StressResult> const& stresses) {
+  Json all = Json::array();
+  for (auto const& one : stresses)
+    all.push_back({{"stress", one.stress},
+                   {"strain", one.strain},
+                   {"windows", one.windows},
+                   {"observables", list_json(one.observables, one.estimates)}});
+  return all;
+}
+
 Json waveform_json(Waveform const& wave) {
   Json all{{"strain", wave.strain}, {"strain_rate", wave.strain_rate}};
   auto const add = [&](std::string const& name, std::vector<statistics::Estimate> const& list) {
@@ -343,10 +394,15 @@ void add_protocol(Json& summary, Run const& run) {
                               {"waveform", waveform_json(waveform_of(run))}};
     return;
   }
+  if (run.plan.stages > 1) {
+    summary["stresses"] = stresses_json(stress_results(run));
+    return;
+  }
   if (!shear.discard)
-    summary["steady_state"] = {{"method", "MSER-5 of B_p and B_sigma"},
-                               {"found", run.steady_found},
-                               {"discarded_windows", run.plan.discarded_windows}};
+    summary["steady_state"] = {
+        {"method", "MSER-5 of " + fmt::format("{}", fmt::join(settling_names(run), " and "))},
+        {"found", run.steady_found},
+        {"discarded_windows", run.plan.discarded_windows}};
   for (auto const& [name, error] : run.reached)
     summary["target_error"][name] = {{"wanted", shear.target_error.at(name)},
                                      {"reached", number(error)}};
@@ -388,8 +444,8 @@ Json replicas_json(Run const& run, std::vector<NamedEstimate> const& list) {
 void write_summary(RunFolder const& folder, Run const& run, std::vector<NamedEstimate> const& list,
                    std::vector<Warning> const& warnings) {
   Provenance const made = provenance();
-  double const total = run.plan.path(run.plan.steps);
-  double const first = discarded(run) == 0 ? 0.0 : run.plan.path(end_of(run, discarded(run) - 1));
+  double const total = path_of(run, static_cast<std::size_t>(run.plan.windows));
+  double const first = path_of(run, discarded(run));
   double const disk_steps = static_cast<double>(run.plan.steps) *
                             static_cast<double>(run.scene.disks.count) *
                             static_cast<double>(run.replicas.size());

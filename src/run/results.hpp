@@ -22,7 +22,8 @@ struct Replica {
   std::map<std::string, double> start_record;
   std::map<std::string, double> engine;  ///< its counters and choices at the last checkpoint
   std::optional<ObserverState>
-      saved_frames;            ///< of the checkpoint it goes on from; none: it begins
+      saved_frames;                        ///< of the checkpoint it goes on from; none: it begins
+  std::vector<double> saved_control = {};  ///< what a controller remembers; of the same checkpoint
   bool discards_more = false;  ///< than at the checkpoint: the run was made longer since
   std::optional<MeanMotion> end_motion = {};  ///< of all disks together, once it is done
   Measurement measurement;
@@ -63,6 +64,9 @@ std::string errors_from(Run const& run);
 
 /// Mean and standard error of all observables, those of frames last.
 std::vector<NamedEstimate> estimates(Run const& run);
+
+/// Strain of a replica from step 0 to the end of each of its windows.
+std::vector<double> strains_of(Run const& run, Replica const& replica);
 
 /// A quantity in each window that all replicas have finished, averaged over them.
 std::vector<double> window_series(Run const& run, Observable const& observable);

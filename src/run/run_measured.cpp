@@ -29,8 +29,12 @@ class StretchSize {
 bool advance(MeasuredSystem const& system, std::int64_t stop, Plan const& plan, LegEnd end) {
   auto& [simulation, measurement] = system;
   auto const from = simulation.step();
-  auto const row = plan.row_of(from);
+  auto row = plan.row_of(from);
   stop = std::min(stop, plan.row_end(row));
+  if (measurement.controller) {
+    row.steps = plan.control_steps;
+    stop = std::min(stop, (from / row.steps + 1) * row.steps);
+  }
   Sampling const sampling{.window_steps = row.steps,
                           .every = plan.every,
                           .last_step = plan.steps,
@@ -39,6 +43,12 @@ bool advance(MeasuredSystem const& system, std::int64_t stop, Plan const& plan, 
                           .first_window = row.first};
   simulation.advance(stop - from, sampling, measurement.open);
   measurement.frames.show(simulation, from);
+  if (measurement.controller) {
+    if (simulation.step() % row.steps == 0)
+      measurement.controller->end_piece(simulation, measurement.open.take_first(),
+                                        measurement.windows);
+    return true;
+  }
   while (measurement.open.first < plan.windows &&
          plan.window_end(measurement.open.first) <= simulation.step()) {
     WindowSums const done = measurement.open.take_first();

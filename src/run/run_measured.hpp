@@ -3,12 +3,14 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <span>
 
 #include "src/config/errors.hpp"
 #include "src/config/plan.hpp"
 #include "src/engine/simulation.hpp"
 #include "src/measure/frames.hpp"
+#include "src/run/protocols/controller.hpp"
 #include "src/statistics/windows.hpp"
 
 namespace bagnold {
@@ -16,8 +18,9 @@ namespace bagnold {
 /// Measurements of a run so far.
 struct Measurement {
   statistics::Windows windows;  ///< finished, from the first step on
-  OpenWindows open;             ///< those in progress
+  OpenWindows open;             ///< those in progress; of a controlled run pieces
   Frames frames;                ///< what observers see now and then
+  std::unique_ptr<Controller> controller = nullptr;  ///< of a controlled run; else null
 };
 
 /// One of the systems that a run steps, and its measurements.

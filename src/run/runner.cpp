@@ -9,6 +9,7 @@
 #include "src/config/errors.hpp"
 #include "src/config/piece_table.hpp"
 #include "src/config/scene_file.hpp"
+#include "src/engine/control_columns.hpp"
 #include "src/engine/levels/levels.hpp"
 #include "src/engine/make_simulation.hpp"
 #include "src/io/state_file.hpp"
@@ -97,7 +98,9 @@ Snapshot Runner::start_of(std::size_t r, std::optional<Snapshot> snapshot,
     snapshot = first_snapshot(std::move(started.state));
   }
   replica.initial_time = snapshot->initial_time;
-  if (r == 0) run_.box_length = snapshot->state.box_length;
+  if (r == 0)  // of a controlled run where it began
+    run_.box_length =
+        run_.scene.shear.controlled() ? run_.scene.box_length() : snapshot->state.box_length;
   return *std::move(snapshot);
 }
 
@@ -140,6 +143,7 @@ void Runner::add_observers(std::size_t r) {
   steps_[r] = simulations_[r]->step();
   auto const columns = simulations_[r]->columns();
   replica.measurement.windows.columns = static_cast<std::size_t>(columns);
+  if (run_.scene.shear.controlled()) control(r);
   if (run_.scene.measure.contacts) {
     replica.measurement.open.contacts =
         watch_contacts(run_.scene, run_.plan, columns, seed(r), frames);
@@ -149,6 +153,16 @@ void Runner::add_observers(std::size_t r) {
   frames.load(*std::exchange(replica.saved_frames, {}));
   if (replica.discards_more) frames.forget_before(whole_.discarded_windows * whole_.window_steps);
   for (auto const& lost : frames.lost()) warn(lost);
+}
+
+/// Puts a controller over a replica, with what it remembers of a checkpoint.
+void Runner::control(std::size_t r) {
+  Replica& replica = run_.replicas[r];
+  auto& measurement = replica.measurement;
+  measurement.controller = make_controller(run_.scene, run_.plan, run_.box_length);
+  if (!replica.saved_control.empty()) measurement.controller->load(replica.saved_control);
+  measurement.windows.columns += ControlColumns::count;
+  measurement.open.first = steps_[r] / run_.plan.control_steps;
 }
 
 std::int64_t Runner::seed(std::size_t r) const {
@@ -276,7 +290,8 @@ io::SystemCheckpoint Runner::checkpoint_of(std::size_t r) {
   simulations_[r]->give_back_scratch();
   static_cast<Snapshot&>(c) = simulations_[r]->snapshot();
   note_engine(r, c);
-  auto& [windows, open, frames] = replica.measurement;
+  auto& [windows, open, frames, controller] = replica.measurement;
+  if (controller) c.arrays[controller_name] = controller->memory();
   c.columns = static_cast<std::int64_t>(windows.columns);
   c.window_sums = windows.sums;
   c.window_weight = windows.weight;

@@ -47,6 +47,7 @@ class Runner {
   bool work_on_leg(ReplicaScheduler& all);
   void make_frames_of(std::size_t replica, State const& start);
   void add_observers(std::size_t replica);  ///< once it has its simulation and its frames
+  void control(std::size_t replica);
   std::int64_t seed(std::size_t replica) const;
   bool work(ReplicaScheduler& all);
   bool step_on(std::size_t replica, std::function<bool()> const& go_on);

@@ -27,7 +27,9 @@ Replica replica_of(io::SystemCheckpoint& checkpoint) {
   Replica replica;
   replica.start_record = std::move(checkpoint.start_record);
   replica.saved_frames = std::move(checkpoint.frames);
-  auto& [windows, open, frames] = replica.measurement;
+  if (auto control = checkpoint.arrays.extract(controller_name); !control.empty())
+    replica.saved_control = std::move(control.mapped());
+  auto& [windows, open, frames, controller] = replica.measurement;
   windows = {static_cast<std::size_t>(checkpoint.columns), std::move(checkpoint.window_sums),
              std::move(checkpoint.window_weight)};
   open.first = static_cast<std::int64_t>(windows.size());

@@ -35,12 +35,13 @@ double measured_strain(Plan const& plan, std::int64_t windows, std::size_t disca
   return end_of(windows) - end_of(static_cast<std::int64_t>(discarded));
 }
 
-/// Beginning of the steady state in the first `windows` windows, by B_p and B_sigma, averaged over
+/// Beginning of the steady state in the first `windows` windows, by settling_names, averaged over
 /// replicas; the later one counts.
 statistics::SteadyStart steady_start(Run const& run, std::size_t windows) {
   statistics::SteadyStart latest{0, true};
+  auto const names = settling_names(run);
   for (auto const& observable : observables(run.scene, run.box_length)) {
-    if (observable.name != "B_p" && observable.name != "B_sigma") continue;
+    if (std::ranges::count(names, observable.name) == 0) continue;
     auto const all = window_series(run, observable);
     auto const so_far = std::span(all).first(std::min(windows, all.size()));
     auto start = statistics::steady_start(so_far);
@@ -94,6 +95,13 @@ bool met_at(Run const& run, std::int64_t windows) {
 
 }  // namespace
 
+std::vector<std::string_view> settling_names(Run const& run) {
+  auto const& protocol = run.scene.shear.protocol;
+  if (protocol == "stress") return {"p", "strain_rate"};
+  if (protocol == "pressure") return {"packing_fraction", "B_sigma"};
+  return {"B_p", "B_sigma"};
+}
+
 void judge_errors(Run& run) {
   discard_transient(run);
   if (!has_target(run.scene)) return;
@@ -130,7 +138,7 @@ std::string until_target(Run const& run) {
 }
 
 void discard_transient(Run& run) {
-  if (run.scene.shear.discard || !run.plan.has_one_rate()) return;
+  if (run.scene.shear.discard || !run.plan.has_one_rate() || run.plan.stages > 1) return;
   auto const start = steady_start(run, static_cast<std::size_t>(run.plan.windows));
   run.plan.discarded_windows = static_cast<std::int64_t>(start.first);
   run.steady_found = start.found;

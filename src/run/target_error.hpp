@@ -2,6 +2,8 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "src/run/results.hpp"
 
@@ -18,11 +20,15 @@ void judge_errors(Run& run);
 /// meets them too. "" if a target has no error.
 std::string until_target(Run const& run);
 
-/// Sets the windows to discard if the scene says "auto": steady_start() of B_p and B_sigma,
+/// Sets the windows to discard if the scene says "auto": steady_start() of
+/// settling_names,
 /// averaged over replicas; the later one counts. With a target error it is twice that, at most the
 /// first half. MSER-5 cuts an exponential transient where it is as large as the noise; at twice
 /// that nothing is left of it. The rest would bias a run that ends early by up to 0.8 of its error.
 void discard_transient(Run& run);
+
+/// Names of the observables by which a run is found steady.
+std::vector<std::string_view> settling_names(Run const& run);
 
 /// Throws InputError if a target is for a NAME that the scene does not have.
 void check_target(Scene const& scene);

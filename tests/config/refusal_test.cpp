@@ -152,7 +152,7 @@ std::string scene_with(Key const& wanted, double value) {
     if (key.name != wanted.name) return;
     if constexpr (std::is_same_v<Member, std::int64_t>)
       member = static_cast<std::int64_t>(value);
-    else if constexpr (std::is_same_v<Member, double> || std::is_same_v<Member, Strain> ||
+    else if constexpr (std::is_same_v<Member, double> || std::is_same_v<Member, NumberOrList> ||
                        std::is_same_v<Member, std::optional<double>> ||
                        std::is_same_v<Member, NumberOrWord>)
       member = value;
@@ -166,7 +166,7 @@ TEST(Ranges, EndWhereTheKeysSay) {
   for_each_key(scene, [&](Key const& key, auto const& member) {
     using Member = std::decay_t<decltype(member)>;
     constexpr bool whole = std::is_same_v<Member, std::int64_t>;
-    if constexpr (whole || std::is_same_v<Member, double> || std::is_same_v<Member, Strain> ||
+    if constexpr (whole || std::is_same_v<Member, double> || std::is_same_v<Member, NumberOrList> ||
                   std::is_same_v<Member, std::optional<double>> ||
                   std::is_same_v<Member, NumberOrWord>) {
       constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -37,8 +37,8 @@ std::size_t BlockDisks::fastest_disk() const {
   return disk;
 }
 
-void BlockDisks::change_rate() {
-  auto const [factor, rise] = clock.change_rate();
+void BlockDisks::change_motions(RateChange const& change) {
+  auto const [factor, rise] = change;
   (*loop)(system.blocks.count, [&, factor = factor, rise = rise](std::uint32_t b) {
     auto const& block = system.blocks.block(b);
     if (factor != 1) scale_motion(block, system.now, factor);

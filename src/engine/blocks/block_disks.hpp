@@ -40,8 +40,8 @@ struct BlockDisks {
   Real fastest() const;
   std::size_t fastest_disk() const;
 
-  /// Continues at the next strain rate.
-  void change_rate();
+  /// Changes all motions where the strain rate changes.
+  void change_motions(RateChange const& change);
 
   DiskList disks() const;
 

@@ -74,6 +74,7 @@ Snapshot BlockEngine::snapshot() const {
   s.initial_offset = disks_.clock.initial_offset;
   s.initial_time = disks_.clock.initial_time;
   s.list_builds = lists_.builds;
+  disks_.clock.save_pieces(s, disks_.list.step);
   auto& self = const_cast<BlockEngine&>(*this);  // saving changes nothing
   self.for_each_memory(WriteDown{s.memory});
   self.for_each_counter(WriteDown{s.counters});
@@ -121,14 +122,37 @@ void BlockEngine::for_each_counter(Visit const& visit) {
 /// One step, and the change of the strain rate where it ends.
 void BlockEngine::advance_one(Sampling const& sampling, OpenWindows& windows) {
   single_.advance(sampling, windows);
-  if (disks_.system.step != disks_.clock.rate_end) return;
-  Real const before = disks_.clock.strain_rate;
-  disks_.change_rate();
-  bool const goes_on = before * disks_.clock.strain_rate > 0;
+  if (disks_.system.step == disks_.clock.rate_end) follow(disks_.clock.change_rate());
+}
+
+/// Changes all motions where the clock has gone on to another strain rate.
+void BlockEngine::follow(RateChange const& change) {
+  disks_.change_motions(change);
+  Real const rate = disks_.clock.strain_rate,
+             before = change.factor == 1 ? rate - change.rise : rate;
+  bool const goes_on = before * rate > 0;
   if (goes_on)
     lists_.fastest = disks_.fastest();
   else  // bounds of motions hold for shear of one sign
     single_.rebuild();
+}
+
+void BlockEngine::begin_piece(double strain_rate, double scale) {
+  if (scale != 1) {
+    DiskList list = disks_.disks();
+    Real const rise =
+        disks_.clock.strain_rate * (scale - 1);  // of the mean flow at a disk, by its y
+    for (std::size_t i = 0; i < disks_.count(); ++i) {
+      list.velocity[i].x += rise * list.position[i].y;
+      list.position[i] = scale * list.position[i];
+    }
+    disks_.clock.scale_box(scale);
+    lists_.give_back_scratch();
+    lists_.build(std::move(list));
+    single_.prune();
+  }
+  if (strain_rate != disks_.clock.strain_rate)
+    follow(disks_.clock.begin_piece(disks_.system.step, strain_rate, disks_.list.step));
 }
 
 void BlockEngine::advance_step(Sampling const& sampling, OpenWindows& windows) {

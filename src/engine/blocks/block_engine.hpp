@@ -23,6 +23,7 @@ class BlockEngine final : public Simulation {
   }
   std::int64_t step() const override { return disks_.system.step; }
   void advance(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) override;
+  void begin_piece(double strain_rate, double scale) override;
   Snapshot snapshot() const override;
   State state() const override;
   void give_back_scratch() override { lists_.give_back_scratch(); }
@@ -34,6 +35,7 @@ class BlockEngine final : public Simulation {
   void for_each_counter(Visit const& visit);
 
   void advance_one(Sampling const& sampling, OpenWindows& windows);
+  void follow(RateChange const& change);
   void advance_step(Sampling const& sampling, OpenWindows& windows);
   std::int64_t lookahead_end() const;  ///< of the next one, in a run without an end
   void advance_lookahead(Sampling const& sampling, OpenWindows& windows);

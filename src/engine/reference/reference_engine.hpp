@@ -8,6 +8,7 @@
 
 #include "kernels/device/dynamics/device_drive.hpp"
 #include "kernels/device/dynamics/follow_flow.hpp"
+#include "kernels/device/dynamics/scale_box.hpp"
 #include "kernels/device/dynamics/scale_motion.hpp"
 #include "kernels/device/dynamics/stepped_system.hpp"
 #include "kernels/device/launch_queue.hpp"
@@ -88,7 +89,7 @@ class ReferenceEngine final : public Simulation {
       if (!each_alone) {
         do_queued(std::min({plan_.queued, end - step_, clock_.rate_end - step_}), sampling,
                   windows);
-        if (step_ == clock_.rate_end) change_rate();
+        if (step_ == clock_.rate_end) follow(clock_.change_rate());
         continue;
       }
       if (!system_.begin_step(loops_, box_at(step_))) stop_unsound();
@@ -106,13 +107,27 @@ class ReferenceEngine final : public Simulation {
       if (sampled && !drive_) windows.add(sampling.window(step), sums.value, 1);
       auto const power = do_step(sampled && drive_);
       if (sampled && drive_) add_driven(sums, power, sampling.window(step), windows);
-      if (step_ == clock_.rate_end) change_rate();
+      if (step_ == clock_.rate_end) follow(clock_.change_rate());
     }
     if (windows.contacts) contacts_.tell(sampling, windows);
   }
 
+  void begin_piece(double strain_rate, double scale) override {
+    if (scale != 1) {
+      auto const& disks = system_.disks;
+      loops_.for_all("dynamics::ScaleBox", disks.count(),
+                     ScaleBox<rotates, Space>{disks.motion, disks.position, scale,
+                                              clock_.strain_rate * (scale - 1)});
+      clock_.scale_box(scale);
+      renew_list();
+    }
+    if (strain_rate != clock_.strain_rate)
+      follow(clock_.begin_piece(step_, strain_rate, list_.step));
+  }
+
   Snapshot snapshot() const override {
     Snapshot s;
+    clock_.save_pieces(s, list_.step);
     s.state = raw_state();
     s.list_position = pairs(order_.in_first_order(to_host(system_.disks.at_build)));
     s.list_step = list_.step;
@@ -264,8 +279,8 @@ class ReferenceEngine final : public Simulation {
   }
 
   /// Goes on at the next strain rate; the list stays, if it still holds for a step.
-  void change_rate() {
-    auto const [factor, rise] = clock_.change_rate();
+  void follow(RateChange const& change) {
+    auto const [factor, rise] = change;
     auto const& disks = system_.disks;
     if (factor != 1)
       loops_.for_all("dynamics::ScaleMotion", disks.count(),

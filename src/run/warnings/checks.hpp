@@ -65,6 +65,9 @@ Check box_size;
 /// tau_dur without the long contacts: the run ended before they did, or no contact ended.
 Check contact_durations;
 
+/// Flow that has stopped, or nearly so, at given stress.
+Check arrest;
+
 /// All checks, in the order of the summary.
 inline constexpr Check* all_checks[] = {
     above_jamming,        hard_core_limit,  large_overlap,  energy_balance,
@@ -74,6 +77,16 @@ inline constexpr Check* all_checks[] = {
 
 /// Those that hold without a steady state, of runs by pieces.
 inline constexpr Check* checks_of_pieces[] = {contact_network, net_momentum};
+
+/// Those of a flow at given stress, whose strain rate is not known before.
+inline constexpr Check* checks_at_stress[] = {large_overlap, contact_network, steady_state,
+                                              net_momentum, arrest};
+
+/// Those of a flow at given pressure, whose packing fraction is not known before.
+inline constexpr Check* checks_at_pressure[] = {
+    large_overlap,  energy_balance,  dissipative_pressure, rotation_balance,
+    collision_loss, contact_network, steady_state,         error_bar,
+    few_collisions, net_momentum};
 
 /// "the mean motion against the shear flow, (-0.03, 0) d_s/tau_e, 97% of the kinetic energy"
 std::string mean_motion_in_words(std::array<double, 2> const& velocity, double share);

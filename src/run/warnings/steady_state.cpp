@@ -5,6 +5,7 @@
 #include <numeric>
 #include <span>
 
+#include "src/run/target_error.hpp"
 #include "src/run/warnings/checks.hpp"
 #include "src/statistics/steady_start.hpp"
 
@@ -30,7 +31,7 @@ double mean(std::span<double const> series) {
 }  // namespace
 
 std::optional<Warning> steady_state(FinishedRun const& finished) {
-  for (auto const* name : {"B_p", "B_sigma"}) {
+  for (auto const name : settling_names(finished.run)) {
     auto const* found = finished.of(name);
     if (!found || !found->estimate.all.mean) return {};
     auto const all = window_series(finished.run, found->observable);

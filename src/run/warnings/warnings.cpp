@@ -39,10 +39,20 @@ double FinishedRun::in_window(std::string_view name, std::size_t window) const {
   return sum / static_cast<double>(samples.size());
 }
 
+namespace {
+
+std::span<Check* const> checks_of(Scene::Shear const& shear) {
+  if (shear.protocol == "stress") return checks_at_stress;
+  if (shear.protocol == "pressure") return checks_at_pressure;
+  if (shear.by_pieces()) return checks_of_pieces;
+  return all_checks;
+}
+
+}  // namespace
+
 std::vector<Warning> warnings(FinishedRun const& finished) {
   std::vector<Warning> list;
-  bool const by_pieces = finished.run.scene.shear.by_pieces();
-  for (auto* check : by_pieces ? std::span<Check* const>(checks_of_pieces) : all_checks)
+  for (auto* check : checks_of(finished.run.scene.shear))
     if (auto warning = check(finished)) list.push_back(std::move(*warning));
   return list;
 }
@@ -97,7 +107,8 @@ double fewest_independent_windows(FinishedRun const& finished) {
 std::string until_errors(FinishedRun const& finished) {
   double const least = fewest_independent_windows(finished);
   constexpr double share_seen = 1 / 1.5;  // a short series shows too many
-  if (!std::isfinite(least) || finished.run.scene.shear.by_pieces()) return {};
+  auto const& shear = finished.run.scene.shear;
+  if (!std::isfinite(least) || shear.by_pieces() || shear.controlled()) return {};
   return longer_run(finished.run, enough_windows / (share_seen * least));
 }
 

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "kernels/physics/sums/sums.hpp"
+
+namespace bagnold {
+
+/// Columns of a controlled run, behind those of its engine: what changes from piece to piece.
+struct ControlColumns {
+  enum : int {
+    strain_rate,       ///< gammadot, [1 / tau_e]
+    packing_fraction,  ///< phi
+    kinetic,           ///< sum m (dv_x^2 + dv_y^2)/2, which the box does not scale
+    count
+  };
+};
+
+/// A piece of a controlled run.
+struct ControlledPiece {
+  double strain_rate;       ///< [1/tau_e]
+  double packing_fraction;  ///< where the run began
+  double length;            ///< L_x over that where the run began
+};
+
+/// Adds ControlColumns to the sums of a piece. Sums of the pressure tensor and of powers become
+/// those of a box as large as the first one at the same densities, so that they add up over boxes.
+inline void append_control(std::vector<double>& sums, double weight, ControlledPiece const& piece) {
+  using C = SumColumns;
+  double const area = piece.length * piece.length;
+  double const kinetic = (sums[C::kinetic_xx] + sums[C::kinetic_yy]) / 2;
+  for (int c = 0; c <= C::kinetic_yy; ++c) sums[static_cast<std::size_t>(c)] /= area;
+  sums.insert(sums.end(),
+              {weight * piece.strain_rate, weight * piece.packing_fraction / area, kinetic});
+}
+
+}  // namespace bagnold
