@@ -275,12 +275,16 @@ def read_states(path: pathlib.Path, masses_by_area: bool = False, strain: float 
         data = {name: np.asarray(group[name][()], dtype=np.float64) for name in group}
     if data["diameter"].ndim == 1:
         data = {name: values[None] for name, values in data.items()}
-    length = float(about["box_length"])
-    height = float(about.get("box_aspect", 1)) * length
-    offset = float(about["offset"])
-    box = Box(length, height, offset - length * math.floor(offset / length + 0.5))
-    return [Frame(step=-1, time=float(about["time"]), strain=strain,
-                  strain_rate=float(about.get("strain_rate", math.nan)), box=box,
+    aspect = float(about.get("box_aspect", 1))
+
+    def own(name: str, r: int) -> float:  # a row where a controller led replicas apart
+        return float(data[name][r]) if name in data else float(about.get(name, math.nan))
+
+    def box(r: int) -> Box:
+        length, offset = own("box_length", r), own("offset", r)
+        return Box(length, aspect * length, offset - length * math.floor(offset / length + 0.5))
+
+    return [Frame(step=-1, time=float(about["time"]), strain=strain, strain_rate=own("strain_rate", r), box=box(r),
                   position=data["position"][r], velocity=data["velocity"][r],
                   spin=data["spin"][r] if "spin" in data else None, image=None,
                   diameter=data["diameter"][r],

@@ -110,6 +110,17 @@ class Piece:
 
 
 @dataclass(frozen=True)
+class Stress:
+    """One stress of a list that was held, averaged over the later part of its time."""
+
+    stress: float  #: m/tau_e^2
+    strain: float  #: of the measured part
+    windows: int  #: measured
+    mean: dict[str, float]  #: by the names of the series, and "strain_rate"
+    error: dict[str, float]  #: standard errors; NaN where unknown
+
+
+@dataclass(frozen=True)
 class Oscillation:
     """An oscillation gamma_0 sin(2 pi t/T), and its mean cycle: [K] values at the windows of a cycle."""
 
@@ -345,6 +356,12 @@ class Run:
         return [_piece(one) for one in self.summary["pieces"]]
 
     @cached_property
+    def stresses(self) -> list[Stress]:
+        """Stresses of a list that were held, in their order: ``r.stresses[0].mean["strain_rate"]``."""
+        return [Stress(one["stress"], one["strain"], one["windows"], *_means(one["observables"]))
+                for one in self.summary.get("stresses", [])]
+
+    @cached_property
     def oscillation(self) -> Oscillation:
         """The mean cycle of an oscillation; its moduli are ``r["G_storage"]`` and ``r["G_loss"]``."""
         if "oscillation" not in self.summary:
@@ -384,8 +401,13 @@ def load(folder: str | os.PathLike[str]) -> Run:
     return Run(place)
 
 
+def _means(observables: dict[str, Any]) -> tuple[dict[str, float], dict[str, float]]:
+    mean, error = ({name: number(one[part]) for name, one in observables.items()} for part in ("mean", "error"))
+    return mean, error
+
+
 def _piece(found: dict[str, Any]) -> Piece:
-    mean, error = ({name: number(one[part]) for name, one in found["observables"].items()} for part in ("mean", "error"))
+    mean, error = _means(found["observables"])
     return Piece(found["strain_rate"], found["begin_strain"], found["strain"], found["begin_time"], found["time"],
                  found["windows"], mean, error)
 

@@ -12,7 +12,8 @@ namespace bagnold {
 
 Progress::Progress(Scene const& scene, Plan const& plan, std::int64_t first_steps, bool quiet)
     : disks_(static_cast<double>(scene.disks.count)),
-      strain_(plan.path(plan.steps)),
+      name_(plan.progress_name()),
+      whole_(plan.progress(plan.steps)),
       steps_(plan.steps * scene.disks.replicas),
       first_steps_(first_steps),
       quiet_(quiet),
@@ -52,8 +53,8 @@ void Progress::print(std::int64_t steps, Clock::time_point now) {
   double const share = static_cast<double>(steps) / static_cast<double>(steps_);
   double const left = done > 0 ? seconds / done * static_cast<double>(steps_ - steps) : 0;
   auto const line =
-      fmt::format("strain {:.4g} of {:.4g} ({:.0f}%)  {:.3g} million disk-steps/s  {}",
-                  share * strain_, strain_, 100 * share, done * disks_ / seconds / 1e6,
+      fmt::format("{} {:.4g} of {:.4g} ({:.0f}%)  {:.3g} million disk-steps/s  {}", name_,
+                  share * whole_, whole_, 100 * share, done * disks_ / seconds / 1e6,
                   steps < steps_ ? time_text(left) + " left" : time_text(seconds));
   put(terminal_ ? fmt::format("\r{:<78}", line) : line + "\n");
 }

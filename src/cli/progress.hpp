@@ -25,7 +25,8 @@ class Progress {
   void print(std::int64_t steps, Clock::time_point now);
 
   double disks_;
-  double strain_;
+  std::string name_;  ///< of what grows: strain or time
+  double whole_;
   std::int64_t steps_;
   std::int64_t first_steps_;
   bool quiet_;

@@ -38,13 +38,13 @@ std::string until(double seconds) {
 /// "running: strain 12 of 40 (30%), about 12 min left, until 18:40; host x, pid 7".
 std::string line_of(RunStatus const& run) {
   if (run.state == RunState::done) {
-    auto text = fmt::format("done: strain {:.4g}", run.strain);
+    auto text = fmt::format("done: {} {:.4g}", run.name, run.strain);
     if (!run.warnings.empty()) text += "; warnings: " + names_of(run.warnings);
     if (!run.notes.empty()) text += "; notes: " + names_of(run.notes);
     return text;
   }
-  auto text = fmt::format("{}: strain {:.4g} of {:.4g} ({:.0f}%)", word(run.state), run.strain,
-                          run.whole, 100 * run.share());
+  auto text = fmt::format("{}: {} {:.4g} of {:.4g} ({:.0f}%)", word(run.state), run.name,
+                          run.strain, run.whole, 100 * run.share());
   if (run.age > 0) text += fmt::format(" at its checkpoint, {} ago", time_text(run.age));
   if (run.age == 0 && run.state == RunState::running)
     text += ", its first checkpoint comes after 10 s of stepping";

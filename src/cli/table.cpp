@@ -11,6 +11,7 @@
 #include "src/run/paper_values.hpp"
 #include "src/run/protocols/ramp/hysteresis.hpp"
 #include "src/run/protocols/sequence/piece_results.hpp"
+#include "src/run/protocols/stress/stress_results.hpp"
 #include "src/run/rounded.hpp"
 #include "src/run/target_error.hpp"
 #include "src/run/warnings/warning.hpp"
@@ -78,6 +79,16 @@ void print_pieces(Run const& run) {
                with_error(piece, "Z"), piece.windows);
 }
 
+/// Each stress of several.
+void print_stresses(Run const& run) {
+  fmt::print("\n{:<18} {:<12} {:<24} {:<24} {:<20} {:<14} {}\n", "stress [m/tau_e^2]", "strain",
+             "strain rate [1/tau_e]", "p [m/tau_e^2]", "mu", "Z", "windows");
+  for (auto const& one : stress_results(run))
+    fmt::print("{:<18.4g} {:<12.4g} {:<24} {:<24} {:<20} {:<14} {}\n", one.stress, one.strain,
+               with_error(one, "strain_rate"), with_error(one, "p"), with_error(one, "mu"),
+               with_error(one, "Z"), one.windows);
+}
+
 /// "; `command`", to be typed with this folder; "" where there is none.
 std::string typed(std::string const& command, std::string const& folder) {
   if (folder.empty() || command.empty()) return {};
@@ -127,6 +138,7 @@ void print_table(Run const& run, std::vector<NamedEstimate> const& list, std::st
                  bool all_of_them) {
   if (run.plan.ramp) return print_loop(run);
   if (run.scene.shear.protocol == "sequence") return print_pieces(run);
+  if (run.plan.stages > 1) return print_stresses(run);
   fmt::print("\n{:<13} {:<26} {:<17} {:<19} {}\n", "quantity", "mean(standard error)", "unit",
              "correlation strain", "what it is");
   std::size_t left_out = 0;

@@ -53,7 +53,7 @@ std::string in_words(RunTime const& time, int threads) {
 /// Prints the size, the time and the memory of one run.
 void print_plan(Scene const& scene, Plan const& plan, RunTime const& time, int threads) {
   if (plan.ramp) print_ramp(*plan.ramp);
-  fmt::print("# strain         {:.6g}\n", plan.path(plan.steps));
+  fmt::print("# {:<14} {:.6g}\n", plan.progress_name(), plan.progress(plan.steps));
   fmt::print("# steps          {}, {:.4g} million disk-steps\n", plan.steps,
              disk_steps(scene, plan) / 1e6);
   fmt::print("# windows        {} of {} steps, {}, evaluated every {} steps\n", plan.windows,

@@ -53,12 +53,12 @@ void look_at_protocol(Scene const& scene, Refusals const& refuse) {
             "shear.strain_rate_high = {} (must be more than shear.strain_rate = {}, the lowest); "
             "raise it",
             shear.strain_rate_high, shear.strain_rate));
-  bool const changes = shear.by_pieces() && (!shear.controlled() || shear.stress.is_list());
-  if (changes && !shear.discard)
+  bool const has_one_flow = !shear.by_pieces() || (shear.controlled() && !shear.stress.is_list());
+  if (!has_one_flow && !shear.discard)
     refuse({"shear.discard"},
            fmt::format("shear.discard = \"auto\" (seeks one steady state, which shear.protocol = "
-                       "\"{}\" has not); give a share",
-                       shear.protocol));
+                       "\"{}\"{} has not); give a share",
+                       shear.protocol, shear.controlled() ? " with a list of stresses" : ""));
   if (shear.protocol == "oscillate" && shear.period.has_value() == shear.peak_rate.has_value())
     refuse({"shear.period", "shear.peak_rate"},
            fmt::format("shear.period and shear.peak_rate {} (either makes the other, by "

@@ -67,6 +67,7 @@ Plan plan_of_control(Scene const& scene) {
   plan.windows = static_cast<std::int64_t>(windows);
   plan.steps = plan.windows * plan.window_steps;
   plan.stages = static_cast<std::int64_t>(stages);
+  plan.by_time = of_stress;
   return plan;
 }
 

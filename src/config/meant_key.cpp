@@ -58,11 +58,8 @@ constexpr Elsewhere keys_elsewhere[] = {
      "a run is as long as its shear.strain: strain = shear.strain_rate times the time, and a step "
      "takes "
      "integration.time_step"},
-    {"pressure p p0 confiningpressure load pext", "",
-     "shear.protocol = \"pressure\" holds shear.pressure by the size of the box; `bagnold analyse "
-     "constant-pressure` finds the states of one pressure in a sweep"},
-    {"stress shearstress sigma tau shearforce", "",
-     "shear.protocol = \"stress\" holds shear.stress by the strain rate"},
+    {"p p0 confiningpressure load pext", "shear.pressure"},
+    {"shearstress sigma tau shearforce", "shear.stress"},
     {"stiffness k kn ke kt young youngs youngsmodulus modulus springconstant", "",
      "it is the unit: k_e = 1 where lengths are in d_s and times in tau_e; disks.elasticity is "
      "what is "

@@ -237,6 +237,10 @@ std::int64_t Plan::row_end(WindowRow const& row) const {
 
 double Plan::path(std::int64_t step) const { return pieces ? pieces->path(step) : strain(step); }
 
+double Plan::progress(std::int64_t step) const {
+  return by_time ? time_step * static_cast<double>(step) : path(step);
+}
+
 double Plan::strain(std::int64_t step) const {
   if (pieces) return pieces->strain(step);
   if (ramp) return static_cast<double>(ramp->strain(step));

@@ -38,6 +38,7 @@ struct Plan {
   std::vector<WindowRow> rows{};  ///< windows, where they are not alike
   /// Steps of a piece after which a controller decides on the rate or the box; 0: there is none.
   std::int64_t control_steps = 0;
+  bool by_time = false;     ///< strain_rate is that of the start alone
   std::int64_t stages = 1;  ///< equal parts of the run, each at another stress
 
   bool has_one_rate() const { return !ramp && !pieces; }
@@ -50,8 +51,12 @@ struct Plan {
   WindowRow row_of(std::int64_t step) const;
   std::int64_t row_end(WindowRow const& row) const;
 
-  double strain(std::int64_t step) const;       ///< from step 0 to the start of `step`
-  double path(std::int64_t step) const;         ///< the same, both signs added up
+  double strain(std::int64_t step) const;  ///< from step 0 to the start of `step`
+  double path(std::int64_t step) const;    ///< the same, both signs added up
+  /// Progress at a step, in words and as a number: the path; at given stress, where it is not known
+  /// before, the time, [tau_e].
+  char const* progress_name() const { return by_time ? "time" : "strain"; }
+  double progress(std::int64_t step) const;
   double mean_rate(std::int64_t window) const;  ///< gammadot over a window, [1/tau_e]
   int direction(std::int64_t window) const;     ///< of a ramp: +1 up, -1 down; 0: none
 };

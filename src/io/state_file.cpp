@@ -93,24 +93,49 @@ void deal_out(std::vector<Row> values, std::span<State> states, std::vector<Row>
 }
 
 /// What states in one file have in common.
-bool same_clock(State const& a, State const& b) {
-  return a.box_length == b.box_length && a.box_aspect == b.box_aspect && a.offset == b.offset &&
-         a.time == b.time && a.strain_rate == b.strain_rate && a.count() == b.count() &&
+bool are_alike(State const& a, State const& b) {
+  return a.box_aspect == b.box_aspect && a.time == b.time &&
+         a.strain_rate.has_value() == b.strain_rate.has_value() && a.count() == b.count() &&
          a.spin.size() == b.spin.size();
+}
+
+/// Box and strain of states that a controller leads apart; a state's own.
+struct OwnNumber {
+  char const* name;
+  double (*get)(State const&);
+  void (*put)(State&, double);
+};
+constexpr OwnNumber own_numbers[] = {
+    {"box_length", [](State const& s) { return s.box_length; },
+     [](State& s, double value) { s.box_length = value; }},
+    {"offset", [](State const& s) { return s.offset; },
+     [](State& s, double value) { s.offset = value; }},
+    {"strain_rate", [](State const& s) { return s.strain_rate.value_or(0); },
+     [](State& s, double value) { s.strain_rate = value; }}};
+
+/// Writes a row of R where they differ. The attributes of the group are those of the first state.
+void put_own_numbers(Hdf5Writer& file, std::span<State const> states, std::string const& group) {
+  for (auto const& [name, get, put] : own_numbers) {
+    std::vector<double> row;
+    for (State const& state : states) row.push_back(get(state));
+    if (std::ranges::count(row, row.front()) == std::ssize(row)) continue;
+    file.dataset(group + "/" + name, row, {row.size()});
+  }
 }
 
 }  // namespace
 
 void put_states(Hdf5Writer& file, std::vector<State> states, std::string const& at) {
   for (State const& state : std::span(states).subspan(1))
-    if (!same_clock(state, states.front()))
-      throw std::logic_error("states of one file must have box, offset, time and rate in common");
+    if (!are_alike(state, states.front()))
+      throw std::logic_error("states of one file must have aspect, time and spins in common");
   Shape shape{states.front().count()};  // [N], or [R][N]
   if (states.size() > 1) shape.insert(shape.begin(), states.size());
   auto rows = shape;
   rows.push_back(2);
   auto const group = at + "/state";
   file.group(group);
+  put_own_numbers(file, states, group);
   bool const spins = !states.front().spin.empty();
   file.dataset(group + "/position", flat(taken(states, &State::position)), rows, {{"unit", "d_s"}});
   file.dataset(group + "/velocity", flat(taken(states, &State::velocity)), rows,
@@ -148,6 +173,11 @@ std::vector<State> get_states(Hdf5Reader const& file, std::string const& at,
   if (file.has_attribute(group, "strain_rate"))
     common.strain_rate = file.number(group, "strain_rate");
   std::vector<State> states(position.size() / shape.back(), common);
+  for (auto const& own : own_numbers)
+    if (auto const place = group + "/" + own.name; file.has(place)) {
+      auto const row = file.doubles(place, {states.size()});
+      for (std::size_t r = 0; r < states.size(); ++r) own.put(states[r], row[r]);
+    }
   deal_out(std::move(position), states, &State::position);
   deal_out(file.pairs(group + "/velocity", shape), states, &State::velocity);
   if (file.has(group + "/spin"))

@@ -56,9 +56,10 @@ Scene with_strain(Scene scene, double strain, std::string const& folder) {
   if (scene.shear.by_pieces())
     throw InputError(fmt::format(
         "--strain {} ({} holds a run with shear.protocol = \"{}\", which has no shear.strain): its "
-        "length is shear.cycles; go on from its end with another scene, start.kind = \"state\" and "
+        "length is {}; go on from its end with another scene, start.kind = \"state\" and "
         "start.file = \"{}/state.h5\"",
-        strain, folder, scene.shear.protocol, folder));
+        strain, folder, scene.shear.protocol,
+        scene.shear.controlled() ? "shear.time" : "shear.cycles", folder));
   double& last = last_strain(scene);
   if (!(strain >= last))
     throw InputError(fmt::format(
@@ -73,7 +74,9 @@ Scene with_strain(Scene scene, double strain, std::string const& folder) {
 }
 
 bool is_longer(Scene const& before, Scene const& after) {
-  if (after.shear.protocol != "steady" || !(after.shear.strain > before.shear.strain)) return false;
+  auto const& protocol = after.shear.protocol;
+  bool const has_strain = protocol == "steady" || protocol == "pressure";
+  if (!has_strain || !(after.shear.strain > before.shear.strain)) return false;
   Scene as_before = after;
   as_before.shear.strain = before.shear.strain;
   return write_scene(as_before) == write_scene(before);

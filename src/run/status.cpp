@@ -72,7 +72,7 @@ bool add_checkpoint(RunStatus& status, fs::path const& folder, Plan const& plan,
   auto const checkpoint = io::newest_checkpoint(folder, nullptr);
   if (!checkpoint) return false;
   for (auto const& system : checkpoint->systems)
-    status.strain += plan.path(std::min(system.step, plan.steps)) /
+    status.strain += plan.progress(std::min(system.step, plan.steps)) /
                      static_cast<double>(checkpoint->systems.size());
   status.work = static_cast<double>(checkpoint->steps()) * disks;
   status.seconds = checkpoint->wall_seconds;
@@ -123,7 +123,8 @@ RunStatus status_of(fs::path const& folder) {
   bool begun = false;
   if (scene.shear.protocol != "cascade") {
     Plan const plan = make_plan(scene);
-    status.whole = plan.path(plan.steps);
+    status.name = plan.progress_name();
+    status.whole = plan.progress(plan.steps);
     status.whole_work = disk_steps(scene, plan);
     begun = add_checkpoint(status, folder, plan, static_cast<double>(scene.disks.count));
   }
@@ -152,7 +153,8 @@ std::vector<RunStatus> status_of_stages(fs::path const& folder) {
 RunStatus status_not_begun(Scene const& scene) {
   RunStatus status;
   auto const plan = make_plan(scene);
-  status.whole = plan.path(plan.steps);
+  status.name = plan.progress_name();
+  status.whole = plan.progress(plan.steps);
   status.whole_work = disk_steps(scene, plan);
   return status;
 }

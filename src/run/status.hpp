@@ -15,8 +15,9 @@ struct RunStatus {
   enum class State { not_begun, running, stopped, failed, done };
 
   State state = State::not_begun;
-  std::string holder;     ///< host and process, where one works on it
-  std::string why;        ///< it failed
+  std::string holder;           ///< host and process, where one works on it
+  std::string why;              ///< it failed
+  std::string name = "strain";  ///< of what follows: strain, or the time, [tau_e]
   double strain = 0;      ///< at the last checkpoint, mean over replicas; of one that is done, all
   double whole = 0;       ///< to which it is to go
   double work = 0;        ///< disk-steps so far

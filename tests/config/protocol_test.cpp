@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "src/config/cascade.hpp"
 #include "src/config/plan.hpp"
 #include "tests/config/scenes.hpp"
@@ -25,7 +27,11 @@ TEST(Protocols, KeysOfAnotherAreRefused) {
                          {cascade_text, "shear.cycles", "1", "ramp"},
                          {minimal_text, "shear.pieces", "[[1e-4, 1]]", "sequence"},
                          {sequence_text, "shear.amplitude", "0.1", "oscillate"},
-                         {oscillation_text, "output.sample_strain", "0.1", "steady"}}) {
+                         {oscillation_text, "output.sample_strain", "0.1", "steady"},
+                         {minimal_text, "shear.stress", "1e-3", "stress"},
+                         {stress_text, "shear.strain", "1", "steady"},
+                         {stress_text, "shear.pressure", "1e-3", "pressure"},
+                         {pressure_text, "shear.box_inertia", "1", "stress"}}) {
     std::string const message = refusal(c.text, {c.key + "=" + c.value});
     EXPECT_TRUE(has(message, c.key + " = ") &&
                 has(message, "belongs to shear.protocol = \"" + c.protocol))
@@ -58,6 +64,38 @@ TEST(Protocols, PiecesAreWhatTheyAre) {
   EXPECT_TRUE(has(refusal(oscillation_text, {"shear.peak_rate=1e-6"}), "are both given"));
   EXPECT_TRUE(has(refusal(with_line(oscillation_text, "period", "")), "are missing"));
   EXPECT_TRUE(has(refusal(sequence_text, {"shear.discard=auto"}), "seeks one steady state"));
+}
+
+TEST(Protocols, StressAndPressureAreGiven) {
+  EXPECT_EQ(parse(stress_text, {"shear.stress=[1e-3, 2e-3]"}).shear.stress.each,
+            (std::vector{1e-3, 2e-3}));
+  EXPECT_TRUE(has(refusal(stress_text, {"shear.stress=[1e-3, 0]"}), "must be above 0"));
+  EXPECT_TRUE(has(refusal(stress_text, {"shear.discard=auto", "shear.stress=[1e-3, 2e-3]"}),
+                  "with a list of stresses"));
+  EXPECT_EQ(refusal(stress_text, {"shear.discard=auto"}), "accepted");
+  auto const by_number = with_line(pressure_text, "strain_rate", "inertial_number = 0.01");
+  EXPECT_DOUBLE_EQ(parse(by_number).shear.strain_rate, 0.01 * std::sqrt(1e-3));
+  EXPECT_TRUE(same(parse(write_scene(parse(by_number))), parse(by_number)));
+  EXPECT_TRUE(has(refusal(pressure_text, {"shear.inertial_number=0.01"}), "give one of the two"));
+  EXPECT_TRUE(has(refusal(with_line(pressure_text, "strain_rate", "")), "are missing"));
+  for (std::string const engine : {"lookahead", "events", "quasi-static", "adaptive"})
+    for (auto const& text : {stress_text, pressure_text})
+      EXPECT_TRUE(has(refusal(text, {"integration.engine=" + engine}), "shear.protocol = \""))
+          << engine;
+}
+
+/// Pieces are whole steps, windows whole pieces, and all of them the run.
+TEST(Protocols, ControlIsCutIntoPieces) {
+  for (auto const& text : {stress_text, pressure_text}) {
+    auto const plan = make_plan(parse(text));
+    EXPECT_GE(plan.control_steps, 8);
+    EXPECT_EQ(plan.window_steps % plan.control_steps, 0);
+    EXPECT_EQ(plan.windows * plan.window_steps, plan.steps);
+    EXPECT_NEAR(plan.time_step * static_cast<double>(plan.steps), 1e5, 200);
+  }
+  auto const list = make_plan(parse(stress_text, {"shear.stress=[1e-3, 2e-3, 1e-3]"}));
+  EXPECT_EQ(list.stages, 3);
+  EXPECT_EQ(list.windows % 3, 0);
 }
 
 TEST(Protocols, RequiredKeysFollowTheProtocol) {

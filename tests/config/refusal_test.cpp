@@ -222,7 +222,8 @@ TEST(Types, OtherwiseTheyAreWhatTheyAre) {
     using Member = std::decay_t<decltype(member)>;
     std::string const set = std::string(key.name) + "=";
     std::vector<std::string> wrong{"12:30:00", "[]"};
-    if (!std::is_same_v<Member, std::vector<double>>) wrong.push_back("[1]");
+    if (!std::is_same_v<Member, std::vector<double>> && key.name != "shear.stress")
+      wrong.push_back("[1]");
     if (!std::is_same_v<Member, std::map<std::string, double>>) wrong.push_back("{a = 1}");
     if (!std::is_same_v<Member, bool>) wrong.push_back("true");
     if (!std::is_same_v<Member, std::string>) wrong.insert(wrong.end(), {"\"1\"", "\"\"", "word"});

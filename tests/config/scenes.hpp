@@ -50,12 +50,27 @@ period = 1e5
 cycles = 2
 )";
 
+inline std::string const stress_text = disks_text + R"([shear]
+protocol = "stress"
+strain_rate = 1e-4
+stress = 1e-3
+time = 1e5
+)";
+inline std::string const pressure_text = disks_text + R"([shear]
+protocol = "pressure"
+strain_rate = 1e-4
+pressure = 1e-3
+strain = 10.0
+)";
+
 /// One of these that may have this key.
 inline std::string const& text_for(Key const& key) {
   if (belongs(key, "steady")) return minimal_text;
   if (belongs(key, "ramp")) return ramp_text;
   if (belongs(key, "cascade")) return cascade_text;
-  return belongs(key, "sequence") ? sequence_text : oscillation_text;
+  if (belongs(key, "sequence")) return sequence_text;
+  if (belongs(key, "oscillate")) return oscillation_text;
+  return belongs(key, "stress") ? stress_text : pressure_text;
 }
 
 inline Scene parse(std::string const& text, std::vector<std::string> const& overrides = {}) {

@@ -161,6 +161,43 @@ class Sequences(Pictures):
             self.assertEqual(len(figure.axes), panels)
 
 
+class Control(Pictures):
+    def drawn(self, name, **shear):
+        scene = {**SCENE, "output": {"plot": False, "sample_strain": 2.0**-4},
+                 "shear": {"protocol": name, "strain_rate": 2.0**-9, **shear}}
+        return run(scene, self.folder / name, disks__replicas=3)
+
+    def line(self, figure, label):
+        """Axes whose label begins so, and the line of the mean."""
+        axes, = [one for one in figure.axes if one.get_ylabel().startswith(label)]
+        return [line for line in axes.get_lines() if line.get_label()[0] == "$" or label.startswith("strain")][0]
+
+    def test_a_rate_that_follows_a_stress(self):
+        source = self.drawn("stress", stress=[1e-3, 2e-3], time=2000.0)
+        figure = plots.run(source)
+        self.readable(figure)
+        self.has_scene(figure, "model CD_rot", r"$\sigma$ = 0.001, 0.002", "3 replicas", "dotted: held")
+        rate = self.line(figure, r"$\dot\gamma$")
+        np.testing.assert_allclose(rate.get_ydata(), source.series["strain_rate"].mean(axis=0))
+        np.testing.assert_allclose(rate.get_xdata(), source.series["time"][0])
+        strain = self.line(figure, "strain")
+        np.testing.assert_allclose(strain.get_ydata(), source.series["strain"][0])
+        wanted = [line for line in figure.axes[0].get_lines() if line.get_color() == "black"
+                  and set(line.get_ydata()) == {1e-3, 2e-3}]
+        self.assertEqual(len(wanted), 1)
+        half = len(wanted[0].get_ydata()) // 2
+        self.assertEqual(set(wanted[0].get_ydata()[:half]), {1e-3})
+
+    def test_a_box_that_follows_a_pressure(self):
+        source = self.drawn("pressure", pressure=5e-3, strain=4.0)
+        figure = plots.run(source)
+        self.readable(figure)
+        self.has_scene(figure, "model CD_rot", "$p$ = 0.005", "3 replicas")
+        phi = self.line(figure, r"$\phi$")
+        np.testing.assert_allclose(phi.get_ydata(), source.series["packing_fraction"].mean(axis=0))
+        self.assertNotIn(r"\phi = 0.8", figure.texts[0].get_text())
+
+
 class Oscillations(Pictures):
     def drawn(self, **changes):
         scene = {**SCENE, "output": {"plot": False},

@@ -145,6 +145,22 @@ class Results(Folder):
             made().pieces
         self.assertIn("<h2>Pictures</h2>", bagnold.report(r).read_text())
 
+    def test_a_list_of_stresses(self):
+        scene = {**SCENE, "output": {"plot": False, "sample_strain": 2.0**-4},
+                 "shear": {"protocol": "stress", "strain_rate": 2.0**-9, "stress": [1e-3, 2e-3], "time": 2000.0, "discard": 0.5}}
+        r = run(scene, self.folder / "stresses", disks__replicas=3)
+        self.assertEqual([one.stress for one in r.stresses], [1e-3, 2e-3])
+        windows = r.series["sigma"].shape[1] // 2
+        for k, held in enumerate(r.stresses):
+            measured = slice(k * windows + windows - held.windows, (k + 1) * windows)
+            for name in ("sigma", "strain_rate"):
+                each = r.series[name][:, measured].mean(axis=1)
+                self.assertAlmostEqual(held.mean[name] / each.mean(), 1, places=10)
+                self.assertAlmostEqual(held.error[name] / (each.std(ddof=1) / np.sqrt(3)), 1, places=6)
+            strains = r.series["strain"][:, [measured.start - 1, measured.stop - 1]]
+            self.assertAlmostEqual(held.strain / np.diff(strains).mean(), 1, places=9)
+        self.assertIn("<h2>Pictures</h2>", bagnold.report(r).read_text())
+
     def test_an_oscillation(self):
         scene = {**SCENE, "output": {"plot": False},
                  "shear": {"protocol": "oscillate", "amplitude": 0.125, "period": 64.0, "cycles": 6, "cycle_pieces": 16, "discard": 0.5}}

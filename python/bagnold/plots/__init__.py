@@ -15,7 +15,7 @@ import os
 import pathlib
 from typing import TYPE_CHECKING, Any, Union
 
-from . import (analysis_page, figure_page, frame_pages, oscillation_page, packing_page, paper, run_page, sequence_page,
+from . import (analysis_page, control_page, figure_page, frame_pages, oscillation_page, packing_page, paper, run_page, sequence_page,
                style as styles, sweep_page)
 from ..errors import FileError, InputError
 from ..hdf5 import open_hdf5
@@ -30,14 +30,16 @@ if TYPE_CHECKING:
 
     Source = Union["Run", str, "os.PathLike[str]"]
 
-_PAGES = {"sequence": sequence_page.draw, "oscillate": oscillation_page.draw}  # of protocols that have their own
+_PAGES = {"sequence": sequence_page.draw, "oscillate": oscillation_page.draw, "stress": control_page.draw,
+          "pressure": control_page.draw}  # of protocols that have their own
 
 __all__ = ["analysis", "draw_to", "fields", "figure", "film", "histograms", "packing", "profiles", "run", "save", "sweep"]
 
 
 def run(source: Source, *, style: str = "page", panels: str | None = None) -> Figure:
     """One run on one page, plot.png: stresses, Z, mu, T_g, R_v, the last state; of a ramp its loop, of a sequence each
-    piece against strain, of an oscillation Lissajous curves and moduli.
+    piece against strain, of an oscillation Lissajous curves and moduli; at given stress the strain rate against time,
+    at given pressure the packing fraction.
 
     source: a run, its folder, or its result.h5."""
     data = run_page.Run(str(_result(source)))

@@ -54,6 +54,7 @@ class Run:
         self.observables = read_observables(os.path.join(folder, "summary.json"))
         self.state = read_state(os.path.join(folder, "state.h5"))
         self.strain = self.series.get("strain", np.arange(1.0, windows + 1.0))
+        self.x, self.x_label = self.strain, r"strain $\gamma$"  # what series are drawn against
         self.rate = self.number("strain_rate", mean_of(self["strain_rate"]))
 
     def __getitem__(self, name):
@@ -115,6 +116,7 @@ def read_state(path):
             if state["diameter"].ndim == 2:  # replicas: the first one is drawn
                 state = {k: values[0] for k, values in state.items()}
             box = {k: float(group.attrs[k]) for k in ("box_length", "offset")}
+            box["strain_rate"] = float(group.attrs.get("strain_rate", np.nan))
             height = float(group.attrs.get("box_aspect", 1)) * box["box_length"]
             return {**state, **box, "box_height": height}
     except (OSError, KeyError, TypeError, ValueError):
@@ -145,19 +147,19 @@ def smooth(values, width):
 def draw_series(axes, run, name, colour, label):
     """Windows as a line (many: pale, with a running mean), the mean of the measured ones dashed."""
     label = f"{label} = {as_formula(*run.mean(name))}"
-    windows = len(run.strain)
+    windows = len(run.x)
     for one in run.replicas_of(name):
         pale = smooth(one, windows // 100) if windows >= MANY_WINDOWS else one
-        axes.plot(run.strain, pale, color=colour, alpha=0.25, lw=0.5, zorder=1)
+        axes.plot(run.x, pale, color=colour, alpha=0.25, lw=0.5, zorder=1)
     if windows >= MANY_WINDOWS:
-        axes.plot(run.strain, run[name], color=colour, alpha=0.3, lw=0.5)
-        axes.plot(run.strain, smooth(run[name], windows // 100), color=colour, lw=1.3, label=label)
+        axes.plot(run.x, run[name], color=colour, alpha=0.3, lw=0.5)
+        axes.plot(run.x, smooth(run[name], windows // 100), color=colour, lw=1.3, label=label)
     else:
-        axes.plot(run.strain, run[name], color=colour, marker="." if windows < 20 else None,
+        axes.plot(run.x, run[name], color=colour, marker="." if windows < 20 else None,
                   alpha=0.85, label=label)
     mean, error = run.mean(name)
     if np.isfinite(mean):
-        measured = [run.strain[min(run.discarded, len(run.strain) - 1)], run.strain[-1]]
+        measured = [run.x[min(run.discarded, len(run.x) - 1)], run.x[-1]]
         axes.plot(measured, [mean, mean], color="black", lw=1.0, ls=(0, (4, 2)))
         if np.isfinite(error):
             axes.fill_between(measured, mean - error, mean + error, color=colour, alpha=0.25, lw=0)
@@ -181,13 +183,13 @@ def finish_series(axes, run, *names, log=False, bottom=True):
         edge = 0.35 * (high - low) or 0.1 * abs(high) or 1.0
         axes.set_ylim(low - edge, high + edge)
         plain_ticks(axes.yaxis)
-    start = run.strain[min(run.discarded, len(run.strain)) - 1] if run.discarded else 0.0
-    axes.set_xlim(0.0, run.strain[-1])
+    start = run.x[min(run.discarded, len(run.x)) - 1] if run.discarded else 0.0
+    axes.set_xlim(0.0, run.x[-1])
     axes.axvspan(0.0, start, color="#000000", alpha=0.07, lw=0)
     axes.legend(loc="lower left", bbox_to_anchor=(-0.01, 1.0), ncol=3, borderaxespad=0.1,
                 columnspacing=1.2)
     if bottom:
-        axes.set_xlabel(r"strain $\gamma$")
+        axes.set_xlabel(run.x_label)
     else:
         axes.tick_params(labelbottom=False)
 
@@ -265,7 +267,7 @@ def draw_profile(figure, spot, run):
     axes = figure.add_subplot(spot)
     state = run.state
     if state is None or not run.rate > 0:
-        return say(axes, "no state.h5 beside the result")
+        return say(axes, "no state.h5 beside the result" if state is None else "at rest")
     height = state["box_height"]
     y = state["position"][:, 1] / height
     rows = np.floor(y)

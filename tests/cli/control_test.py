@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Flows at given shear stress or pressure: against flows at given rate and packing fraction, and against a packing."""
+
+import math
+import signal
+import unittest
+
+import numpy as np
+
+from bagnold import CliTest, box_length, read_series, read_state, read_summary
+from pieces_test import PACKING, shear_modulus
+from resume_test import OFTEN, Ended, ResumeTest
+
+GONE = {"shear__strain": None, "shear__discard": None, "integration__time_step": None, "measure__every": 10}
+STRESS = {**GONE, "shear__protocol": "stress", "shear__time": 1e4}
+PRESSURE = {**GONE, "shear__protocol": "pressure", "shear__strain": 20.0}
+FLOWS = {  # at a rate of 0.01: a dilute one, and a dense one in which the damping of contacts matters
+    "dilute": {"disks__model": "CD_n", "disks__packing_fraction": 0.65, "disks__elasticity": 5.0},
+    "dense": {"disks__model": "CD_rot", "disks__packing_fraction": 0.82, "disks__elasticity": 1.0},
+}
+
+
+def apart(one, other):
+    """Difference of two estimates in standard errors."""
+    return abs(one["mean"] - other["mean"]) / math.hypot(one["error"], other["error"])
+
+
+class Flows(CliTest):
+    def flow(self, name, **changes):
+        return read_summary(self.run_new(name, disks__count=144, disks__replicas=8, shear__strain_rate=0.01,
+                                         output__sample_strain=0.05, **changes))["observables"]
+
+    def test_the_stress_of_a_rate_gives_that_rate(self):
+        for name, what in FLOWS.items():
+            at_rate = self.flow(name, **{**GONE, **what, "shear__strain": 40.0})
+            found = self.flow(name + "_stress", **{**STRESS, **what, "shear__stress": at_rate["sigma"]["mean"]})
+            self.assertLess(found["strain_rate"]["error"], 0.05 * 0.01)
+            # 1% of sigma is 0.5 to 1% of the rate
+            rate = {"mean": 0.01, "error": 0.01 * at_rate["sigma"]["error"] / at_rate["sigma"]["mean"]}
+            self.assertLess(apart(found["strain_rate"], rate), 4, name)
+            self.assertAlmostEqual(found["sigma"]["mean"] / at_rate["sigma"]["mean"], 1, delta=0.02)
+            for quantity in ("mu", "Z", "p"):
+                self.assertLess(apart(found[quantity], at_rate[quantity]), 4, f"{name} {quantity}")
+
+    def test_the_pressure_of_a_density_gives_that_density(self):
+        for name, what in FLOWS.items():
+            at_density = self.flow(name, **{**GONE, **what, "shear__strain": 40.0})
+            pressure = at_density["p"]["mean"]
+            found = self.flow(name + "_pressure", **{**PRESSURE, **what, "shear__pressure": pressure})
+            phi = found["packing_fraction"]
+            self.assertLess(phi["error"], 0.005)
+            self.assertLess(abs(phi["mean"] - what["disks__packing_fraction"]), 0.004 + 4 * phi["error"], name)
+            self.assertAlmostEqual(found["p"]["mean"] / pressure, 1, delta=0.02)
+            for quantity in ("mu", "T_g"):
+                self.assertLess(apart(found[quantity], at_density[quantity]), 4, f"{name} {quantity}")
+
+    def test_the_box_has_the_packing_fraction_that_is_told(self):
+        out = self.run_new("p", **{**PRESSURE, **FLOWS["dense"], "shear__pressure": 0.02, "shear__strain": 2.0,
+                                   "disks__packing_fraction": 0.80, "shear__strain_rate": 0.01})
+        series, state = read_series(out), read_state(out)
+        phi = 0.80 * (box_length(64, 0.80) / state["box_length"])**2
+        self.assertGreater(abs(phi - 0.80), 0.005)
+        self.assertLess(abs(series["packing_fraction"][-1] - phi), 0.002)  # the mean of a window of pieces
+        np.testing.assert_allclose(series["strain"][-1], 2.0, rtol=1e-3)
+
+
+class Box(CliTest):
+    """A box against a packing: M d^2 gamma/dt^2 = stress - G gamma, less what is damped."""
+
+    def of(self, **more):
+        flat = {f"{table}__{key}": value for table, keys in PACKING.items() for key, value in keys.items()}
+        return {**flat, "disks__seed": 7, **more}
+
+    def packing(self):
+        """A packing that bears a stress, at rest."""
+        return self.run_new("packing", **self.of(**GONE, shear__strain_rate=None, output__sample_strain=None,
+                                                 shear__pieces=[[1e-3, 1.0], [1e-5, 0.02], [0, 3e5]]))
+
+    def test_it_comes_to_rest_where_the_packing_bears_the_stress(self):
+        packing = self.packing()
+        modulus, before = shear_modulus(read_state(packing)), read_series(packing)["sigma"][-1]
+        self.assertGreater(before, 0)
+        for more in (1e-7, -1e-7):
+            out = self.run_new(f"held{more}", **self.of(**{
+                **STRESS, "start__kind": "state", "start__file": str(packing / "state.h5"),
+                "shear__stress": before + more, "shear__strain_rate": 1e-9, "shear__time": 4e4,
+                "shear__box_inertia": 100.0, "output__sample_strain": 1e-8}))
+            series = read_series(out)
+            self.assertAlmostEqual(series["strain"][-1] * modulus / more, 1, delta=1e-4)
+            self.assertAlmostEqual((series["sigma"][-1] - before) / more, 1, delta=1e-6)
+            self.assertLess(abs(series["strain_rate"][-1]), 1e-15)
+            self.assertIn("arrest", [note["name"] for note in read_summary(out)["notes"]])
+
+    def test_it_swings_about_that_place(self):
+        """With omega = sqrt(G/M), where that is slow enough for the packing to follow."""
+        packing = self.packing()
+        modulus, before = shear_modulus(read_state(packing)), read_series(packing)["sigma"][-1]
+        inertia = 1e7
+        out = self.run_new("swings", **self.of(**{
+            **STRESS, "start__kind": "state", "start__file": str(packing / "state.h5"), "shear__stress": before + 1e-7,
+            "shear__strain_rate": 1e-12, "shear__time": 2.6e5, "shear__box_inertia": inertia, "output__sample_strain": 1e-10}))
+        series = read_series(out)
+        away = series["strain"] - 1e-7 / modulus
+        turns = np.flatnonzero(away[:-1] * away[1:] < 0)
+        self.assertGreaterEqual(len(turns), 5)
+        at = turns + away[turns] / (away[turns] - away[turns + 1])
+        half_period = np.diff(at).mean() * (series["time"][1] - series["time"][0])
+        self.assertAlmostEqual(half_period / (math.pi * math.sqrt(inertia / modulus)), 1, delta=0.01)
+
+    def test_a_list_of_stresses_is_held_one_after_the_other(self):
+        stresses = [0.001, 0.002, 0.001]
+        out = self.run_new("list", **{**STRESS, **FLOWS["dense"], "shear__stress": stresses, "shear__strain_rate": 0.001,
+                                      "shear__time": 3e4})
+        found = read_summary(out)["stresses"]
+        self.assertEqual([one["stress"] for one in found], stresses)
+        rates = [one["observables"]["strain_rate"]["mean"] for one in found]
+        self.assertGreater(rates[1], 1.3 * rates[0])
+        self.assertGreater(rates[1], 1.3 * rates[2])
+        for one in found:
+            self.assertAlmostEqual(one["observables"]["sigma"]["mean"] / one["stress"], 1, delta=0.05)
+
+
+class Restarts(ResumeTest):
+    def test_a_run_that_is_stopped_goes_on_with_its_bits(self):
+        for name, protocol in (("stress", {**STRESS, "shear__stress": 0.002, "shear__time": 4e4}),
+                               ("pressure", {**PRESSURE, "shear__pressure": 0.005, "shear__strain": 80.0})):
+            path = self.scene(**{**protocol, **FLOWS["dense"], "shear__strain_rate": 0.002, "disks__replicas": 2, **OFTEN})
+            whole, out = self.folder / f"{name}_whole", self.folder / f"{name}_cut"
+            self.run_scene(path, whole, "--threads", 1, "--quiet")
+            process, stops = self.start("run", path, "--out", out, "--threads", 1), 0
+            try:
+                while stops < 4:
+                    self.stop_after_checkpoint(process, out, self.checkpoint_stamp(out), signal.SIGTERM)
+                    stops += 1
+                    process = self.start("resume", out, "--threads", 1)
+                self.assertEqual(self.finish(process)[0], 0)
+            except Ended:
+                self.assertGreater(stops, 0)
+            self.assert_same_results(whole, out)
+
+    def test_a_pressure_is_held_longer(self):
+        scene = {**PRESSURE, **FLOWS["dense"], "shear__strain_rate": 0.01, "shear__pressure": 0.02}
+        out = self.run_new("short", **{**scene, "shear__strain": 1.0})
+        self.resume(out, "--strain", 2.0)
+        self.assert_same_results(self.run_new("long", **{**scene, "shear__strain": 2.0}), out)
+
+
+if __name__ == "__main__":
+    unittest.main()
