@@ -159,7 +159,7 @@ void Runner::add_observers(std::size_t r) {
 void Runner::control(std::size_t r) {
   Replica& replica = run_.replicas[r];
   auto& measurement = replica.measurement;
-  measurement.controller = make_controller(run_.scene, run_.plan, run_.box_length);
+  measurement.controller = make_controller(run_.scene, run_.plan);
   if (!replica.saved_control.empty()) measurement.controller->load(replica.saved_control);
   measurement.windows.columns += ControlColumns::count;
   measurement.open.first = steps_[r] / run_.plan.control_steps;

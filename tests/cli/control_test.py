@@ -54,6 +54,17 @@ class Flows(CliTest):
             for quantity in ("mu", "T_g"):
                 self.assertLess(apart(found[quantity], at_density[quantity]), 4, f"{name} {quantity}")
 
+    def test_replicas_on_two_threads_begin_in_one_box(self):
+        out = self.folder / "threads"
+        path = self.scene(**{**PRESSURE, **FLOWS["dense"], "disks__replicas": 16, "shear__pressure": 0.02,
+                             "shear__strain_rate": 0.01, "shear__strain": 0.5})
+        self.run_scene(path, out, "--threads", 2, "--quiet")
+        phi = read_series(out)["packing_fraction"]
+        self.assertLess(np.abs(phi / 0.82 - 1).max(), 0.05)
+        alone = self.run_new("alone", **{**PRESSURE, **FLOWS["dense"], "disks__seed": 7, "shear__pressure": 0.02,
+                                         "shear__strain_rate": 0.01, "shear__strain": 0.5})
+        np.testing.assert_array_equal(read_series(alone)["packing_fraction"], phi[6])
+
     def test_the_box_has_the_packing_fraction_that_is_told(self):
         out = self.run_new("p", **{**PRESSURE, **FLOWS["dense"], "shear__pressure": 0.02, "shear__strain": 2.0,
                                    "disks__packing_fraction": 0.80, "shear__strain_rate": 0.01})

@@ -10,11 +10,11 @@
 
 namespace bagnold {
 
-Controller::Controller(Scene const& scene, Plan const& plan, double box_length)
-    : scene_(scene), plan_(plan), box_length_(box_length), rate_(scene.shear.strain_rate) {}
+Controller::Controller(Scene const& scene, Plan const& plan)
+    : scene_(scene), plan_(plan), rate_(scene.shear.strain_rate) {}
 
 std::function<double(Controller::Averages)> Controller::quantity(std::string_view name) const {
-  auto const list = observables(scene_, box_length_);
+  auto const list = observables(scene_, scene_.box_length());
   return std::ranges::find(list, name, &Observable::name)->value;
 }
 
@@ -56,12 +56,9 @@ void Controller::load(std::vector<double> const& memory) {
   window_.sums.assign(from, memory.end());
 }
 
-std::unique_ptr<Controller> make_controller(Scene const& scene, Plan const& plan,
-                                            double box_length) {
-  if (scene.shear.protocol == "stress")
-    return std::make_unique<StressController>(scene, plan, box_length);
-  if (scene.shear.protocol == "pressure")
-    return std::make_unique<PressureController>(scene, plan, box_length);
+std::unique_ptr<Controller> make_controller(Scene const& scene, Plan const& plan) {
+  if (scene.shear.protocol == "stress") return std::make_unique<StressController>(scene, plan);
+  if (scene.shear.protocol == "pressure") return std::make_unique<PressureController>(scene, plan);
   return nullptr;
 }
 

@@ -22,8 +22,7 @@ class Controller {
     double scale = 1;
   };
 
-  /// box_length: L_x where the run began, [d_s].
-  Controller(Scene const& scene, Plan const& plan, double box_length);
+  Controller(Scene const& scene, Plan const& plan);
   virtual ~Controller() = default;
 
   /// Takes the sums of the piece that has ended, and begins the next one. Adds a window to
@@ -59,7 +58,6 @@ class Controller {
  private:
   Scene scene_;
   Plan plan_;
-  double box_length_;  ///< [d_s]
   double rate_;        ///< of the present piece, [1/tau_e]
   double length_ = 1;  ///< of the present box over that where the run began
   WindowSums window_;  ///< of its pieces so far
@@ -69,7 +67,6 @@ class Controller {
 inline constexpr char controller_name[] = "controller";
 
 /// Controller of a scene; null where no controller decides.
-std::unique_ptr<Controller> make_controller(Scene const& scene, Plan const& plan,
-                                            double box_length);
+std::unique_ptr<Controller> make_controller(Scene const& scene, Plan const& plan);
 
 }  // namespace bagnold
