@@ -20,12 +20,12 @@ struct ControlColumns {
 /// A piece of a controlled run.
 struct ControlledPiece {
   double strain_rate;       ///< [1/tau_e]
-  double packing_fraction;  ///< where the run began
-  double length;            ///< L_x over that where the run began
+  double packing_fraction;  ///< of the scene
+  double length;            ///< L_x over that of the scene
 };
 
 /// Adds ControlColumns to the sums of a piece. Sums of the pressure tensor and of powers become
-/// those of a box as large as the first one at the same densities, so that they add up over boxes.
+/// those of a box as large as the scene's at the same densities, so that they add up over boxes.
 inline void append_control(std::vector<double>& sums, double weight, ControlledPiece const& piece) {
   using C = SumColumns;
   double const area = piece.length * piece.length;

@@ -19,6 +19,7 @@ namespace bagnold {
 /// One system of a run, as output.
 struct Replica {
   double initial_time = 0.0;  ///< at step 0, [tau_e]
+  double box_length = 0.0;    ///< where this process took it up, [d_s]
   std::map<std::string, double> start_record;
   std::map<std::string, double> engine;  ///< its counters and choices at the last checkpoint
   std::optional<ObserverState>

@@ -98,6 +98,7 @@ Snapshot Runner::start_of(std::size_t r, std::optional<Snapshot> snapshot,
     snapshot = first_snapshot(std::move(started.state));
   }
   replica.initial_time = snapshot->initial_time;
+  replica.box_length = snapshot->state.box_length;
   if (r == 0)  // of a controlled run where it began
     run_.box_length =
         run_.scene.shear.controlled() ? run_.scene.box_length() : snapshot->state.box_length;
@@ -159,7 +160,7 @@ void Runner::add_observers(std::size_t r) {
 void Runner::control(std::size_t r) {
   Replica& replica = run_.replicas[r];
   auto& measurement = replica.measurement;
-  measurement.controller = make_controller(run_.scene, run_.plan);
+  measurement.controller = make_controller(run_.scene, run_.plan, replica.box_length);
   if (!replica.saved_control.empty()) measurement.controller->load(replica.saved_control);
   measurement.windows.columns += ControlColumns::count;
   measurement.open.first = steps_[r] / run_.plan.control_steps;

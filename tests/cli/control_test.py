@@ -65,6 +65,20 @@ class Flows(CliTest):
                                          "shear__strain_rate": 0.01, "shear__strain": 0.5})
         np.testing.assert_array_equal(read_series(alone)["packing_fraction"], phi[6])
 
+    def test_a_state_keeps_its_box(self):
+        scene = {**PRESSURE, **FLOWS["dense"], "shear__strain_rate": 0.01, "shear__pressure": 0.02, "disks__packing_fraction": 0.80}
+        first = self.run_new("first", **{**scene, "shear__strain": 2.0})
+        state = read_state(first)
+        self.assertGreater(abs(state["box_length"] / box_length(64, 0.80) - 1), 0.002)
+        more = self.run_new("more", **{**scene, "shear__strain": 1.0, "output__sample_strain": 0.02,
+                                       "start__kind": "state", "start__file": str(first / "state.h5")})
+        phi = 0.80 * (box_length(64, 0.80) / state["box_length"])**2
+        series = read_series(more)
+        self.assertLess(abs(series["packing_fraction"][0] / phi - 1), 0.003)
+        end = read_state(more)
+        last = 0.80 * (box_length(64, 0.80) / end["box_length"])**2
+        self.assertLess(abs(series["packing_fraction"][-1] / last - 1), 0.003)
+
     def test_the_box_has_the_packing_fraction_that_is_told(self):
         out = self.run_new("p", **{**PRESSURE, **FLOWS["dense"], "shear__pressure": 0.02, "shear__strain": 2.0,
                                    "disks__packing_fraction": 0.80, "shear__strain_rate": 0.01})

@@ -10,8 +10,11 @@
 
 namespace bagnold {
 
-Controller::Controller(Scene const& scene, Plan const& plan)
-    : scene_(scene), plan_(plan), rate_(scene.shear.strain_rate) {}
+Controller::Controller(Scene const& scene, Plan const& plan, double box_length)
+    : scene_(scene),
+      plan_(plan),
+      rate_(scene.shear.strain_rate),
+      length_(box_length / scene.box_length()) {}
 
 std::function<double(Controller::Averages)> Controller::quantity(std::string_view name) const {
   auto const list = observables(scene_, scene_.box_length());
@@ -56,9 +59,12 @@ void Controller::load(std::vector<double> const& memory) {
   window_.sums.assign(from, memory.end());
 }
 
-std::unique_ptr<Controller> make_controller(Scene const& scene, Plan const& plan) {
-  if (scene.shear.protocol == "stress") return std::make_unique<StressController>(scene, plan);
-  if (scene.shear.protocol == "pressure") return std::make_unique<PressureController>(scene, plan);
+std::unique_ptr<Controller> make_controller(Scene const& scene, Plan const& plan,
+                                            double box_length) {
+  if (scene.shear.protocol == "stress")
+    return std::make_unique<StressController>(scene, plan, box_length);
+  if (scene.shear.protocol == "pressure")
+    return std::make_unique<PressureController>(scene, plan, box_length);
   return nullptr;
 }
 

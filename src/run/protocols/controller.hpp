@@ -22,7 +22,8 @@ class Controller {
     double scale = 1;
   };
 
-  Controller(Scene const& scene, Plan const& plan);
+  /// box_length: L_x where it takes over, [d_s].
+  Controller(Scene const& scene, Plan const& plan, double box_length);
   virtual ~Controller() = default;
 
   /// Takes the sums of the piece that has ended, and begins the next one. Adds a window to
@@ -40,7 +41,7 @@ class Controller {
   struct Ended {
     std::int64_t step;  ///< after its last one
     double rate;        ///< [1/tau_e]
-    Averages averages;  ///< of SumColumns, those per area over L_x L_y where the run began
+    Averages averages;  ///< of SumColumns, those per area over L_x L_y of the scene
   };
 
   virtual Piece next(Ended const& piece) = 0;
@@ -59,7 +60,7 @@ class Controller {
   Scene scene_;
   Plan plan_;
   double rate_;        ///< of the present piece, [1/tau_e]
-  double length_ = 1;  ///< of the present box over that where the run began
+  double length_;      ///< of the present box over that of the scene
   WindowSums window_;  ///< of its pieces so far
 };
 
@@ -67,6 +68,7 @@ class Controller {
 inline constexpr char controller_name[] = "controller";
 
 /// Controller of a scene; null where no controller decides.
-std::unique_ptr<Controller> make_controller(Scene const& scene, Plan const& plan);
+std::unique_ptr<Controller> make_controller(Scene const& scene, Plan const& plan,
+                                            double box_length);
 
 }  // namespace bagnold

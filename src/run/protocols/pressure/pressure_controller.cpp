@@ -6,8 +6,8 @@
 
 namespace bagnold {
 
-PressureController::PressureController(Scene const& scene, Plan const& plan)
-    : Controller(scene, plan), pressure_(quantity("p")) {}
+PressureController::PressureController(Scene const& scene, Plan const& plan, double box_length)
+    : Controller(scene, plan, box_length), pressure_(quantity("p")) {}
 
 Controller::Piece PressureController::next(Ended const& piece) {
   auto const& shear = scene().shear;

@@ -12,7 +12,7 @@ namespace bagnold {
 /// at most 1 either way. gamma_p is shear.response.
 class PressureController final : public Controller {
  public:
-  PressureController(Scene const& scene, Plan const& plan);
+  PressureController(Scene const& scene, Plan const& plan, double box_length);
 
  private:
   Piece next(Ended const& piece) override;

@@ -5,8 +5,8 @@
 
 namespace bagnold {
 
-StressController::StressController(Scene const& scene, Plan const& plan)
-    : Controller(scene, plan), sigma_(quantity("sigma")), inertia_(box_inertia(scene)) {
+StressController::StressController(Scene const& scene, Plan const& plan, double box_length)
+    : Controller(scene, plan, box_length), sigma_(quantity("sigma")), inertia_(box_inertia(scene)) {
   auto const steps = static_cast<double>(plan.control_steps);
   auto const last_sample = (plan.control_steps - 1) / plan.every * plan.every;
   ahead_ = 1 - static_cast<double>(last_sample) / 2 / steps;

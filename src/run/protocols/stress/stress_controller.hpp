@@ -13,7 +13,7 @@ namespace bagnold {
 /// the piece alone would lag behind, and feed oscillations of the box against a packing.
 class StressController final : public Controller {
  public:
-  StressController(Scene const& scene, Plan const& plan);
+  StressController(Scene const& scene, Plan const& plan, double box_length);
 
  private:
   Piece next(Ended const& piece) override;
