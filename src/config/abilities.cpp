@@ -43,7 +43,7 @@ constexpr Abilities by_events = {
         "disks.force_exponent = 2, here it is {}",
     .drives = needs_straight_flights,
     .pieces = needs_whole_flights,
-    .devices = "goes from event to event on one thread of the host"};
+    .devices = "goes from event to event on the host"};
 
 /// Events, and by turns steps of all disks.
 constexpr Abilities by_turns() {

@@ -44,7 +44,7 @@ void require_able(Scene const& scene, std::string const& backend) {
 std::unique_ptr<Simulation> make_engine(Scene const& scene, Snapshot& snapshot,
                                         std::string const& backend) {
   if (is_quasi_static(scene)) return make_quasi_static(scene, snapshot);
-  if (has_events(scene)) return make_events(scene, snapshot);
+  if (has_events(scene)) return make_events(scene, snapshot, backend);
   auto const input = engine_input(scene, snapshot.initial_time);
   if (input.engine != "reference")
     if (auto made = level_of(scene).make(input, snapshot, backend)) return made;

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/engine/events/event_disks.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 namespace bagnold::events {
 
 template <bool Rotates>
-EventDisks<Rotates>::EventDisks(Material<Rotates> const& of, std::vector<Species> const& species)
+EventDisks<Rotates>::EventDisks(Material<Rotates> const& of, std::vector<Species> const& species,
+                                OwnDisks const& which)
     : material(of),
       path(species.size()),
       spin(species.size()),
       touching(species.size()),
       member(species.size()),
       name(species.size()),
-      own_count(static_cast<std::uint32_t>(species.size())) {
+      own{which.first, std::min(which.count, static_cast<std::uint32_t>(species.size()))} {
   std::iota(name.begin(), name.end(), std::uint32_t{0});
   for (std::size_t i = 0; i < species.size(); ++i) path[i].species = species[i];
 }
@@ -78,6 +80,7 @@ void EventDisks<Rotates>::fly(std::uint32_t i, Moving const& from, Real time) {
   p.begun = p.straight = time;
   p.deviation = 0;
   spin.take(i, from.motion);
+  note_speed(from.position, from.motion.velocity);
 }
 
 template <bool Rotates>
@@ -100,6 +103,7 @@ void EventDisks<Rotates>::begin_contact(std::uint32_t k) {
   auto const& contact = contacts[k];
   auto const& c = contact_class(contact);
   auto const end = contact.end();
+  note_speed(contact);
   auto const centre = contact.centre_at(end);
   Real const deviation = contact.closed.largest_deviation(c);
   auto const first = c.disk_i(centre, contact.closed.end);
@@ -136,6 +140,7 @@ void EventDisks<Rotates>::begin_step(std::uint32_t k) {
   constexpr Real steps = 8;   // longest ones, for which a corridor is made
   constexpr Real wide = 1.5;  // over what the speeds of the begin would need
   auto& cluster = clusters[k];
+  note_speeds(cluster);
   Vec2<Real> mean{};
   for (auto const& m : cluster.members) mean += m.begin.motion.velocity;
   mean = (Real(1) / static_cast<Real>(cluster.members.size())) * mean;

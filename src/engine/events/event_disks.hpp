@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #include "kernels/cpu/events/cluster_steps.hpp"
 #include "kernels/cpu/events/lone_contact.hpp"
 #include "kernels/cpu/events/path.hpp"
+#include "kernels/physics/sums/sums.hpp"
 #include "src/engine/events/contact_ring.hpp"
 #include "src/engine/events/disk_order.hpp"
 #include "src/engine/events/pool.hpp"
@@ -30,13 +34,19 @@ struct Spins<true> {
   void reorder(std::vector<std::uint32_t> const& order) { value = in_order(value, order); }
 };
 
+/// Which disks are a part's own, and not of its halo; all disks where there are no parts.
+struct OwnDisks {
+  std::uint32_t first = 0, count = std::numeric_limits<std::uint32_t>::max();
+};
+
 /// All disks between two builds of the lists: their paths, and whom they touch.
 template <bool Rotates>
 class EventDisks {
  public:
   using Moving = DiskMotion<Rotates>;
 
-  EventDisks(Material<Rotates> const& of, std::vector<Species> const& species);
+  EventDisks(Material<Rotates> const& of, std::vector<Species> const& species,
+             OwnDisks const& own = {});
 
   Material<Rotates> material;
   ImageShifts shifts;
@@ -47,11 +57,12 @@ class EventDisks {
   std::vector<std::uint32_t> name;      ///< [N], of the disk outside of this engine
   ContactRing<Rotates> contacts;        ///< of paths that are remembered
   Pool<Cluster<Rotates>> clusters;
-  Real now = 0;                 ///< up to which all has happened
-  std::uint32_t own_first = 0;  ///< of a part of a system: which disks are its own, and not of the
-  std::uint32_t own_count;      ///< halo around them
+  Real now = 0;  ///< up to which all has happened
+  OwnDisks own;
+  Real strain_rate = 0;  ///< of the box, [1 / tau_e]
+  Real fastest = 0;      ///< bound of peculiar speeds so far, [d_s / tau_e]
 
-  bool owns(std::uint32_t i) const { return i - own_first < own_count; }
+  bool owns(std::uint32_t i) const { return i - own.first < own.count; }
   std::uint32_t count() const { return static_cast<std::uint32_t>(path.size()); }
   Real mass(std::uint32_t i) const { return 1 / material.table.inverse_mass[path[i].species]; }
 
@@ -65,6 +76,20 @@ class EventDisks {
   /// Whether a disk touches nobody.
   bool flies(std::uint32_t i, Real time) const {
     return path[i].manner != Manner::cluster && time >= path[i].straight;
+  }
+
+  /// Peculiar speeds may come to that of a line through a position, and more.
+  void note_speed(Vec2<Real> const& position, Vec2<Real> const& velocity, Real more = 0) {
+    Real const u = peculiar_x(velocity.x, position.y, strain_rate);
+    fastest = std::max(fastest, std::sqrt(u * u + velocity.y * velocity.y) + more);
+  }
+  void note_speed(LoneContact<Rotates> const& contact) {
+    note_speed(contact.centre.position, contact.centre.velocity,
+               contact.closed.largest_speed(contact_class(contact)));
+  }
+  void note_speeds(Cluster<Rotates> const& cluster) {
+    for (auto const& m : cluster.members)
+      note_speed(m.begin.position, m.begin.motion.velocity, m.acceleration * cluster.step);
   }
 
   /// Position and motion at a time of its path.

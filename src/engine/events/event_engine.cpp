@@ -37,11 +37,11 @@ std::vector<DiskMotion<Rotates>> moving_disks(State const& state, double speed) 
 template <bool Rotates>
 EventEngine<Rotates>::EventEngine(events::Material<Rotates> const& material,
                                   StrainRates const& rates, double time_step, double skin,
-                                  Snapshot const& snapshot)
+                                  Snapshot const& snapshot, events::BlockPlan const& plan)
     : clock_(rates, time_step, snapshot),
       diameter_(snapshot.state.diameter),
       system_(material, species_of(snapshot.state.diameter), skin,
-              events::StepTimes(rates, time_step)),
+              events::StepTimes(rates, time_step), plan),
       step_(snapshot.step),
       list_step_(snapshot.step),
       builds_(snapshot.list_builds),

@@ -10,7 +10,7 @@
 
 namespace bagnold {
 
-/// Contacts as events, on one thread of the host: no time step where disks fly (docs/events.md).
+/// Contacts as events, on threads of the host: no time step where disks fly (docs/events.md).
 ///
 /// Where the rate changes, velocities and spins are scaled with it. A step is a unit of time for
 /// windows, frames and lists; it acts on nothing else. Sums are integrals over time in the place of
@@ -19,7 +19,7 @@ template <bool Rotates>
 class EventEngine final : public Simulation {
  public:
   EventEngine(events::Material<Rotates> const& material, StrainRates const& rates, double time_step,
-              double skin, Snapshot const& snapshot);
+              double skin, Snapshot const& snapshot, events::BlockPlan const& plan = {});
 
   int columns() const override { return Sums<Rotates>::columns; }
   std::int64_t step() const override { return step_; }

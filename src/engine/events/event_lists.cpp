@@ -37,6 +37,26 @@ void EventLists::build(std::vector<Vec2<Real>> const& position, std::vector<Spec
   }
 }
 
+void EventLists::take(EventLists const& whole, std::vector<std::uint32_t> const& disks) {
+  constexpr auto none = Neighbor::max_count;
+  thread_local std::vector<std::uint32_t> places;  // none outside of here
+  places.resize(whole.count(), none);
+  for (std::uint32_t k = 0; k < disks.size(); ++k) places[disks[k]] = k;
+  box_ = whole.box_;
+  entries_.clear();
+  row_.clear();
+  for (auto const i : disks) {
+    auto const begin = static_cast<std::uint32_t>(entries_.size());
+    for (auto e = whole.begin(i); e < whole.end(i); ++e) {
+      Neighbor const n = whole.entry(e);
+      if (auto const k = places[n.index()]; k != none)
+        entries_.push_back(Neighbor::make(k, n.image(), n.big()));
+    }
+    row_.push_back({whole.at_build(i), begin, static_cast<std::uint32_t>(entries_.size())});
+  }
+  for (auto const i : disks) places[i] = none;
+}
+
 Real EventLists::leaves(std::uint32_t i, Vec2<Real> const& place,
                         Vec2<Real> const& velocity) const {
   auto const w = place - at_build(i);

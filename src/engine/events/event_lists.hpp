@@ -4,6 +4,7 @@
 #include <Kokkos_Core.hpp>
 #include <vector>
 
+#include "kernels/cpu/events/prefetch.hpp"
 #include "kernels/device/neighbors/neighbor_search.hpp"
 #include "kernels/physics/box/list_criterion.hpp"
 
@@ -21,12 +22,23 @@ class EventLists {
   void build(std::vector<Vec2<Real>> const& position, std::vector<Species> const& species,
              SpeciesTable const& table, ShearedBox const& box);
 
+  /// Those of some disks of the whole, ascending, among each other.
+  void take(EventLists const& whole, std::vector<std::uint32_t> const& disks);
+
+  /// Asks memory for all of them ahead.
+  void fetch() const {
+    prefetch_all(row_);
+    prefetch_all(entries_);
+  }
+
+  std::uint32_t count() const { return static_cast<std::uint32_t>(row_.size()); }
   std::uint32_t begin(std::uint32_t i) const { return row_[i].begin; }
   std::uint32_t end(std::uint32_t i) const { return row_[i].end; }
   Neighbor entry(std::uint32_t k) const { return entries_[k]; }
   Neighbor const* entries() const { return entries_.data(); }
 
   Vec2<Real> const& at_build(std::uint32_t i) const { return row_[i].at_build; }
+  Real skin() const { return skin_; }        ///< [d_s]
   Real reach() const { return reach_; }      ///< [d_s]
   Real longest() const { return longest_; }  ///< strain
   Real strain_rate() const { return box_.strain_rate; }

@@ -19,6 +19,7 @@ void EventLoop<Rotates>::run(Real until) {
       case Event::Kind::leave:
         s_.ask_for_build(slot, now);
         s_.predictions.of_disk(slot, false);
+        left_.push_back(slot);
         break;
       case Event::Kind::end:
         touches.end_step(s_.disks.touching[slot]);
@@ -43,6 +44,7 @@ void EventLoop<Rotates>::predict(std::uint32_t slot) {
 template <bool Rotates>
 void EventLoop<Rotates>::predict_all() {
   auto const& disks = s_.disks;
+  left_.clear();
   for (std::uint32_t i = 0; i < disks.count(); ++i)
     if (disks.path[i].manner == Manner::cluster) s_.predictions.find_near(i);
   for (std::uint32_t i = 0; i < disks.count(); ++i) {

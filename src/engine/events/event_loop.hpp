@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 #include "src/engine/events/touch_events.hpp"
 
 namespace bagnold::events {
@@ -20,6 +22,12 @@ class EventLoop {
   void predict(std::uint32_t slot);
   void predict_all();
 
+  /// Time goes back to before disks left their reach.
+  void watch_again() {
+    for (auto const slot : left_) predict(slot);
+    left_.clear();
+  }
+
   /// Has no event of its own: its cluster has one.
   bool follows(std::uint32_t i) const {
     auto const& disks = s_.disks;
@@ -28,6 +36,7 @@ class EventLoop {
 
  private:
   EventState<Rotates>& s_;
+  std::vector<std::uint32_t> left_;  ///< since the last build, or since they were watched again
 };
 
 extern template class EventLoop<false>;

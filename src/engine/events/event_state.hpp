@@ -17,6 +17,14 @@ struct EventCounts {
   std::int64_t busy_collisions = 0;  ///< of these, with a disk that touched another one
   std::int64_t cluster_steps = 0;
   std::int64_t carried_contacts = 0;  ///< of two disks alone, over a change of the rate
+
+  EventCounts& operator+=(EventCounts const& more) {
+    collisions += more.collisions;
+    busy_collisions += more.busy_collisions;
+    cluster_steps += more.cluster_steps;
+    carried_contacts += more.carried_contacts;
+    return *this;
+  }
 };
 
 /// A disk that overlaps too much, and how much.
@@ -31,10 +39,10 @@ inline constexpr std::uint32_t usual_group = 1024;  ///< disks that are added up
 template <bool Rotates>
 struct EventState {
   EventState(Material<Rotates> const& material, std::vector<Species> const& species, Real skin,
-             StepTimes const& of_steps, std::uint32_t group = usual_group)
+             StepTimes const& of_steps, std::uint32_t group = usual_group, OwnDisks const& own = {})
       : at_first_rate(material),
         times(of_steps),
-        disks(material, species),
+        disks(material, species, own),
         lists(skin),
         queue(disks.count()),
         predictions(disks, lists, queue),

@@ -29,7 +29,7 @@ class EventSums {
       : disks_(&disks),
         inverse_step_(1 / time_step),
         group_(group),
-        groups_((disks.own_count + group - 1) / group) {
+        groups_((disks.own.count + group - 1) / group) {
     set_speed(1);
   }
 
@@ -51,6 +51,7 @@ class EventSums {
   }
 
   bool open() const { return open_; }
+  std::uint32_t group() const { return group_; }  ///< disks in one
 
   /// Sums of the window under way, by group of own disks.
   std::vector<Columns>& groups() { return groups_; }
@@ -117,7 +118,7 @@ class EventSums {
   /// Where own disk i is added up, or none.
   Real* sums_of(std::uint32_t i) {
     if (!open_ || !disks_->owns(i)) return nullptr;
-    return groups_[(i - disks_->own_first) / group_].data();
+    return groups_[(i - disks_->own.first) / group_].data();
   }
 
   void add_members(Real* columns, Cluster<Rotates> const& cluster, AtNodes const& time,
@@ -140,7 +141,7 @@ class EventSums {
 
   EventDisks<Rotates> const* disks_;
   Real inverse_step_;
-  std::uint32_t group_;          ///< disks in one
+  std::uint32_t group_;
   std::vector<Columns> groups_;  ///< of own disks
   bool open_ = false;
   Real begin_ = 0;

@@ -20,7 +20,7 @@ void EventSystem<Rotates>::place(std::vector<Moving> const& disks, ShearedBox co
   }
   sort(position, box);
   build(position, box);
-  loop_.predict_all();
+  predict_all();
 }
 
 template <bool Rotates>
@@ -50,8 +50,9 @@ void EventSystem<Rotates>::build(std::vector<Vec2<Real>> const& position, Sheare
   for (std::uint32_t i = 0; i < disks.count(); ++i) species[i] = disks.path[i].species;
   s_.disks.shifts = ImageShifts(box);
   s_.lists.build(position, species, disks.material.table, box);
-  s_.sums.strain_rate = box.strain_rate;
+  s_.disks.strain_rate = s_.sums.strain_rate = box.strain_rate;
   s_.build_step = s_.times.last_within(s_.lists.longest());
+  if (blocks_) blocks_->forget();
 }
 
 template <bool Rotates>
@@ -75,10 +76,12 @@ void EventSystem<Rotates>::find_touches() {
   for (std::uint32_t i = 0; i < disks.count(); ++i)
     if (taken[i]) group.disks.push_back({i, disks.on_line(i, 0)});
   loop_.touches.settle(group, 0);
+  if (blocks_) blocks_->look_again();
 }
 
 template <bool Rotates>
 void EventSystem<Rotates>::watch_contacts(Real time) {
+  if (by_blocks()) loop_.predict_all();  // no blocks report contacts
   s_.log.on = true;
   s_.sums.motion = &s_.log.motion;
   auto& disks = s_.disks;
@@ -92,7 +95,11 @@ void EventSystem<Rotates>::watch_contacts(Real time) {
 
 template <bool Rotates>
 std::int64_t EventSystem<Rotates>::run(std::int64_t step) {
-  loop_.run(s_.times.time(step));
+  Real const until = s_.times.time(step);
+  if (by_blocks())
+    blocks_->run(until);
+  else
+    loop_.run(until);
   return std::min(step, s_.build_step);
 }
 
@@ -161,6 +168,7 @@ void EventSystem<Rotates>::change_rate(std::int64_t step) {
         loop_.touches.plan(k);
         slots.push_back(cluster.slot());
       });
+  if (by_blocks()) return blocks_->look_again();
   for (auto const slot : slots) loop_.predict(slot);
 }
 
@@ -186,7 +194,7 @@ void EventSystem<Rotates>::renew(std::int64_t step, ShearedBox const& box, bool 
   if (sorted) sort(position, box);
   build(position, box);
   for (auto const k : clusters) loop_.touches.plan(k);
-  loop_.predict_all();
+  predict_all();
 }
 
 template class EventSystem<false>;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
-#include "src/engine/events/event_loop.hpp"
+#include "src/engine/events/event_blocks.hpp"
 #include "src/engine/events/event_windows.hpp"
 #include "src/engine/events/saved_events.hpp"
 
@@ -24,8 +25,10 @@ class EventSystem {
   using Moving = DiskMotion<Rotates>;
 
   EventSystem(Material<Rotates> const& material, std::vector<Species> const& species, Real skin,
-              StepTimes const& times)
-      : s_(material, species, skin, times), loop_(s_), windows_(s_) {}
+              StepTimes const& times, BlockPlan const& plan)
+      : s_(material, species, skin, times, plan.group), loop_(s_), windows_(s_) {
+    if (plan.each) blocks_.emplace(s_, loop_, plan);
+  }
 
   /// Disks that fly from a step on, in the box, whether they overlap or not.
   void place(std::vector<Moving> const& disks, ShearedBox const& box, std::int64_t step);
@@ -35,7 +38,12 @@ class EventSystem {
                ShearedBox const& box, std::int64_t list_step, std::int64_t step);
 
   /// Predicts everything anew.
-  void predict_all() { loop_.predict_all(); }
+  void predict_all() {
+    if (by_blocks())
+      blocks_->look_again();
+    else
+      loop_.predict_all();
+  }
 
   /// What else its bits depend on.
   template <class Visit>
@@ -90,6 +98,8 @@ class EventSystem {
   TouchingPairs touching(Real time) const { return who_touches(s_.disks, time); }
 
  private:
+  bool by_blocks() const { return blocks_ && !s_.log.on; }
+
   template <class All, class Visit>
   static void visit_memory_of(All& all, Visit const& visit) {
     visit("events_build_step", all.build_step);
@@ -104,6 +114,7 @@ class EventSystem {
   EventState<Rotates> s_;
   EventLoop<Rotates> loop_;
   EventWindows<Rotates> windows_;
+  std::optional<EventBlocks<Rotates>> blocks_;
 };
 
 extern template class EventSystem<false>;

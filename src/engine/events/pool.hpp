@@ -21,6 +21,11 @@ class Pool {
     return place;
   }
   void remove(std::uint32_t place) { vacant_.push_back(place); }
+  void clear() {
+    vacant_.clear();
+    for (auto place = all_.size(); place > 0;)
+      vacant_.push_back(static_cast<std::uint32_t>(--place));
+  }
 
   T& operator[](std::uint32_t place) { return all_[place]; }
   T const& operator[](std::uint32_t place) const { return all_[place]; }
