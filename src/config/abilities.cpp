@@ -48,16 +48,14 @@ constexpr Abilities by_events = {
 /// Events, and by turns steps of all disks.
 constexpr Abilities by_turns() {
   auto abilities = by_events;
-  abilities.engine = adaptive_engine;
   abilities.scheme = default_scheme;
-  abilities.own_scheme = false;
   abilities.contacts = "does not follow contacts from one engine to the other";
-  abilities.devices = "goes from event to event on the host";
   return abilities;
 }
 
 constexpr std::array engines = {
     Abilities{.engine = "auto"},
+    Abilities{.engine = steps_engine},
     Abilities{.engine = "reference"},
     Abilities{.engine = "few-contacts",
               .implicit_schemes = steps_some_disks,
@@ -81,8 +79,7 @@ constexpr std::array engines = {
               .contacts = "does not see contacts that begin and end within a step",
               .profiles = "has no stresses of single disks",
               .devices = "solves on one thread of the host"},
-    by_events,
-    by_turns()};
+    by_events};
 
 /// Something a scene may ask for by one key.
 struct Demand {
@@ -173,6 +170,8 @@ Abilities const& abilities_of(Scene const& scene) {
   auto const* found = std::ranges::find(engines, scene.integration.engine, &Abilities::engine);
   return found == engines.end() ? engines.front() : *found;
 }
+
+bool can_take_turns(Scene const& scene) { return why_not(scene, by_turns()).empty(); }
 
 bool is_scheme_of_an_engine(std::string_view scheme) {
   return std::ranges::any_of(

@@ -39,6 +39,9 @@ std::span<Abilities const> all_engines();
 /// Abilities of the engine that a scene asks for; those of "auto" if there is none of that name.
 Abilities const& abilities_of(Scene const& scene);
 
+/// True if events, and steps of all disks, can take turns in a scene.
+bool can_take_turns(Scene const& scene);
+
 /// True if the scheme belongs to one engine, which needs no time step to be stable.
 bool is_scheme_of_an_engine(std::string_view scheme);
 

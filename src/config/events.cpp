@@ -5,7 +5,10 @@
 #include <cmath>
 
 #include "kernels/physics/species.hpp"
+#include "src/config/abilities.hpp"
 #include "src/config/laws.hpp"
+#include "src/config/schemes.hpp"
+#include "src/config/time_step.hpp"
 
 namespace bagnold {
 
@@ -32,7 +35,15 @@ double normal_damping(Scene const& scene) {
 }  // namespace
 
 bool has_events(Scene const& scene) { return scene.integration.engine == event_engine; }
-bool is_adaptive(Scene const& scene) { return scene.integration.engine == adaptive_engine; }
+
+bool may_take_events(Scene const& scene) {
+  if (scene.integration.engine != automatic) return false;
+  if (scene.disks.count >= 2 * disks_of_a_thread) return false;
+  if (!can_take_turns(scene) || implicit_step_length(scene) > 1) return false;
+  Scene by_rule = scene;
+  by_rule.integration.time_step = automatic;
+  return time_step(scene) == time_step(by_rule);
+}
 
 double least_underdamped_elasticity(Scene const& scene) {
   return scene.disks.elasticity * normal_damping(scene) / most_damping(scene);

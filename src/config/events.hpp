@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+
 #include "src/config/scene.hpp"
 
 /// Contacts as events: an engine with its own scheme, for dilute flows.
 namespace bagnold {
 
 inline constexpr char event_engine[] = "events";  ///< integration.engine
-/// integration.engine: events where most disks fly, steps of all disks where they touch.
-inline constexpr char adaptive_engine[] = "adaptive";
+inline constexpr char steps_engine[] = "steps";   ///< what "auto" takes where it takes no events
 
 inline constexpr char exact_contacts[] = "exact-contacts";  ///< its integration.scheme
 
@@ -17,7 +18,15 @@ inline constexpr char exact_contacts[] = "exact-contacts";  ///< its integration
 inline constexpr double event_time_unit = 0.2;
 
 bool has_events(Scene const& scene);
-bool is_adaptive(Scene const& scene);
+
+/// Number of disks for which a run gets a thread, where it is not told how many.
+inline constexpr std::int64_t disks_of_a_thread = 4096;
+
+/// Whether integration.engine = "auto" chooses between events and steps. It does where both can run
+/// the scene, with the default scheme and its time step, and where a run of this size gets one
+/// thread, which is all that events have. These are facts of the scene, so bits do not depend on
+/// threads.
+bool may_take_events(Scene const& scene);
 
 /// Smallest Q at which every contact of two disks alone is underdamped, so that it ends.
 double least_underdamped_elasticity(Scene const& scene);

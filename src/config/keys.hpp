@@ -223,8 +223,8 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
   visit(
       Key{"integration.engine", "",
           "how the scheme is computed, none changes the physics; \"quasi-static\": by long steps, "
-          "for flows that creep; \"events\": contacts in closed form, for dilute flows; "
-          "\"adaptive\": these or steps of all disks, by turns",
+          "for flows that creep; \"events\": contacts in closed form, for dilute flows; \"auto\": "
+          "these or \"steps\", by turns",
           optional, 0, 0, false, engine_words()},
       integration.engine);
   visit(Key{"integration.time_step",

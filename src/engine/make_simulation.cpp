@@ -78,6 +78,22 @@ std::unique_ptr<Simulation> make_adaptive(Scene const& scene, Snapshot&& snapsho
       [backend](Scene const& of, Snapshot&& from) { return make_engine(of, from, backend); });
 }
 
+/// Throws InputError where a device cannot go on from what the host has written.
+void require_steps(Snapshot const& snapshot, std::string const& backend) {
+  if (is_device_backend(backend) && AdaptiveEngine::wrote_by_events(snapshot))
+    throw InputError(fmt::format(
+        "--backend {} (the checkpoint is of contacts as events, which the host alone has); use "
+        "--backend serial",
+        backend));
+}
+
+/// True if events and steps of all disks take turns: from a start on, or where they did before. A
+/// run whose checkpoint is of steps alone keeps to them.
+bool goes_by_turns(Scene const& scene, Snapshot const& snapshot, std::string const& backend) {
+  return !is_device_backend(backend) && may_take_events(scene) &&
+         (snapshot.list_position.empty() || AdaptiveEngine::wrote(snapshot));
+}
+
 /// Disks up to which a team, so one multiprocessor, should be as quick as launches for each step.
 constexpr std::int64_t most_disks_of_a_team = 1024;
 
@@ -118,12 +134,14 @@ std::unique_ptr<Simulation> make_simulation(Scene const& scene, Snapshot&& snaps
                                             std::string const& backend) {
   auto const chosen = backend.empty() ? backend_names().front() : backend;
   require_able(scene, chosen);
+  require_steps(snapshot, chosen);
   if (is_device_backend(chosen) && suits_ensembles(scene) &&
       static_cast<std::int64_t>(snapshot.state.count()) <= most_disks_of_a_team)
     return std::move(make_simulations(scene, {snapshot}, chosen).front());
   auto const length = implicit_step_length(scene);
   if (length > 1) return make_choosing(scene, length, std::move(snapshot), chosen);
-  if (is_adaptive(scene)) return make_adaptive(scene, std::move(snapshot), chosen);
+  if (goes_by_turns(scene, snapshot, chosen))
+    return make_adaptive(scene, std::move(snapshot), chosen);
   return make_engine(scene, snapshot, chosen);
 }
 
@@ -134,6 +152,7 @@ bool steps_together(Scene const& scene, std::string const& backend) {
 std::vector<std::unique_ptr<Simulation>> make_simulations(Scene const& scene,
                                                           std::vector<Snapshot> const& snapshots,
                                                           std::string const& backend) {
+  for (auto const& snapshot : snapshots) require_steps(snapshot, backend);
   return members_of(
       engines_for(scene.disks.model).ensemble(engine_input(scene), snapshots, backend));
 }

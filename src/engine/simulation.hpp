@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <stdexcept>
+#include <string>
 
 #include "src/engine/sampling.hpp"
 #include "src/state/snapshot.hpp"
@@ -33,6 +35,9 @@ class Simulation {
   }
 
   virtual Snapshot snapshot() const = 0;
+
+  /// Counters of the snapshot alone.
+  virtual std::map<std::string, double> counters() const { return snapshot().counters; }
 
   /// Releases memory that the next step allocates again, to make room for a snapshot or a state.
   /// Changes no bit.

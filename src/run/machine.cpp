@@ -12,6 +12,7 @@
 
 #include "kernels/device/initialize_kokkos.hpp"
 #include "src/config/errors.hpp"
+#include "src/config/events.hpp"
 #include "src/engine/levels/levels.hpp"
 #include "src/engine/make_simulation.hpp"
 #include "src/run/cores.hpp"
@@ -133,8 +134,9 @@ Machine choose(Machine machine, Scene const& scene) {
         why));
   if (scene.disks.replicas > 1) return choose_for_replicas(machine, scene);
   if (machine.threads == 0)
-    machine.threads = static_cast<int>(std::clamp<std::int64_t>(
-        scene.disks.count / 4096, 1, std::min<std::int64_t>(cores(), most_openmp_threads())));
+    machine.threads = static_cast<int>(
+        std::clamp<std::int64_t>(scene.disks.count / disks_of_a_thread, 1,
+                                 std::min<std::int64_t>(cores(), most_openmp_threads())));
   if (machine.backend != "serial" && !leave_out_threads(machine.threads))
     warn_of_threads_beyond_cores(machine.threads);
   if (machine.backend.empty())

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "src/config/events.hpp"
 #include "src/config/strain_rates.hpp"
 #include "src/engine/contacts/contact_columns.hpp"
 #include "src/engine/make_simulation.hpp"
@@ -178,6 +179,8 @@ void RunTimeTrial::shear(double rate, double strain, double budget) {
 
 RunTimeTrial::Cost RunTimeTrial::cost(Scene const& run, Plan const& plan, double budget) {
   Scene scene = run;
+  if (scene.integration.engine == automatic && !may_take_events(run))
+    scene.integration.engine = steps_engine;  // as fewer disks might take events
   scene.disks.count = small_.disks.count;
   scene.disks.replicas = 1;
   scene.start.rescale = true;

@@ -69,7 +69,7 @@ class Tiny(unittest.TestCase):
     def test_engines_have_both_schemes_each_with_its_own_step(self):
         rows = self.table("engines.csv")
         self.assertEqual({row["engine"] for row in rows},
-                         {"auto", "few-contacts", "many-contacts", "lookahead", "reference"})
+                         {"steps", "few-contacts", "many-contacts", "lookahead", "reference"})
         steps = {(row["state"], row["scheme"]): float(row["time_step"]) for row in rows}
         self.assertEqual(steps["cd_n-q50-1e-4-1024", "modified-velocity-verlet"], 0.01)  # 0.5/Q, P1
         self.assertEqual(steps["cd_rot82-1e-4-1024", "modified-velocity-verlet"], 0.05)

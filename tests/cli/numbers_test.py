@@ -100,7 +100,7 @@ class Accuracy(Shown):
             model, phi, q, _ = state_of(state)
             rate = state.split()[-1]
             name = f"cd_n-q{q:g}-{rate}-1024" if model == "CD_n" else f"{model.lower()}{100 * phi:.0f}-{rate}-1024"
-            papers, default = rows[name, "auto", PAPERS], rows[name, "auto", DEFAULT]
+            papers, default = rows[name, "steps", PAPERS], rows[name, "steps", DEFAULT]
             gains.append(papers["seconds"] / default["seconds"])
             others = [rows.get((name, engine, DEFAULT), {}).get("seconds")
                       for engine in ("few-contacts", "many-contacts", "lookahead", "reference")]
@@ -111,7 +111,7 @@ class Accuracy(Shown):
         self.assertEqual(table[np.argmin(gains)][0], "CD_n 0.78, Q = 1, 1e-5")
         self.says(self.page, "In Newtonian CD_rot a step of two stages costs {} steps", 0.2 / 0.05 / gains[0])
         self.says("docs/scenes.md", "it takes {}, {} and {} s of one core at γ̇ = 1e-4, 1e-5 and 1e-6", *(
-            rows[f"cd_n-q50-{rate}-1024", "auto", DEFAULT]["seconds"] for rate in ("1e-4", "1e-5", "1e-6")))
+            rows[f"cd_n-q50-{rate}-1024", "steps", DEFAULT]["seconds"] for rate in ("1e-4", "1e-5", "1e-6")))
 
     def test_one_collision(self):
         rows = [row for row in data("accuracy/collision") if row["Q"] >= 1]
@@ -197,11 +197,11 @@ class Accuracy(Shown):
             rows[key, engine] = float(value), float(digits) * 10 ** -len(value.split(".")[1]), float(gap.rstrip("%"))
         shown = []
         for key in ("0.78, 1e-5", "0.60, 1e-4"):
-            (steps, error, _), (exact, other, _) = rows[key, "auto"], rows[key, "events"]
+            (steps, error, _), (exact, other, _) = rows[key, "steps"], rows[key, "events"]
             shown += [100 * (exact - steps) / exact, 1e4 * np.hypot(error, other) / exact]
         self.says(self.page, "durations are {}% ({}) and {}% ({}) short", *shown)
-        gaps = [gap for (_, engine), (*_, gap) in rows.items() if engine == "auto"]
-        self.says(self.page, "It dissipates {} to {}% less than the shear puts in", min(gaps), max(gaps))
+        gaps = [gap for (_, engine), (*_, gap) in rows.items() if engine == "steps"]
+        self.says(self.page, "They dissipate {} to {}% less than the shear puts in", min(gaps), max(gaps))
 
     def test_precision(self):
         rows = data("accuracy/precision")

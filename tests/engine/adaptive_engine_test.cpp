@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "kernels/physics/sums/sums.hpp"
 #include "src/config/abilities.hpp"
-#include "src/config/errors.hpp"
 #include "src/config/events.hpp"
+#include "src/config/plan.hpp"
+#include "src/config/schemes.hpp"
 #include "tests/support/events.hpp"
 #include "tests/support/simulations.hpp"
 
@@ -17,52 +18,37 @@ Scene adaptive_scene(double packing_fraction, double rate, double elasticity) {
   scene.disks.elasticity = elasticity;
   scene.shear.strain_rate = rate;
   scene.integration.scheme = automatic;
-  scene.integration.engine = adaptive_engine;
+  scene.integration.engine = automatic;
   scene.integration.time_step = automatic;
   return scene;
 }
 
-constexpr std::int64_t adaptive_window = 500, adaptive_end = 20000;
+/// From where disks fly to where they touch and back.
+Scene crossing_ramp() {
+  Scene scene = adaptive_scene(0.6, 1e-4, 5);
+  auto& shear = scene.shear;
+  shear.protocol = "ramp";
+  shear.strain_rate_high = 2e-2;
+  shear.ramp_every = 1;
+  shear.ramp_window = 100;
+  shear.ramp_rate = std::log10(200) / 4000;
+  shear.strain = 0.1;  // before it
+  shear.cycles = 1;
+  return scene;
+}
+
+constexpr std::int64_t window = 500, every = 10, end = 40000;
+constexpr std::int64_t stretch = 4096;  // between choices
 
 double by_events(Simulation const& simulation) {
-  return simulation.snapshot().counters.at("steps_by_events");
+  auto const counters = simulation.counters();
+  return counters.contains("steps_by_events") ? counters.at("steps_by_events") : -1;
 }
 
-}  // namespace
-
-TEST(AdaptiveEngine, TakesEventsWhereDisksFlyAndStepsWhereTheyTouch) {
-  Scene const dilute = adaptive_scene(0.6, 1e-4, 20), dense = adaptive_scene(0.84, 1e-3, 1);
-  auto const run = [](Scene const& scene) {
-    auto simulation = test::simulate(scene, flying_start(scene), "serial");
-    OpenWindows windows;
-    simulation->advance(adaptive_end, {adaptive_window, 10, adaptive_end}, windows);
-    for (auto const& of : windows.sums) EXPECT_NEAR(of.weight, adaptive_window / 10, 1e-9);
-    return simulation;
-  };
-  EXPECT_EQ(by_events(*run(dilute)),
-            adaptive_end - adaptive_window);  // a window of steps tells how many touch
-  EXPECT_EQ(by_events(*run(dense)), 0);
-}
-
-/// Steps, events, steps and so on: contacts of Q = 1 gather in clusters.
-TEST(AdaptiveEngine, BitsDoNotDependOnCutsOrRestarts) {
-  Scene const scene = adaptive_scene(0.7, 1e-4, 1);
-  State const start = flying_start(scene);
-  auto const straight = test::simulate(scene, start, "serial");
-  auto chained = test::simulate(scene, start, "serial");
-  Sampling const sampling{adaptive_window, 10, adaptive_end};
-  OpenWindows a, b;
-  straight->advance(adaptive_end, sampling, a);
-  for (int k = 0; chained->step() < adaptive_end; ++k) {
-    chained->advance(1 + 97 * (k % 5), sampling, b);
-    chained = make_simulation(scene, chained->snapshot(), "serial");
-  }
-  EXPECT_GT(by_events(*straight), 0);
-  EXPECT_LT(by_events(*straight), adaptive_end - adaptive_window);
-  EXPECT_EQ(straight->state().position, chained->state().position);
-  EXPECT_EQ(straight->state().velocity, chained->state().velocity);
-  EXPECT_EQ(straight->snapshot().memory, chained->snapshot().memory);
-  EXPECT_EQ(straight->snapshot().counters, chained->snapshot().counters);
+void expect_same(Simulation const& one, OpenWindows const& a, Simulation const& other,
+                 OpenWindows const& b) {
+  EXPECT_EQ(one.state().position, other.state().position);
+  EXPECT_EQ(one.state().velocity, other.state().velocity);
   ASSERT_EQ(a.sums.size(), b.sums.size());
   for (std::size_t w = 0; w < a.sums.size(); ++w) {
     EXPECT_EQ(a.sums[w].sums, b.sums[w].sums) << w;
@@ -70,16 +56,120 @@ TEST(AdaptiveEngine, BitsDoNotDependOnCutsOrRestarts) {
   }
 }
 
-TEST(AdaptiveEngine, RefusesWhatEventsCannotDo) {
+/// A run in one call and one in many, of which each goes on from a checkpoint, and windows of both.
+struct StraightAndChained {
+  StraightAndChained(Scene const& scene, std::int64_t end) {
+    State const start = flying_start(scene);
+    straight = test::simulate(scene, start, "serial");
+    chained = test::simulate(scene, start, "serial");
+    Sampling const sampling{window, every, end};
+    straight->advance(end, sampling, a);
+    for (int k = 0; chained->step() < end; ++k) {
+      chained->advance(1 + 197 * (k % 5), sampling, b);
+      chained = make_simulation(scene, chained->snapshot(), "serial");
+    }
+  }
+
+  void expect_the_same() const {
+    expect_same(*straight, a, *chained, b);
+    EXPECT_EQ(straight->snapshot().memory, chained->snapshot().memory);
+    EXPECT_EQ(straight->snapshot().arrays, chained->snapshot().arrays);
+    EXPECT_EQ(straight->snapshot().counters, chained->snapshot().counters);
+  }
+
+  std::unique_ptr<Simulation> straight, chained;
+  OpenWindows a, b;
+};
+
+}  // namespace
+
+TEST(AdaptiveEngine, TakesEventsWhereDisksFlyAndStepsWhereTheyTouch) {
+  auto const run = [](Scene const& scene) {
+    auto simulation = test::simulate(scene, flying_start(scene), "serial");
+    OpenWindows windows;
+    simulation->advance(end, {window, every, end}, windows);
+    for (auto const& of : windows.sums) EXPECT_NEAR(of.weight, window / every, 1e-9);
+    return simulation;
+  };
+  EXPECT_EQ(by_events(*run(adaptive_scene(0.6, 1e-4, 20))), end - stretch);
+  EXPECT_EQ(by_events(*run(adaptive_scene(0.84, 1e-3, 1))), 0);
+}
+
+/// Many contacts cost a comparison at each choice, and no bit.
+TEST(AdaptiveEngine, StepsAreThoseOfStepsAlone) {
+  Scene scene = adaptive_scene(0.84, 1e-3, 1);
+  State const start = flying_start(scene);
+  Sampling const sampling{window, every, end};
+  OpenWindows a, b;
+  auto const chosen = test::simulate(scene, start, "serial");
+  scene.integration.engine = steps_engine;
+  auto const steps = test::simulate(scene, start, "serial");
+  chosen->advance(end, sampling, a);
+  steps->advance(end, sampling, b);
+  EXPECT_EQ(by_events(*chosen), 0);
+  EXPECT_EQ(by_events(*steps), -1);
+  expect_same(*chosen, a, *steps, b);
+}
+
+/// Contacts of Q = 1 gather in clusters.
+TEST(AdaptiveEngine, BitsDoNotDependOnCutsOrRestarts) {
+  StraightAndChained const both(adaptive_scene(0.7, 1e-4, 1), end);
+  EXPECT_GT(by_events(*both.straight), 0);
+  both.expect_the_same();
+}
+
+TEST(AdaptiveEngine, NorDoThoseOfARampAcrossWhereContactsAreMany) {
+  Scene const scene = crossing_ramp();
+  auto const steps = make_plan(scene).steps;
+  StraightAndChained const both(scene, steps);
+  both.expect_the_same();
+  auto const simulation = test::simulate(scene, flying_start(scene), "serial");
+  std::vector<bool> turns{false};
+  while (simulation->step() < steps) {
+    OpenWindows windows;
+    auto const before = by_events(*simulation);
+    simulation->advance(stretch, {window, every, steps}, windows);
+    bool const now = by_events(*simulation) > before;
+    if (now != turns.back()) turns.push_back(now);
+  }
+  EXPECT_EQ(turns, (std::vector{false, true, false, true}));
+}
+
+TEST(AdaptiveEngine, LeavesToStepsWhatEventsCannotDo) {
+  auto const goes_by_turns = [](auto const& change) {
+    Scene scene = adaptive_scene(0.6, 1e-4, 20);
+    change(scene);
+    EXPECT_TRUE(why_not(scene).empty());
+    return may_take_events(scene);
+  };
+  EXPECT_TRUE(goes_by_turns([](Scene&) {}));
+  EXPECT_TRUE(goes_by_turns([](Scene& s) { s.disks.count = 8190; }));
+  EXPECT_TRUE(goes_by_turns([](Scene& s) { s = resolved(s); }));
+  EXPECT_TRUE(goes_by_turns([](Scene& s) { s = resolved(crossing_ramp()); }));
+  EXPECT_FALSE(goes_by_turns([](Scene& s) { s.measure.contacts = true; }));
+  EXPECT_FALSE(goes_by_turns([](Scene& s) { s.disks.force_exponent = 2.5; }));
+  EXPECT_FALSE(goes_by_turns([](Scene& s) { s.disks.elasticity = 0.5; }));
+  EXPECT_FALSE(goes_by_turns([](Scene& s) { s.integration.engine = steps_engine; }));
+  EXPECT_FALSE(goes_by_turns([](Scene& s) { s.integration.scheme = papers_scheme; }));
+  EXPECT_FALSE(goes_by_turns([](Scene& s) { s.integration.time_step = 0.1; }));
+  EXPECT_FALSE(goes_by_turns([](Scene& s) { s.integration.time_step = of_papers; }));
+  EXPECT_FALSE(goes_by_turns([](Scene& s) { s.disks.count = 8192; }));
+}
+
+/// A checkpoint of steps alone, as of a version without this choice.
+TEST(AdaptiveEngine, GoesOnByStepsWhereOneOfStepsStopped) {
   Scene scene = adaptive_scene(0.6, 1e-4, 20);
-  EXPECT_TRUE(why_not(scene).empty());
-  scene.measure.contacts = true;
-  scene.disks.force_exponent = 2.5;
-  auto const refused = why_not(scene);
-  ASSERT_EQ(refused.size(), 2u);
-  for (auto const& one : refused)
-    EXPECT_NE(one.message.find("engine = \"adaptive\""), std::string::npos) << one.message;
-  EXPECT_THROW(test::simulate(scene, flying_start(scene), "serial"), InputError);
+  scene.integration.engine = steps_engine;
+  auto const steps = test::simulate(scene, flying_start(scene), "serial");
+  Sampling const sampling{window, every, end};
+  OpenWindows a, b;
+  steps->advance(2 * stretch, sampling, a);
+  scene.integration.engine = automatic;
+  auto const resumed = make_simulation(scene, steps->snapshot(), "serial");
+  b = a;
+  steps->advance(end, sampling, a);
+  resumed->advance(end, sampling, b);
+  expect_same(*steps, a, *resumed, b);
 }
 
 }  // namespace bagnold::test

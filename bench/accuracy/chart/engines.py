@@ -6,7 +6,7 @@ import tempfile
 from dataclasses import dataclass
 from statistics import median
 
-ENGINES = ("auto", "few-contacts", "many-contacts", "lookahead", "reference")
+ENGINES = ("steps", "few-contacts", "many-contacts", "lookahead", "reference")
 METHODS = {"two-stage-leapfrog": "auto", "modified-velocity-verlet": "paper"}  # scheme, its step
 COLUMNS = ("state", "engine", "scheme", "time_step", "seconds", "least", "most", "rounds")
 
@@ -55,7 +55,7 @@ def summary(row, cell, times):
 
 def affordable(engine, row):
     """Whether it would be done in a minute."""
-    return engine in ("auto", "lookahead") or (engine == "few-contacts" and row.rate >= 1e-5) or row.rate >= 1e-4
+    return engine in ("steps", "lookahead") or (engine == "few-contacts" and row.rate >= 1e-5) or row.rate >= 1e-4
 
 
 def a_strain(program, state, cell, strain):

@@ -174,7 +174,7 @@ def engines(data, out):
                       if (r["state"], r["engine"], r["scheme"]) == (row.state, engine, scheme)]
             if points:
                 axis.plot(*zip(*points), linestyle="", marker=markers[engine], color=colour,
-                          markerfacecolor=colour if engine == "auto" else "none", label=f"{engine}, {scheme}")
+                          markerfacecolor=colour if engine == "steps" else "none", label=f"{engine}, {scheme}")
     axis.set(xscale="log", xlabel="seconds of CPU a unit of strain, N = 1024",
              yticks=[-place for place in range(len(titles))], yticklabels=[row.title for row in titles],
              title="Engines and schemes; each scheme with its own step")

@@ -13,6 +13,10 @@ namespace bagnold {
 
 namespace {
 
+using events::EventChoice;
+
+constexpr char by_events_key[] = "adaptive_by_events";
+
 /// A snapshot that another engine goes on from: the state alone.
 Snapshot handed_over(Snapshot&& snapshot) {
   Snapshot to = std::move(snapshot);
@@ -23,9 +27,30 @@ Snapshot handed_over(Snapshot&& snapshot) {
   return to;
 }
 
-double contacts_of(OpenWindows& windows, std::int64_t window) {
-  auto const& sums = windows.of(window).sums;
-  return sums.empty() ? 0 : sums[SumColumns::contacts];
+/// Contacts and weight in windows from one on.
+std::pair<double, double> contacts_from(std::int64_t window, OpenWindows const& windows) {
+  double contacts = 0, weight = 0;
+  for (auto w = static_cast<std::size_t>(window - windows.first); w < windows.sums.size(); ++w) {
+    auto const& of = windows.sums[w];
+    if (of.sums.empty()) continue;
+    contacts += of.sums[SumColumns::contacts];
+    weight += of.weight;
+  }
+  return {contacts, weight};
+}
+
+/// First step of a window.
+std::int64_t begin_of(std::int64_t window, Sampling const& sampling) {
+  return sampling.first_step + (window - sampling.first_window) * sampling.window_steps;
+}
+
+/// Number of configurations that steps would evaluate from one step to another of a window.
+double evaluated(std::int64_t from, std::int64_t to, Sampling const& sampling) {
+  auto const begin = begin_of(sampling.window(from), sampling);
+  auto const before = [&](std::int64_t step) {
+    return (step - begin + sampling.every - 1) / sampling.every;
+  };
+  return static_cast<double>(before(to) - before(from));
 }
 
 }  // namespace
@@ -36,14 +61,16 @@ AdaptiveEngine::AdaptiveEngine(Scene const& scene, Snapshot&& snapshot, Make mak
       make_(std::move(make)),
       disks_(static_cast<double>(snapshot.state.count())),
       time_step_(time_step(scene)),
+      stretch_(EventChoice::stretch(scene.shear.strain_rate * time_step_,
+                                    scene.shear.protocol != "ramp")),
       counters_(snapshot.counters) {
   of_events_.integration.engine = event_engine;
   of_events_.integration.scheme = exact_contacts;
   of_events_.integration.skin = automatic;
-  of_steps_.integration.engine = "auto";
+  of_steps_.integration.engine = steps_engine;
   of_steps_.integration.scheme = scheme_of(scene);
   for (auto* of : {&of_events_, &of_steps_}) of->integration.time_step = time_step_;
-  if (snapshot.memory.contains("adaptive_by_events")) {
+  if (wrote(snapshot)) {
     for_each_memory(RestoreMemory{snapshot.memory});
     RestoreCounter{snapshot.counters}("steps_by_events", event_steps_);
     std::erase_if(snapshot.memory, [](auto const& m) { return m.first.starts_with("adaptive_"); });
@@ -51,73 +78,96 @@ AdaptiveEngine::AdaptiveEngine(Scene const& scene, Snapshot&& snapshot, Make mak
   engine_ = make_(by_events_ ? of_events_ : of_steps_, std::move(snapshot));
 }
 
+bool AdaptiveEngine::wrote(Snapshot const& snapshot) {
+  return snapshot.memory.contains(by_events_key);
+}
+
+bool AdaptiveEngine::wrote_by_events(Snapshot const& snapshot) {
+  return wrote(snapshot) && snapshot.memory.at(by_events_key) != 0;
+}
+
 void AdaptiveEngine::advance(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) {
   auto const end = std::min(step() + steps, sampling.last_step);
   while (step() < end) {
     auto const from = step();
     if (by_events_)
-      go_by_events(sampling, windows);
+      go_by_events(end, sampling, windows);
     else
       go_by_steps(end, sampling, windows);
     if (step() == from) return;
+    if (step() >= next_choice(from)) choose();
   }
 }
 
-/// One window, or what the end of the run leaves of it.
-void AdaptiveEngine::go_by_events(Sampling const& sampling, OpenWindows& windows) {
+/// To the next choice at most, or to the end of a window.
+void AdaptiveEngine::go_by_events(std::int64_t end, Sampling const& sampling,
+                                  OpenWindows& windows) {
   auto const from = step(), window = sampling.window(from);
-  auto const window_end = (window + 1) * sampling.window_steps;
-  if (sampling.whole && window_end > sampling.last_step) return;  // a longer run would not cut it
+  auto const part_end =
+      std::min({begin_of(window + 1, sampling), next_choice(from), sampling.last_step});
+  if (part_weight_ == 0) part_from_ = from;
   Sampling part = sampling;
-  part.last_step = std::min(window_end, sampling.last_step);
-  part.whole = false;
-  auto const before = engine_->snapshot().counters;
-  OpenWindows held;
-  held.first = window;
-  while (step() < part.last_step) engine_->advance(part.last_step - step(), part, held);
+  part.last_step = part_end;
+  part.whole = sampling.whole && part_end == sampling.last_step;
+  OpenWindows open;
+  open.first = window;
+  engine_->advance(std::min(end, part_end) - from, part, open);
   event_steps_ += step() - from;
-  auto& of = held.of(window);
-  auto const evaluated = (sampling.window_steps - 1) / sampling.every + 1;
-  double const share = static_cast<double>(evaluated) / static_cast<double>(sampling.window_steps);
-  double const number = of.sums[SumColumns::contacts] / (of.weight * disks_);
-  for (double& sum : of.sums) sum *= share;
-  windows.add(window, of.sums, share * of.weight);
-  double const time = time_step_ * static_cast<double>(step() - from);
-  auto const after = engine_->snapshot().counters;
-  auto const count = [&](char const* name) { return after.at(name) - before.at(name); };
-  if (choice_.leaves(count("collisions"), count("cluster_steps"), count("carried_contacts"),
-                     disks_ * time)) {
-    choice_.left(number);
-    change();
-  }
+  part_weight_ += open.of(window).weight;
+  if (step() == part_end) add_part(open.take_first().sums, sampling, windows);
 }
 
-/// Up to the end of a window.
+/// Events give their sums at the end of a part.
+void AdaptiveEngine::add_part(std::vector<double>&& sums, Sampling const& sampling,
+                              OpenWindows& windows) {
+  contacts_ += sums[SumColumns::contacts];
+  weight_ += part_weight_;
+  double const configurations = evaluated(part_from_, step(), sampling);
+  for (double& sum : sums) sum *= configurations / part_weight_;
+  windows.add(sampling.window(part_from_), sums, configurations);
+  part_weight_ = 0;
+}
+
+/// To the next choice, or to where the engine can stop behind it.
 void AdaptiveEngine::go_by_steps(std::int64_t end, Sampling const& sampling, OpenWindows& windows) {
-  auto const window = sampling.window(step());
-  auto const window_end = (window + 1) * sampling.window_steps;
-  Sampling part = sampling;
-  part.last_step = std::min(window_end, sampling.last_step);
-  part.whole = sampling.whole && window_end > sampling.last_step;
-  double const contacts = contacts_of(windows, window), weight = windows.of(window).weight;
-  engine_->advance(std::min(end, part.last_step) - step(), part, windows);
-  contacts_ += contacts_of(windows, window) - contacts;
-  weight_ += windows.of(window).weight - weight;
-  if (step() < window_end) return;
+  auto const from = step(), window = sampling.window(from);
+  auto const before = contacts_from(window, windows);
+  engine_->advance(std::min(end, next_choice(from)) - from, sampling, windows);
+  auto const after = contacts_from(window, windows);
+  contacts_ += after.first - before.first;
+  weight_ += after.second - before.second;
+}
+
+/// By what was counted since the last choice. If nothing was evaluated, more is awaited.
+void AdaptiveEngine::choose() {
+  if (weight_ == 0) return;
   double const number = contacts_ / (weight_ * disks_);
   contacts_ = weight_ = 0;
-  if (choice_.enters(number)) change();
+  if (!by_events_) {
+    if (choice_.enters(number)) change();
+    return;
+  }
+  double const work = EventChoice::work(engine_->counters());
+  double const time = time_step_ * static_cast<double>(step() - chosen_step_);
+  if (EventChoice::leaves(work - work_before_, disks_ * time)) {
+    choice_.left(number);
+    return change();
+  }
+  work_before_ = work;
+  chosen_step_ = step();
 }
 
 void AdaptiveEngine::change() {
   by_events_ = !by_events_;
   Snapshot now = engine_->snapshot();
-  now.counters = counters_ = counters(now.counters);
+  now.counters = counters_ = all_counters(now.counters);
   engine_ = make_(by_events_ ? of_events_ : of_steps_, handed_over(std::move(now)));
+  chosen_step_ = step();
+  work_before_ = by_events_ ? EventChoice::work(engine_->counters()) : 0;
 }
 
 /// Those of the engine at work, and the others of engines before.
-AdaptiveEngine::Counters AdaptiveEngine::counters(Counters const& of_engine) const {
+AdaptiveEngine::Counters AdaptiveEngine::all_counters(Counters const& of_engine) const {
   Counters all = of_engine;
   all.insert(counters_.begin(), counters_.end());
   return all;
@@ -126,7 +176,7 @@ AdaptiveEngine::Counters AdaptiveEngine::counters(Counters const& of_engine) con
 Snapshot AdaptiveEngine::snapshot() const {
   auto& self = const_cast<AdaptiveEngine&>(*this);  // visits do not change what they write down
   Snapshot snapshot = engine_->snapshot();
-  snapshot.counters = counters(snapshot.counters);
+  snapshot.counters = all_counters(snapshot.counters);
   self.for_each_memory(WriteDown{snapshot.memory});
   WriteDown{snapshot.counters}("steps_by_events", event_steps_);
   return snapshot;
@@ -134,9 +184,13 @@ Snapshot AdaptiveEngine::snapshot() const {
 
 template <class Visit>
 void AdaptiveEngine::for_each_memory(Visit const& visit) {
-  visit("adaptive_by_events", by_events_);
+  visit(by_events_key, by_events_);
   visit("adaptive_contacts", contacts_);
   visit("adaptive_weight", weight_);
+  visit("adaptive_chosen_step", chosen_step_);
+  visit("adaptive_work_before", work_before_);
+  visit("adaptive_part_from", part_from_);
+  visit("adaptive_part_weight", part_weight_);
   choice_.for_each_memory(visit);
 }
 

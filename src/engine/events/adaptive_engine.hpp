@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "src/config/scene.hpp"
 #include "src/engine/events/event_choice.hpp"
@@ -13,18 +14,22 @@
 
 namespace bagnold {
 
-/// engine = "adaptive": contacts as events where most disks fly, steps of all disks where they
-/// touch, by EventChoice.
+/// engine = "auto" where it may take events: contacts as events where most disks fly, steps of all
+/// disks where they touch, by EventChoice. It begins with steps.
 ///
-/// Engines change at ends of measurement windows alone, and events go on by whole windows. Both
-/// have one step, the unit of time of events; sums of events are weighed as the configurations that
-/// steps would have evaluated. What is handed over is the state.
+/// Steps are those of engine = "steps", to the last bit until events are taken first. Events are
+/// summed from one choice or end of a window to the next, and weighed as the configurations that
+/// steps would have evaluated there. What one engine hands over to the other is the state.
 class AdaptiveEngine final : public Simulation {
  public:
   /// What makes an engine of a scene go on from a snapshot.
   using Make = std::function<std::unique_ptr<Simulation>(Scene const&, Snapshot&&)>;
 
   AdaptiveEngine(Scene const& scene, Snapshot&& snapshot, Make make);
+
+  /// True if such an engine wrote the snapshot; and if events were under way there.
+  static bool wrote(Snapshot const& snapshot);
+  static bool wrote_by_events(Snapshot const& snapshot);
 
   int columns() const override { return engine_->columns(); }
   std::int64_t step() const override { return engine_->step(); }
@@ -36,10 +41,13 @@ class AdaptiveEngine final : public Simulation {
  private:
   using Counters = std::map<std::string, double>;
 
-  void go_by_events(Sampling const& sampling, OpenWindows& windows);
+  void go_by_events(std::int64_t end, Sampling const& sampling, OpenWindows& windows);
+  void add_part(std::vector<double>&& sums, Sampling const& sampling, OpenWindows& windows);
   void go_by_steps(std::int64_t end, Sampling const& sampling, OpenWindows& windows);
+  std::int64_t next_choice(std::int64_t step) const { return (step / stretch_ + 1) * stretch_; }
+  void choose();
   void change();
-  Counters counters(Counters const& of_engine) const;
+  Counters all_counters(Counters const& of_engine) const;
 
   template <class Visit>
   void for_each_memory(Visit const& visit);
@@ -48,11 +56,19 @@ class AdaptiveEngine final : public Simulation {
   Make make_;
   std::unique_ptr<Simulation> engine_;
   double disks_, time_step_;
+  std::int64_t stretch_;    ///< between choices, [steps]
   Counters counters_;       ///< of engines before
   bool by_events_ = false;  ///< which engine that is
   events::EventChoice choice_;
-  double contacts_ = 0, weight_ = 0;  ///< of the window under way: `contacts` of its sums
-  std::int64_t event_steps_ = 0;      ///< that events took, for reports
+
+  double contacts_ = 0, weight_ = 0;  ///< since the last choice: `contacts` of the sums
+  std::int64_t chosen_step_ = 0;      ///< of the last choice, if events are under way
+  double work_before_ = 0;            ///< of events at that step
+
+  std::int64_t part_from_ = 0;  ///< where the part of a window began that events are in
+  double part_weight_ = 0;      ///< its steps so far
+
+  std::int64_t event_steps_ = 0;  ///< that events took, for reports
 };
 
 }  // namespace bagnold

@@ -2,22 +2,36 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
+#include <map>
+#include <string>
 
 namespace bagnold::events {
 
-/// Whether events or steps of all disks cost less, by counts of a window alone, so that no run
-/// depends on a clock. Measured for CD_n, N = 1024 (docs/performance.md).
+/// Whether events or steps of all disks cost less, by counts alone, so that no run depends on a
+/// clock. Measured for CD_n, N = 1024 (docs/data/performance/tried.md).
 class EventChoice {
  public:
-  /// Of steps of all disks, by the contact number of a window: whether events are tried.
+  /// Steps from one choice to the next, of a run at one rate: a strain of 0.01, but long enough to
+  /// count contacts in. Of a run whose rate changes at any time that alone.
+  static std::int64_t stretch(double step_strain, bool at_one_rate) {
+    constexpr std::int64_t shortest = 4096;
+    auto const times = static_cast<std::int64_t>(0.01 / (step_strain * shortest));
+    return at_one_rate ? shortest * std::max<std::int64_t>(1, times) : shortest;
+  }
+
+  /// Of steps of all disks, by the contact number of a stretch: whether events are tried.
   bool enters(double contact_number) const { return contact_number < enter_below_; }
 
-  /// Of events: whether they are given up. carried: contacts over changes of the rate; disk_time: N
-  /// times the time of the window, [tau_e].
-  bool leaves(double collisions, double cluster_steps, double carried, double disk_time) const {
-    return collisions + carried + cost_of_cluster_step * cluster_steps >
-           most_collisions * disk_time;
+  /// Work that events have done, in collisions. counters: of the engine of events.
+  static double work(std::map<std::string, double> const& counters) {
+    return counters.at("collisions") + counters.at("carried_contacts") +
+           cost_of_cluster_step * counters.at("cluster_steps");
   }
+
+  /// Of events: whether they are given up. work: since they were asked before; disk_time: N times
+  /// the time since, [tau_e].
+  static bool leaves(double work, double disk_time) { return work > most_collisions * disk_time; }
 
   /// They were, at a contact number: no new trial until there are clearly fewer contacts.
   void left(double contact_number) {

@@ -173,10 +173,10 @@ void EventEngine<Rotates>::look_at_contacts(Sampling const& sampling, ContactRec
 
 template <bool Rotates>
 void EventEngine<Rotates>::open_window() {
-  if (in_window_) return system_.windows().resume(system_.all().times.between(list_step_, begun_));
-  system_.windows().begin(now());
-  begun_ = step_;
-  in_window_ = true;
+  if (!in_window_) begun_ = step_;
+  auto const begun = system_.all().times.between(list_step_, begun_);  // as after a restart
+  if (std::exchange(in_window_, true)) return system_.windows().resume(begun);
+  system_.windows().begin(begun);
   if (!std::exchange(touches_known_, true)) system_.find_touches();
 }
 
@@ -240,8 +240,15 @@ Snapshot EventEngine<Rotates>::snapshot() const {
     s.arrays = events::save(all, now());
     visit_memory(*this, WriteDown{s.memory});
   }
-  visit_counters(*this, WriteDown{s.counters});
+  s.counters = counters();
   return s;
+}
+
+template <bool Rotates>
+std::map<std::string, double> EventEngine<Rotates>::counters() const {
+  std::map<std::string, double> counters;
+  visit_counters(*this, WriteDown{counters});
+  return counters;
 }
 
 template <bool Rotates>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,7 @@ class EventEngine final : public Simulation {
   std::int64_t step() const override { return step_; }
   void advance(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) override;
   Snapshot snapshot() const override;
+  std::map<std::string, double> counters() const override;
   State state() const override;
 
   /// All that touch now, i < j.
