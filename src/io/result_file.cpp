@@ -42,17 +42,18 @@ void put(Hdf5Writer& file, statistics::Samples const& s) {
       {{"description", s.description}, {"columns", fmt::format("{}", fmt::join(s.columns, ", "))}});
 }
 
-/// Names the axes of all series, as netCDF and xarray read it: the strain is that of one system; of
-/// replicas it is a series of each, and seeds and windows are counted.
+/// Names the axes of all series, as netCDF and xarray read it: the strain, or where the shear
+/// turns the time, is that of one system; of replicas it is a series of each, and seeds and windows
+/// are counted.
 void scale_series(Hdf5Writer& file, Result const& result) {
   std::vector<std::string> paths;
-  bool strain = false;
+  bool found = false;
   for (auto const& series : result.series) {
-    bool const is_scale = series.name == "strain" && result.replicas == 1;
+    bool const is_scale = series.name == result.axis && result.replicas == 1;
     if (!is_scale) paths.push_back("/series/" + series.name);
-    strain = strain || is_scale;
+    found = found || is_scale;
   }
-  if (strain) file.scale_axes({"/series/strain"}, paths);
+  if (found) file.scale_axes({"/series/" + result.axis}, paths);
   if (result.replicas == 1 || paths.empty()) return;
   std::vector<std::int64_t> seed(result.replicas);
   std::iota(seed.begin(), seed.end(), 0);

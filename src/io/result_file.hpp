@@ -24,6 +24,7 @@ struct Result {
   Attributes attributes;  ///< of the file root: provenance and the resolved scene
   std::vector<Series> series;
   std::int64_t discarded_windows = 0;  ///< first windows that no average uses
+  std::string axis = "strain";         ///< the series over which a single system has the others
   std::size_t replicas = 1;            ///< R; where it is 1 the series have no such axis
   std::vector<statistics::Histogram> histograms = {};
   std::vector<statistics::Profile> profiles = {};

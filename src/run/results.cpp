@@ -182,7 +182,7 @@ std::vector<NamedEstimate> estimates_of_cycles(Run const& run) {
   for (auto const& table : cycles.of) tables.push_back(&table);
   for (auto const& observable : cycles.observables)
     list.push_back({{observable, {}},
-                    statistics::estimate(tables, 0, observable.value),
+                    statistics::estimate(tables, cycles.discarded, observable.value),
                     run.plan.path(run.plan.pieces->cycle_steps())});
   return list;
 }
@@ -274,6 +274,7 @@ void write_result_file(RunFolder const& folder, Run const& run) {
     result.attributes.push_back({"engine_" + name, record_of(run, &Replica::engine, name)});
   result.discarded_windows = static_cast<std::int64_t>(discarded(run));
   result.replicas = run.replicas.size();
+  if (run.plan.pieces) result.axis = "time";  // the strain comes back
 
   std::map<Replica const*, std::vector<double>> strains;
   for (auto const& replica : run.replicas) strains[&replica] = strains_of(run, replica);
@@ -302,6 +303,8 @@ void write_result_file(RunFolder const& folder, Run const& run) {
   result.histograms = std::move(found.histograms);
   result.profiles = std::move(found.profiles);
   result.samples = std::move(found.samples);
+  if (run.scene.shear.protocol == "sequence") result.samples.push_back(piece_table(run));
+  if (run.scene.shear.protocol == "oscillate") result.samples.push_back(cycle_table(run));
   io::write_result(folder.result(), result);
 }
 

@@ -63,6 +63,11 @@ TEST(Protocols, PiecesAreWhatTheyAre) {
   EXPECT_TRUE(has(with("[[0, 0]]"), "must be above 0"));
   EXPECT_TRUE(has(refusal(oscillation_text, {"shear.peak_rate=1e-6"}), "are both given"));
   EXPECT_TRUE(has(refusal(with_line(oscillation_text, "period", "")), "are missing"));
+  for (auto const* lost : {"1e-12", "1e-14", "1e-300"})
+    EXPECT_TRUE(has(refusal(oscillation_text, {std::string("shear.amplitude=") + lost}),
+                    "rounding of positions"))
+        << lost;
+  EXPECT_EQ(refusal(oscillation_text, {"shear.amplitude=1e-9"}), "accepted");
   EXPECT_TRUE(has(refusal(sequence_text, {"shear.discard=auto"}), "seeks one steady state"));
 }
 

@@ -44,14 +44,10 @@ class Cycles:
         return passes.mean(axis=0), error
 
     def moduli(self):
-        """G' and G'' of each cycle, [replicas][cycles] each: least squares, harmonics as the program has them."""
-        angle = 2 * np.pi * self.phase
-        terms = [np.ones(self.windows), self.strain, self.rate * self.period / (2 * np.pi)]
-        for n in range(2, min(MOST_HARMONICS, self.windows // 2 - 1) + 1):
-            terms += [self.amplitude * np.sin(n * angle), self.amplitude * np.cos(n * angle)]
-        sigma = self.of("sigma")
-        found, *_ = np.linalg.lstsq(np.array(terms).T, sigma.reshape(-1, self.windows).T, rcond=None)
-        return found[1].reshape(sigma.shape[:2]), found[2].reshape(sigma.shape[:2])
+        """G' and G'' of each cycle, as the program has them, [replicas][cycles] each."""
+        table = self.run.table("cycles")
+        shown = table["cycle"] <= self.count
+        return [table[name][shown].reshape(-1, self.count) for name in ("G_storage", "G_loss")]
 
 
 def closed(values):

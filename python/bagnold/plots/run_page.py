@@ -42,6 +42,7 @@ class Run:
             self.unit = {k: plain(d.attrs.get("unit", "")) for k, d in group.items()}
             self.discarded = int(group.attrs.get("discarded_windows", 0))
             self.about = {k: plain(v) for k, v in file.attrs.items()}
+            self.path, self.tables = path, {k: columns_of(file, k) for k in ("cycles", "pieces") if f"samples/{k}" in file}
         self.scene = tomllib.loads(str(self.about.get("scene", "")))
         shapes = {values.shape for values in self.each.values()}
         if any(values.size == 0 for values in self.each.values()):
@@ -63,6 +64,12 @@ class Run:
     def replicas_of(self, name):
         """The series of each replica, where there are several."""
         return self.each[name] if self.replicas > 1 and name in self.each else []
+
+    def table(self, name):
+        """Columns of a table of /samples by their names."""
+        if name not in self.tables:
+            raise InputError(f"{self.path} has no /samples/{name}: an older program wrote it; run its scene again")
+        return self.tables[name]
 
     def number(self, name, default=np.nan):
         try:
@@ -92,6 +99,12 @@ def mean_of_rows(values):
     count = defined.sum(axis=0)
     total = np.where(defined, values, 0.0).sum(axis=0)
     return np.where(count > 0, total / np.maximum(count, 1), np.nan)
+
+
+def columns_of(file, name):
+    data = file["samples"][name]
+    names = str(plain(data.attrs["columns"])).split(", ")
+    return {column.split(" [")[0]: data[()][:, k] for k, column in enumerate(names)}
 
 
 def plain(value):

@@ -40,20 +40,13 @@ def middles(ends, before):
 
 
 def pieces_of(run):
-    """Pieces that have windows, in their order. The scene says where they end; a run at work has fewer."""
-    wanted = run.scene["shear"]["pieces"]
-    time, strain, step = run["time"], run["strain"], run.number("time_step")
-    start = time[0] - (strain[0] / run["strain_rate"][0] if run["strain_rate"][0] else step)  # a stop: of one step
-    found, first, steps = [], 0, 0.0
-    for k in range(len(wanted) * int(run.scene["shear"].get("cycles", 1))):
-        rate, amount = wanted[k % len(wanted)]
-        steps += max(1.0, np.floor((amount if rate == 0 else amount / abs(rate)) / step + 0.5))
-        last = int(np.searchsorted(time, start + (steps + 0.5) * step))
-        if last > first:
-            before = (strain[first - 1], time[first - 1]) if first else (0.0, start)
-            found.append(Piece(k % len(wanted) + 1, slice(first, last), *before, rate))
-        first = last
-    return found
+    """Pieces that have windows, in their order; a run at work has fewer."""
+    table = run.table("pieces")
+    windows = len(run["time"])
+    return [Piece(int(number), slice(int(first), min(int(end), windows)), strain, time, rate)
+            for number, first, end, strain, time, rate in zip(
+                *(table[name] for name in ("piece", "first_window", "end_window", "begin_strain", "begin_time", "strain_rate")))
+            if first < windows]
 
 
 def mean_and_error(run, name, piece, sign=1.0):

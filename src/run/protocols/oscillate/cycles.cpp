@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <span>
 
 #include "src/config/oscillation.hpp"
 #include "src/run/protocols/passes.hpp"
@@ -41,13 +43,14 @@ std::int64_t harmonics_of(Run const& run) {
   return std::min<std::int64_t>(most_harmonics, run.scene.shear.cycle_pieces / 2 - 1);
 }
 
-/// Columns: 1, and for each harmonic its strain and its rate over omega. Rows: windows.
+/// Columns: 1, for each harmonic its strain and its rate over omega, and the time in cycles from
+/// the middle of the cycle, for a drift. Rows: windows.
 Eigen::MatrixXd terms_of(Run const& run) {
   auto const motion = motion_of(run);
   auto const rows = static_cast<Eigen::Index>(motion.phase.size());
   double const omega = 2 * std::numbers::pi / oscillation_period(run.scene);
   double const amplitude = run.scene.shear.amplitude;
-  Eigen::MatrixXd terms(rows, 1 + 2 * harmonics_of(run));
+  Eigen::MatrixXd terms(rows, 2 + 2 * harmonics_of(run));
   for (Eigen::Index k = 0; k < rows; ++k) {
     auto const at = static_cast<std::size_t>(k);
     terms(k, 0) = 1;
@@ -57,8 +60,50 @@ Eigen::MatrixXd terms_of(Run const& run) {
       terms(k, 2 * n - 1) = amplitude * std::sin(static_cast<double>(n) * motion.phase[at]);
       terms(k, 2 * n) = amplitude * std::cos(static_cast<double>(n) * motion.phase[at]);
     }
+    terms(k, terms.cols() - 1) = motion.phase[at] / (2 * std::numbers::pi) - 0.5;
   }
   return terms;
+}
+
+/// Fit of the stress of a cycle. The drift is near a sum of harmonics: to fit it beside them makes
+/// the error of G' in a flow that fluctuates 2.5 times as large. So it is taken from drift_of where
+/// there are other cycles.
+class CycleFit {
+ public:
+  explicit CycleFit(Run const& run)
+      : terms_(terms_of(run)),
+        alone_(terms_.colPivHouseholderQr()),
+        beside_(terms_.leftCols(terms_.cols() - 1).colPivHouseholderQr()) {}
+
+  /// G'_1, G''_1, G'_2, ... and the change of sigma in a cycle. `drift`: that, if it is known.
+  Eigen::VectorXd operator()(std::span<double const> cycle, std::optional<double> drift) const {
+    Eigen::Map<Eigen::VectorXd const> const stress(cycle.data(),
+                                                   static_cast<Eigen::Index>(cycle.size()));
+    auto const count = terms_.cols() - 1;
+    if (!drift) return alone_.solve(stress).tail(count);
+    Eigen::VectorXd found(count);
+    found.head(count - 1) = beside_.solve(stress - *drift * terms_.col(count)).tail(count - 1);
+    found(count - 1) = *drift;
+    return found;
+  }
+
+ private:
+  Eigen::MatrixXd terms_;
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> alone_, beside_;
+};
+
+/// Drift over a cycle: the mean difference of windows a period apart, of which one lies about its
+/// beginning and the other about its end. So it is that of this cycle, and what the strain does
+/// drops out. None of a cycle alone.
+std::optional<double> drift_of(std::span<double const> sigma, std::size_t cycle,
+                               std::size_t windows_of_cycle) {
+  auto const begin = cycle * windows_of_cycle, near = windows_of_cycle / 4;
+  auto const first = begin - std::min(near, begin);
+  auto const last = std::min(begin + near, sigma.size() - windows_of_cycle);
+  if (first == last) return {};
+  double sum = 0;
+  for (auto w = first; w < last; ++w) sum += sigma[w + windows_of_cycle] - sigma[w];
+  return sum / static_cast<double>(last - first);
 }
 
 Observable const& of_name(std::vector<Observable> const& list, std::string_view name) {
@@ -81,6 +126,9 @@ void add_moduli(std::vector<Observable>& list, std::size_t first, std::int64_t h
                     n == 0 ? "loss modulus G''" : "part of sigma/gamma_0 in cos(n omega t)",
                     column(1)});
   }
+  list.push_back({"sigma_drift", "m/tau_e^2", "change of sigma in a cycle that does not come back",
+                  [at = first + 2 * static_cast<std::size_t>(harmonics)](
+                      std::span<double const> a) { return a[at]; }});
 }
 
 }  // namespace
@@ -89,33 +137,57 @@ Cycles cycles_of(Run const& run) {
   Cycles cycles;
   cycles.observables = observables(run.scene, run.box_length);
   auto const sigma = of_name(cycles.observables, "sigma").value;
-  auto const solver = terms_of(run).colPivHouseholderQr();
+  CycleFit const fit(run);
+  auto const harmonics = harmonics_of(run);
   auto const windows_of_cycle = run.plan.pieces->size();
+  cycles.discarded = static_cast<std::size_t>(run.plan.discarded_windows) / windows_of_cycle;
   for (auto const& replica : run.replicas) {
     auto const& windows = replica.measurement.windows;
-    auto const harmonics = 2 * static_cast<std::size_t>(harmonics_of(run));
-    statistics::Windows table{windows.columns + harmonics, {}, {}};
-    for (auto first = static_cast<std::size_t>(run.plan.discarded_windows);
-         first + windows_of_cycle <= windows.size(); first += windows_of_cycle) {
+    auto const count = windows.size() / windows_of_cycle;
+    std::vector<double> stress(count * windows_of_cycle);
+    for (std::size_t w = 0; w < stress.size(); ++w) stress[w] = sigma(windows.mean(w, w + 1));
+    statistics::Windows table{
+        windows.columns + 2 * static_cast<std::size_t>(harmonics) + 1, {}, {}};
+    for (std::size_t cycle = 0; cycle < count; ++cycle) {
       std::vector<double> row(table.columns);
-      Eigen::VectorXd stress(static_cast<Eigen::Index>(windows_of_cycle));
       double weight = 0;
-      for (std::size_t k = 0; k < windows_of_cycle; ++k) {
-        auto const sums = windows.row(first + k);
+      for (std::size_t w = cycle * windows_of_cycle; w < (cycle + 1) * windows_of_cycle; ++w) {
+        auto const sums = windows.row(w);
         for (std::size_t c = 0; c < sums.size(); ++c) row[c] += sums[c];
-        weight += windows.weight[first + k];
-        stress(static_cast<Eigen::Index>(k)) = sigma(windows.mean(first + k, first + k + 1));
+        weight += windows.weight[w];
       }
-      Eigen::VectorXd const moduli = solver.solve(stress);
-      for (std::size_t c = 0; c < harmonics; ++c)
-        row[windows.columns + c] = weight * moduli(static_cast<Eigen::Index>(c) + 1);
+      Eigen::VectorXd const found =
+          fit(std::span(stress).subspan(cycle * windows_of_cycle, windows_of_cycle),
+              drift_of(stress, cycle, windows_of_cycle));
+      for (std::size_t c = 0; c < static_cast<std::size_t>(found.size()); ++c)
+        row[windows.columns + c] = weight * found(static_cast<Eigen::Index>(c));
       table.push_back(row, weight);
     }
     cycles.of.push_back(std::move(table));
   }
-  add_moduli(cycles.observables, run.replicas.front().measurement.windows.columns,
-             harmonics_of(run));
+  cycles.averages = cycles.observables.size();
+  add_moduli(cycles.observables, run.replicas.front().measurement.windows.columns, harmonics);
   return cycles;
+}
+
+statistics::Samples cycle_table(Run const& run) {
+  auto const cycles = cycles_of(run);
+  statistics::Samples table{"cycles",
+                            "moduli of each cycle; measured: 1 if it is in the averages, else 0",
+                            {"seed", "cycle", "measured"},
+                            {}};
+  auto const fitted = std::span(cycles.observables).subspan(cycles.averages);
+  for (auto const& one : fitted)
+    table.columns.push_back(fmt::format("{} [{}]", one.name, one.unit));
+  for (std::size_t r = 0; r < cycles.of.size(); ++r)
+    for (std::size_t cycle = 0; cycle < cycles.of[r].size(); ++cycle) {
+      table.rows.insert(table.rows.end(),
+                        {static_cast<double>(run.scene.disks.seed) + static_cast<double>(r),
+                         static_cast<double>(cycle + 1), cycle < cycles.discarded ? 0.0 : 1.0});
+      for (auto const& one : fitted)
+        table.rows.push_back(one.value(cycles.of[r].mean(cycle, cycle + 1)));
+    }
+  return table;
 }
 
 Waveform waveform_of(Run const& run) {

@@ -28,9 +28,14 @@ std::vector<Measured> measured_windows(Run const& run) {
       bool const is_last = run.plan.window_end(static_cast<std::int64_t>(w)) - begin + since >=
                            pieces.steps_of(piece);
       if (static_cast<double>(since) < discard * of_piece && !is_last) continue;
-      found[piece].passes.add(pass_of(run, r, cycle), windows.row(w), windows.weight[w]);
+      bool const stops = pieces[piece].rate == 0;
+      auto const steps = run.plan.window_end(static_cast<std::int64_t>(w)) - begin;
+      double const weight = stops ? static_cast<double>(steps) : windows.weight[w];
+      std::vector<double> sums(windows.row(w).begin(), windows.row(w).end());
+      for (auto& sum : sums) sum *= weight / windows.weight[w];
+      found[piece].passes.add(pass_of(run, r, cycle), sums, weight);
       found[piece].each.columns = windows.columns;
-      found[piece].each.push_back(windows.row(w), windows.weight[w]);
+      found[piece].each.push_back(sums, weight);
     }
   }
   return found;
@@ -62,6 +67,31 @@ std::vector<PieceResult> piece_results(Run const& run) {
     results.push_back(std::move(result));
   }
   return results;
+}
+
+statistics::Samples piece_table(Run const& run) {
+  auto const& pieces = *run.plan.pieces;
+  statistics::Samples table{
+      "pieces",
+      "pieces of all cycles, those to come too: windows first_window .. end_window - 1",
+      {"cycle", "piece", "strain_rate [1/tau_e]", "begin_strain", "end_strain",
+       "begin_time [tau_e]", "end_time [tau_e]", "first_window", "end_window"},
+      {}};
+  double const start = run.replicas.front().initial_time;
+  for (std::int64_t cycle = 0; cycle < pieces.cycles(); ++cycle)
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+      auto const begin = cycle * pieces.cycle_steps() + pieces[k].begin;
+      auto const end = begin + pieces.steps_of(k);
+      auto const first = run.plan.row_of(begin).first;
+      auto const after = end == pieces.steps() ? run.plan.windows : run.plan.row_of(end).first;
+      table.rows.insert(table.rows.end(),
+                        {static_cast<double>(cycle + 1), static_cast<double>(k + 1), pieces[k].rate,
+                         pieces.strain(begin), pieces.strain(end),
+                         start + run.plan.time_step * static_cast<double>(begin),
+                         start + run.plan.time_step * static_cast<double>(end),
+                         static_cast<double>(first), static_cast<double>(after)});
+    }
+  return table;
 }
 
 }  // namespace bagnold

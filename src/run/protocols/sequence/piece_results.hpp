@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "src/run/results.hpp"
+#include "src/statistics/tables.hpp"
 
 namespace bagnold {
 
@@ -18,8 +19,12 @@ struct PieceResult {
 };
 
 /// Results of each piece of a cycle. The share shear.discard of the time of each piece is left out,
-/// to whole windows. Errors: by the jackknife over replicas from 3 on, otherwise over cycles, from
+/// to whole windows. Windows of a stop, each longer than the one before, count by their time.
+/// Errors: by the jackknife over replicas from 3 on, otherwise over cycles, from
 /// 3 on; of a single pass by blocks of its windows, where it flows.
 std::vector<PieceResult> piece_results(Run const& run);
+
+/// Beginning and end of the pieces of all cycles, with the numbers of their windows, for result.h5.
+statistics::Samples piece_table(Run const& run);
 
 }  // namespace bagnold
