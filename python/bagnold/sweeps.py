@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, overload
 import numpy as np
 from numpy.typing import NDArray
 
-from .errors import FileError, needed
+from .errors import FileError, NotOfThisRun, needed
 from .frames import Array
 from .hdf5 import open_hdf5
 from .results import Run, load, read_summary
@@ -43,8 +43,8 @@ class Sweep(Sequence[Point]):
     """The points of a sweep in the order of its file; ``s["B_p"]`` is a column, [P]."""
 
     def __init__(self, folder: pathlib.Path, points: list[Point], varied: dict[str, NDArray[Any]],
-                 observables: dict[str, Array]) -> None:
-        self.folder, self._points = folder, points
+                 observables: dict[str, Array], pieces: dict[str, Array] | None = None) -> None:
+        self.folder, self._points, self._pieces = folder, points, pieces
         self.varied = varied  #: values of the varied keys, [P] each
         self._observables = observables
 
@@ -88,6 +88,17 @@ class Sweep(Sequence[Point]):
         from .html import of_sweep
 
         return of_sweep(self)
+
+    @property
+    def pieces(self) -> Sweep:
+        """Of sequences: a row a piece of each point, with its number in the sequence as the key ``piece``; columns are its
+        averages and its place, ``strain_rate``, ``begin_strain``, ``strain``, ``begin_time`` and ``time``."""
+        if self._pieces is None:
+            raise NotOfThisRun(f"{self.folder} is no sweep over sequences: it has no pieces, its columns are s[\"p\"]")
+        of = self._pieces["point"].astype(int)
+        varied = {key: values[of] for key, values in self.varied.items()}
+        return Sweep(self.folder, [self._points[k] for k in of], {**varied, "piece": self._pieces["piece"]},
+                     {name: values for name, values in self._pieces.items() if name not in ("point", "piece")})
 
     def to_xarray(self) -> Dataset:
         """Observables and their errors over the varied keys, one axis each where the points are a whole grid, else over
@@ -145,10 +156,11 @@ def _of_table(place: pathlib.Path) -> Sweep:
             if key not in texts:
                 varied[key] = values[:] if values.dtype.kind == "f" else np.array(
                     [str(one) for one in values.asstr()[:]], dtype=object)
-        means = {name: np.asarray(values[:], dtype=np.float64) for name, values in observables.items()}
+        means, pieces = ({name: np.asarray(values[:], dtype=np.float64) for name, values in group.items()}
+                         for group in (observables, file.get("pieces", {})))
     return Sweep(place, [Point(place / "points" / name, Scene(tomllib.loads(scene)), done, tuple(words.split()))
                          for name, scene, done, words in zip(texts["folder"], texts["scene"], status, warnings)],
-                 varied, means)
+                 varied, means, pieces or None)
 
 
 def _of_cascade(place: pathlib.Path, found: list[dict[str, Any]]) -> Sweep:

@@ -248,6 +248,11 @@ SweepTable read_sweep_table(std::filesystem::path const& path) {
   io::Hdf5Reader const file(table.origin, io::read_file(file_path));
   read_keys(file, table);
   read_observables(file, table);
+  if (table.observables.empty() && file.has("/pieces"))
+    throw InputError(
+        fmt::format("{}: its points are sequences, whose averages are of pieces; give {}, a row a "
+                    "piece",
+                    table.origin, (file_path.parent_path() / "pieces.csv").string()));
   if (table.observables.empty())
     throw InputError(fmt::format("{}: /observables is empty; run the sweep first", table.origin));
   if (file.has("/warnings") && file.holds_text("/warnings"))

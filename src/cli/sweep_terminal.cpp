@@ -67,6 +67,8 @@ void SweepTerminal::collected(sweep::Sweep const& sweep, sweep::SweepFolder cons
   warn(suspect_points(sweep, results, folder.path()));
   if (auto const notes = noted_points(results); !notes.empty()) say("note: " + notes);
   fmt::print("table of {} points in {}\n", sweep.points.size(), folder.table().string());
+  if (auto const pieces = results.pieces.point.size(); pieces > 0)
+    fmt::print("table of {} pieces in {}\n", pieces, (folder.path() / "pieces.csv").string());
 }
 
 void SweepTerminal::print(Clock::time_point now) {

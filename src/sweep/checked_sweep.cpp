@@ -24,12 +24,14 @@ PointCheck point_check(bool allow_unstable) {
 
 Sweep read_checked_sweep(std::filesystem::path const& file, bool allow_unstable) {
   auto sweep = read_sweep(file, point_check(allow_unstable));
-  auto const worth_a_word = [](auto const& point) { return !plan_warning(point.plan).empty(); };
+  auto const worth_a_word = [](auto const& point) {
+    return !plan_warning(point.scene, point.plan).empty();
+  };
   auto const first = std::ranges::find_if(sweep.points, worth_a_word);
   if (first != sweep.points.end())
     warn(fmt::format("{} of {} points, the first is {}: {}",
                      std::ranges::count_if(sweep.points, worth_a_word), sweep.points.size(),
-                     first->name, plan_warning(first->plan)));
+                     first->name, plan_warning(first->scene, first->plan)));
   return sweep;
 }
 

@@ -19,6 +19,8 @@ SweepEnd write_tables(Sweep const& asked, SweepFolder const& folder, SweepMonito
   write_csv(folder.table(), sweep, results);
   write_hdf5(folder.path() / "sweep.h5", sweep, results,
              {{"bagnold_version", made.version}, {"git", made.git}});
+  if (!results.pieces.point.empty())
+    write_pieces_csv(folder.path() / "pieces.csv", sweep, results.pieces);
   monitor.collected(sweep, folder, results);
   auto const done = std::ranges::count(results.status, "done");
   auto const points = std::ssize(sweep.points);

@@ -175,8 +175,11 @@ PlacedPoints place_points(Sweep const& sweep, fs::path const& name) {
         "is in {} (its first: {}); {}choose another folder, or put the file back as it was",
         name.string(), known.size(), sweep.origin,
         difference(known.front().scene, write_scene(placed.sweep.points.front().scene)),
-        std::ranges::any_of(sweep.points,
-                            [](auto const& point) { return point.previous.has_value(); })
+        placed.sweep.points.front().scene.shear.by_pieces()
+            ? "only a steady run can be made longer: other shear.cycles or shear.pieces are other "
+              "points; "
+        : std::ranges::any_of(sweep.points,
+                              [](auto const& point) { return point.previous.has_value(); })
             ? "of a chain only the last points can get more strain, for others start from the "
               "rest; "
             : ""));

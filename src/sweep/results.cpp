@@ -15,6 +15,8 @@ namespace bagnold::sweep {
 namespace {
 
 using Json = nlohmann::ordered_json;
+constexpr char const* piece_places[] = {"strain_rate", "begin_strain", "strain", "begin_time",
+                                        "time"};
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 double number(Json const& object, char const* name) {
@@ -54,11 +56,29 @@ double strain_of(Json const& summary) {
   return summary.contains(at) && summary[at].is_number() ? summary[at].get<double>() : nothing;
 }
 
-Column& column(Results& results, std::string const& name, std::size_t points) {
-  auto const found = std::ranges::find(results.columns, name, &Column::name);
-  if (found != results.columns.end()) return *found;
-  std::vector<double> const empty(points, nothing);
-  return results.columns.emplace_back(Column{name, empty, empty});
+Column& column(std::vector<Column>& columns, std::string const& name, std::size_t rows) {
+  auto const found = std::ranges::find(columns, name, &Column::name);
+  auto& of_name = found != columns.end() ? *found : columns.emplace_back(Column{name, {}, {}});
+  of_name.mean.resize(rows, nothing);
+  of_name.error.resize(rows, nothing);
+  return of_name;
+}
+
+void read_pieces(Json const& summary, std::size_t point, PieceRows& rows) {
+  double number_in_sequence = 0;
+  for (auto const& piece : summary.value("pieces", Json::array())) {
+    rows.point.push_back(point);
+    rows.piece.push_back(++number_in_sequence);
+    auto const count = rows.point.size();
+    for (auto const* place : piece_places)
+      column(rows.columns, place, count).mean.back() = number(piece, place);
+    Json const averages = piece.value("observables", Json::object());
+    for (auto const& [name, estimate] : averages.items()) {
+      auto& of_name = column(rows.columns, name, count);
+      of_name.mean.back() = number(estimate, "mean");
+      of_name.error.back() = number(estimate, "error");
+    }
+  }
 }
 
 }  // namespace
@@ -81,12 +101,15 @@ Results read_results(Sweep const& sweep, SweepFolder const& folder) {
     results.notes[k] = names_in(summary, "notes");
     results.strain[k] = strain_of(summary);
     for (auto const& [name, estimate] : summary["observables"].items()) {
-      auto& of_name = column(results, name, points);
+      auto& of_name = column(results.columns, name, points);
       of_name.mean[k] = number(estimate, "mean");
       of_name.error[k] = number(estimate, "error");
       if (is_true(estimate, "rough")) append(results.rough_errors[k], name);
     }
+    read_pieces(summary, k, results.pieces);
   }
+  for (auto const& one : results.pieces.columns)  // all rows, those without it too
+    column(results.pieces.columns, one.name, results.pieces.point.size());
   return results;
 }
 

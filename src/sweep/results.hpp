@@ -16,6 +16,13 @@ struct Column {
   std::vector<double> mean, error;
 };
 
+/// Averages of the pieces of sequences, a row a piece of each point.
+struct PieceRows {
+  std::vector<std::size_t> point;  ///< [rows]
+  std::vector<double> piece;       ///< [rows], its number in the sequence, from 1
+  std::vector<Column> columns;     ///< [rows] each; those of its place have no errors
+};
+
 /// Results of the points of a sweep.
 struct Results {
   std::vector<Column> columns;  ///< every observable of any point, in the order of first appearance
@@ -25,6 +32,7 @@ struct Results {
   std::vector<std::string> rough_errors;  ///< [P]: NAMEs whose errors are rough, a space between
   std::vector<double> strain;  ///< [P]: shear.strain of a point that is done, else NaN; of one that
                                ///< was made longer by itself more than the sweep says
+  PieceRows pieces = {};       ///< of points with shear.protocol = "sequence"
 };
 
 /// Reads the points' summary.json. Throws FileError if one cannot be read.
@@ -37,6 +45,11 @@ Sweep as_run(Sweep sweep, Results const& results);
 /// warnings, notes, folder; cells are empty if there is no value. Replaces the file as a whole;
 /// throws FileError.
 void write_csv(std::filesystem::path const& file, Sweep const& sweep, Results const& results);
+
+/// Writes pieces.csv: a row a piece, with the varied keys, its number and place, NAME and
+/// NAME_error, folder. Replaces the file as a whole; throws FileError.
+void write_pieces_csv(std::filesystem::path const& file, Sweep const& sweep,
+                      PieceRows const& pieces);
 
 /// Writes sweep.h5, see docs/files.md; `made_by` goes to the root. Replaces the file; throws
 /// FileError.

@@ -27,12 +27,21 @@ std::string short_name(std::string const& key, std::vector<std::string> const& k
   return std::ranges::count_if(keys, alike) > 1 ? key : last(key);
 }
 
+/// Text of a value for the name of a folder: of a list its numbers, "0.001+0.5+0+100".
+std::string name_of(Value const& value) {
+  auto text = text_of(value);
+  if (!text.starts_with('[')) return text;
+  std::erase_if(text, [](char c) { return c == '[' || c == ']' || c == ' ' || c == '\n'; });
+  std::ranges::replace(text, ',', '+');
+  return text;
+}
+
 /// Folder name: number, then keys and values in letters that every file system and shell accepts.
 std::string folder_name(std::size_t number, std::vector<std::string> const& keys,
                         std::vector<Value> const& values) {
   std::string name = fmt::format("{:04}", number);
   for (std::size_t k = 0; k < keys.size(); ++k) {
-    auto part = fmt::format("_{}={}", short_name(keys[k], keys), text_of(values[k]));
+    auto part = fmt::format("_{}={}", short_name(keys[k], keys), name_of(values[k]));
     for (char& c : part) {
       bool const letter =
           (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');

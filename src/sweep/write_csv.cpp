@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 
@@ -42,6 +43,35 @@ void write_csv(std::filesystem::path const& file, Sweep const& sweep, Results co
     line.push_back(cell(results.warnings[k]));
     line.push_back(cell(results.notes[k]));
     line.push_back(cell(sweep.points[k].folder));
+    table += fmt::format("{}\n", fmt::join(line, ","));
+  }
+  io::replace_file(file, std::as_bytes(std::span(table)));
+}
+
+void write_pieces_csv(std::filesystem::path const& file, Sweep const& sweep,
+                      PieceRows const& pieces) {
+  std::vector<std::string> line;
+  for (auto const& key : sweep.keys) line.push_back(cell(key));
+  line.emplace_back("piece");
+  auto const has_errors = [](Column const& column) {
+    return std::ranges::any_of(column.error, [](double error) { return std::isfinite(error); });
+  };
+  for (auto const& column : pieces.columns) {
+    line.push_back(cell(column.name));
+    if (has_errors(column)) line.push_back(cell(column.name + "_error"));
+  }
+  line.emplace_back("folder");
+  auto table = fmt::format("{}\n", fmt::join(line, ","));
+  for (std::size_t row = 0; row < pieces.point.size(); ++row) {
+    auto const& point = sweep.points[pieces.point[row]];
+    line.clear();
+    for (auto const& value : point.values) line.push_back(cell(text_of(value)));
+    line.push_back(cell(pieces.piece[row]));
+    for (auto const& column : pieces.columns) {
+      line.push_back(cell(column.mean[row]));
+      if (has_errors(column)) line.push_back(cell(column.error[row]));
+    }
+    line.push_back(cell(point.folder));
     table += fmt::format("{}\n", fmt::join(line, ","));
   }
   io::replace_file(file, std::as_bytes(std::span(table)));

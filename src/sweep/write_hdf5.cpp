@@ -52,6 +52,17 @@ void write_hdf5(std::filesystem::path const& path, Sweep const& sweep, Results c
     file.dataset("/observables/" + column.name, column.mean, {points});
     file.dataset("/observables/" + column.name + "_error", column.error, {points});
   }
+  if (auto const& pieces = results.pieces; !pieces.point.empty()) {
+    auto const rows = pieces.point.size();
+    file.group("/pieces");
+    file.dataset("/pieces/point", std::vector<double>(pieces.point.begin(), pieces.point.end()),
+                 {rows});
+    file.dataset("/pieces/piece", pieces.piece, {rows});
+    for (auto const& column : pieces.columns) {
+      file.dataset("/pieces/" + column.name, column.mean, {rows});
+      file.dataset("/pieces/" + column.name + "_error", column.error, {rows});
+    }
+  }
   io::replace_file(path, file.content());
 }
 

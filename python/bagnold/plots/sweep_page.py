@@ -17,8 +17,10 @@ RATE = "shear.strain_rate"
 PREFERRED = (RATE, "disks.elasticity", "disks.packing_fraction", "disks.count")  # of keys with as many values
 SYMBOLS = {"sigma": (r"$\sigma$", "m/tau_e^2"), "p": ("$p$", "m/tau_e^2"), "B_p": ("$B_p$", ""),
            "B_sigma": (r"$B_\sigma$", ""), "eta_p": (r"$\eta_p$", ""), "eta_sigma": (r"$\eta_\sigma$", ""),
+           "G_storage": ("$G'$", "m/tau_e^2"), "G_loss": ("$G''$", "m/tau_e^2"),
            "mu": (r"$\mu = \sigma/p$", ""), "Z": ("$Z$", ""), "T_g": ("$T_g$", "m d_s^2/tau_e^2")}
 PANELS = {True: ("sigma", "p", "B_p", "eta_p", "mu", "Z"), False: ("p", "sigma", "B_p", "mu", "Z", "T_g")}
+OF_CYCLES = ("G_storage", "G_loss", "p", "Z", "T_g")  # of oscillations
 MOST_NAMED = 12  # of more curves the first and last have a name
 NAMES_A_LINE = 6
 
@@ -150,8 +152,11 @@ def provenance(sweep):
 
 def draw(sweep):
     """Six panels of what the points have. Raises InputError where there is nothing."""
+    points = sweep
+    if not sweep.names and hasattr(sweep, "pieces"):
+        sweep = sweep.pieces
     along = key_along(sweep)
-    names = [name for name in PANELS[along == RATE] if name in sweep.names and np.isfinite(sweep[name]).any()]
+    names = [name for name in (OF_CYCLES if "G_storage" in sweep.names else PANELS[along == RATE]) if name in sweep.names and np.isfinite(sweep[name]).any()]
     if not names:
         raise InputError(f"{sweep.folder}: none of its points is done")
     columns = min(3, len(names))
@@ -170,7 +175,7 @@ def draw(sweep):
         axes.set_axis_off()
     name_curves(figure, grid[0, 0], curves, height)
     about = common(sweep, along)
-    done = sum(point.status == "done" for point in sweep)
+    done = sum(point.status == "done" for point in points)
     add_heading(figure, {**provenance(sweep), **about, "title": about.get("title") or sweep.folder.resolve().name},
-                scene_line(about, replicas=about.get("replicas", 1)), f"{done} of {len(sweep)} points", 0.07, height)
+                scene_line(about, replicas=about.get("replicas", 1)), f"{done} of {len(points)} points", 0.07, height)
     return figure
