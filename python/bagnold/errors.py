@@ -15,6 +15,10 @@ class InputError(Error, ValueError):
     """A scene, a sweep file or an argument is wrong (exit code 2 of the program)."""
 
 
+class NotOfThisRun(InputError, AttributeError):
+    """A run of another protocol has it: ``hasattr(run, "pieces")`` is false."""
+
+
 class NumericalError(Error, ArithmeticError):
     """The motion is unphysical, for instance because of a time step too large (exit code 3)."""
 

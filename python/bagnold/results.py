@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .contacts import ContactFrames
-from .errors import FileError, InputError, needed
+from .errors import FileError, InputError, NotOfThisRun, needed
 from .files import regular
 from .frames import Array, Frame, Frames, read_states
 from .hdf5 import open_hdf5
@@ -27,6 +27,9 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from pandas import DataFrame
     from xarray import Dataset
+
+
+BY_PIECES = ("sequence", "oscillate")  # protocols in which the shear turns or stops
 
 
 class Series(Mapping[str, Array]):
@@ -169,18 +172,19 @@ class Run:
         return frame
 
     def to_xarray(self) -> Dataset:
-        """All series over the strain at the end of each window, of replicas over their seeds too; units and meanings are
-        attributes. Needs xarray."""
+        """All series over the strain at the end of each window, or the time where the shear turns or stops (sequences,
+        oscillations); of replicas over their seeds too. Units and meanings are attributes. Needs xarray."""
         xarray = needed("xarray", "to_xarray()")
         series, seeds = self.series, self.seeds
-        strain = series["strain"]
+        along = "time" if self.scene.get("shear.protocol") in BY_PIECES else "strain"
+        axis = series[along]
         variables = {}
         for name in series:
             value = series[name]
-            if name != "strain":
-                dimensions = ("seed", "strain") if value.ndim == 2 else ("strain",)
+            if name != along:
+                dimensions = ("seed", along) if value.ndim == 2 else (along,)
                 variables[name] = (dimensions, value, {"units": series.unit(name), "long_name": series.description(name)})
-        coordinates = {"strain": ("strain", strain if strain.ndim == 1 else strain[0], {"units": "1"})}
+        coordinates = {along: (along, axis if axis.ndim == 1 else axis[0], {"units": series.unit(along)})}
         if len(seeds) > 1:
             coordinates["seed"] = ("seed", np.array(seeds), {})
         return xarray.Dataset(variables, coordinates, {"title": str(self.scene.get("title", "")),
@@ -291,8 +295,14 @@ class Run:
         for path in (self.folder / f"{name}.h5md", self.folder / f"{name}.parts"):
             if path.exists():
                 return Frames(path, rate)
-        raise FileError(f"{self.folder} has no {name}.h5md: set output.trajectory_strain, the strain between "
-                        "frames, in the scene and run it again")
+        raise FileError(f"{self.folder} has no {name}.h5md: set output.{self.frame_spacing} between frames in the scene and "
+                        "run it again")
+
+    @property
+    def frame_spacing(self) -> str:
+        """Key of `[output]` that spaces the frames of its trajectory."""
+        protocol = str(self.scene.get("shear.protocol", "steady"))
+        return {"ramp": "trajectory_decades"}.get(protocol, "trajectory_time" if protocol in BY_PIECES else "trajectory_strain")
 
     @property
     def contacts(self) -> ContactFrames:
@@ -307,7 +317,9 @@ class Run:
     @property
     def states(self) -> list[Frame]:
         """The last states of all replicas."""
-        strain = float(self.summary["strain"]["total"]) if self.complete else math.nan
+        turns = self.scene.get("shear.protocol") in BY_PIECES
+        strain = math.nan if not self.complete else (
+            float(np.ravel(self.series["strain"])[-1]) if turns else float(self.summary["strain"]["total"]))
         return read_states(self._file("state.h5"), self.scene.get("disks.mass") == "area", strain)
 
     # ------------------------------------------------------------------------- what else it has
@@ -352,7 +364,7 @@ class Run:
     def pieces(self) -> list[Piece]:
         """Pieces of a sequence, in their order: ``r.pieces[0].mean["sigma"]``."""
         if "pieces" not in self.summary:
-            raise InputError(f"{self.folder} is no sequence: it has no pieces, its averages are r[\"p\"]")
+            raise NotOfThisRun(f"{self.folder} is no sequence: it has no pieces, its averages are r[\"p\"]")
         return [_piece(one) for one in self.summary["pieces"]]
 
     @cached_property
@@ -365,7 +377,7 @@ class Run:
     def oscillation(self) -> Oscillation:
         """The mean cycle of an oscillation; its moduli are ``r["G_storage"]`` and ``r["G_loss"]``."""
         if "oscillation" not in self.summary:
-            raise InputError(f"{self.folder} is no oscillation: it has no mean cycle")
+            raise NotOfThisRun(f"{self.folder} is no oscillation: it has no mean cycle")
         found = self.summary["oscillation"]
         wave = {name: np.array([number(one) for one in values]) for name, values in found["waveform"].items()}
         return Oscillation(found["amplitude"], found["period"], found["cycles"], found["discarded_cycles"], wave["strain"],

@@ -203,7 +203,8 @@ def nonaffine_msd(frames: Iterable[Frame]) -> tuple[Array, Array]:
     if len(strain) > 1 and not np.diff(strain).min() > 0:
         at = int(np.argmin(np.diff(strain)))
         raise InputError(f"strain goes from {strain[at]:g} to {strain[at + 1]:g} since the first frame, from frame {at} to {at + 1} "
-                         "(must grow); take the frames in the order of the run, each once")
+                         "(must grow: lags are of strain); take the frames in the order of the run, each once, and of one way alone "
+                         "where the shear turns or stops")
     lags, squares = [np.zeros(1)], [np.zeros(2)]
     for i, j in _pairs_by_lag(strain):
         lags.append(np.mean(strain[j] - strain[i], keepdims=True))

@@ -34,8 +34,13 @@ constexpr std::string_view shown_keys[] = {"disks.model",
                                            "shear.cycles",
                                            "shear.ramp_window",
                                            "shear.ramp_every",
+                                           "shear.pieces",
+                                           "shear.amplitude",
+                                           "shear.period",
+                                           "shear.peak_rate",
                                            "output.trajectory_strain",
                                            "output.trajectory_decades",
+                                           "output.trajectory_time",
                                            "output.plot"};
 
 /// A scene of this protocol that takes seconds to a minute.
@@ -62,6 +67,17 @@ Scene first_scene(std::string const& protocol) {
     scene.shear.ramp_rate = 1e-4;
     scene.shear.ramp_window = 100;
     scene.shear.ramp_every = 5;
+  }
+  if (scene.shear.by_pieces()) {  // about jamming
+    scene.disks.model = "CD";
+    scene.disks.packing_fraction = 0.845;
+    scene.disks.elasticity = 1;
+    scene.disks.mass = "equal";
+    scene.disks.count = 256;
+    scene.shear.pieces = {{1e-3, 0.5}, {-1e-3, 0.5}, {0, 1e3}};
+    scene.shear.amplitude = 0.05;
+    scene.shear.period = 400;
+    scene.shear.cycles = protocol == "oscillate" ? 6 : 1;
   }
   return scene;
 }
@@ -112,8 +128,10 @@ Command add_init(Words program) {
   auto const options = std::make_shared<Options>();
   Words command = add_command(program, "init", "write a first scene, with what its keys mean");
   command.option("FILE", options->file, "file to write [scene.toml]");
-  command.option("--protocol", options->protocol, "steady, cascade or ramp [steady]")
-      .one_of({"steady", "cascade", "ramp"});
+  command
+      .option("--protocol", options->protocol,
+              "steady, cascade, ramp, sequence or oscillate [steady]")
+      .one_of({"steady", "cascade", "ramp", "sequence", "oscillate"});
   return {command, [options] {
             auto const name = options->file.string();
             if (std::filesystem::exists(options->file))

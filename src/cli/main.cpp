@@ -2,9 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
 #include <iterator>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -29,6 +32,14 @@ void give_back_large_arrays() {
   mallopt(M_MMAP_THRESHOLD, 4 << 20);
   mallopt(M_TRIM_THRESHOLD, 8 << 20);  // small ones need not: they are wanted again
 #endif
+}
+
+/// Names this program to the Python package that it calls, which asks it for the status of a run.
+void name_this_program() {
+  std::error_code unknown;
+  auto const program = std::filesystem::read_symlink("/proc/self/exe", unknown);
+  if (std::filesystem::exists(program, unknown))
+    setenv("BAGNOLD_PROGRAM", program.c_str(), /*overwrite=*/1);
 }
 
 /// The words of the command line; `help COMMAND` becomes `COMMAND --help`.
@@ -108,6 +119,7 @@ int main(int argc, char** argv) {
   bagnold::catch_checkpoint_signal();
   bagnold::open_standard_streams();
   give_back_large_arrays();
+  name_this_program();
   int code = bagnold::internal_error;
   try {
     code = run(argc, argv);

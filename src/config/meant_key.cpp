@@ -30,6 +30,12 @@ constexpr Elsewhere keys_elsewhere[] = {
      "disks.packing_fraction"},
     {"gammadot gdot dotgamma shearrate rate erate edot epsilondot", "shear.strain_rate"},
     {"gamma totalstrain maxstrain strainmax finalstrain shearstrain", "shear.strain"},
+    {"gamma0 strainamplitude amp", "shear.amplitude"},
+    {"piecespercycle windowspercycle stepspercycle pointspercycle", "shear.cycle_pieces"},
+    {"ncycles numcycles numberofcycles oscillations periods nperiods", "shear.cycles"},
+    {"omega frequency freq angularfrequency", "",
+     "an oscillation has its period T = 2 pi/omega, shear.period, or shear.peak_rate = amplitude "
+     "omega"},
     {"q quality qualityfactor", "disks.elasticity"},
     {"equilibration equilibrate equilsteps burnin warmup transient", "shear.discard"},
     {"law contactlaw contactmodel forcelaw interaction forcemodel pairstyle", "disks.model"},

@@ -262,7 +262,11 @@ double least_box_for_fields() {
   return 2 * (big_diameter + field_radius - small_radius);
 }
 
-std::string plan_warning(Plan const& plan) {
+std::string plan_warning(Scene const& scene, Plan const& plan) {
+  if (scene.shear.protocol == "oscillate" && scene.shear.discard > 0 && plan.discarded_windows == 0)
+    return fmt::format(
+        "shear.cycles = 1 leaves no cycle to discard, so its transient is measured; take more, or "
+        "say shear.discard = 0");
   if (plan.discarded_windows < plan.windows) return {};
   return fmt::format(
       "shear.discard discards all {} windows of {} steps, so nothing will be measured; make "

@@ -85,6 +85,6 @@ double memory_needed(Scene const& scene, Plan const& plan);
 void check_feasible(Scene const& scene, Plan const& plan, bool allow_unstable);
 
 /// Warning before a run that is allowed to start; "" if there is none.
-std::string plan_warning(Plan const& plan);
+std::string plan_warning(Scene const& scene, Plan const& plan);
 
 }  // namespace bagnold

@@ -26,4 +26,8 @@ double collisions_per_disk(Scene const& scene, double contacts, double strain) {
   return contacts * strain / scene.shear.strain_rate / head_on_duration(scene);
 }
 
+double collisions_of(Scene const& scene, double contact_time) {
+  return contact_time / head_on_duration(scene);
+}
+
 }  // namespace bagnold

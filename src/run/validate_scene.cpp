@@ -65,7 +65,7 @@ Plan validated_plan(Scene const& scene, bool allow_unstable) {
   for (auto const& run : runs_of(scene)) {
     plans.push_back(make_plan(run));
     validate_scene(run, plans.back(), allow_unstable);
-    warn(plan_warning(plans.back()));
+    warn(plan_warning(run, plans.back()));
   }
   return plans.front();
 }

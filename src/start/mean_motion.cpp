@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "kernels/physics/species.hpp"
 #include "src/config/strain_rates.hpp"
@@ -25,16 +26,23 @@ MeanMotion mean_motion(State const& state, Scene const& scene) {
   return {{x / masses, y / masses}, share};
 }
 
+bool is_more_than_rounding(MeanMotion const& motion, double rate, double height) {
+  constexpr double rounding = 1e-6;
+  auto const [x, y] = motion.velocity;
+  return std::hypot(x, y) >
+         std::max(rounding * std::abs(rate), std::numeric_limits<double>::epsilon() * height);
+}
+
 std::optional<MeanMotion> take_off_mean_motion(State& state, Scene const& scene) {
   // Rounding leaves a share below 1e-20 in states of this program. A strain of 1e4 makes 1e-4 of
   // this limit.
   constexpr double rounding = 1e-12;
   auto const found = mean_motion(state, scene);
-  auto const [x, y] = found.velocity;
   double const rate = scene.shear.by_pieces() ? typical_rate(scene)
                                               : state.strain_rate.value_or(scene.shear.strain_rate);
-  bool const against_shear = x * x + y * y > rounding * rate * rate;  // over a length of d_s
-  if (!(found.share > rounding && against_shear)) return std::nullopt;
+  if (!(found.share > rounding &&
+        is_more_than_rounding(found, rate, state.box_aspect * state.box_length)))
+    return std::nullopt;
   for (auto& v : state.velocity) v = {v[0] - found.velocity[0], v[1] - found.velocity[1]};
   return found;
 }

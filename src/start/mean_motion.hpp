@@ -25,8 +25,13 @@ struct MeanMotion {
 /// state has none.
 MeanMotion mean_motion(State const& state, Scene const& scene);
 
-/// Subtracts u from all velocities. Changes no bit, and returns nothing, if u is rounding, relative
-/// to dv or to gammadot d_s, which is the scale of dv in a flow.
+/// True if a mean motion is more than rounding: relative to rate d_s, which is the scale of dv in a
+/// flow, and to the last digit of a position in a box of this height, in a tau_e. It is of the
+/// latter size in a packing that came to rest after it flew faster.
+bool is_more_than_rounding(MeanMotion const& motion, double rate, double height);
+
+/// Subtracts u from all velocities. Changes no bit, and returns nothing, if u is rounding, or
+/// relative to dv.
 std::optional<MeanMotion> take_off_mean_motion(State& state, Scene const& scene);
 
 }  // namespace bagnold

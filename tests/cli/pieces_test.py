@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Sequences and oscillations, from the scene to the results: against the Hessian of a packing, closed forms, balances."""
 
+import csv
 import math
 import unittest
 
@@ -105,6 +106,26 @@ class Packing(CliTest):
         off = [abs(one["G_storage"]["mean"] / modulus - 1) for one in (found, quicker)]
         self.assertLess(off[0], off[1] / 3)  # it is the limit of slow oscillations
         self.assertGreater(quicker["G_loss"]["mean"], 3 * found["G_loss"]["mean"])
+
+    def test_a_packing_that_still_relaxes(self):
+        """Its drift is no modulus: G' is that of the packing at rest where it would be off by more, and it is warned of."""
+        loose = {"disks__packing_fraction": 0.845}
+        begun = [[1e-3, 1.0], [1e-5, 0.01]]
+        answers = {}
+        for name, stop in (("early", 1e4), ("late", 1e6)):
+            packing = self.run_new(name, **self.of(**loose, shear__pieces=[*begun, [0, stop]]))
+            for amplitude in (1e-4, 1e-5):
+                out = self.oscillation(f"{name}-{amplitude}", packing, **loose, shear__amplitude=amplitude, shear__period=1000,
+                                       shear__cycles=8, shear__discard=0.5)
+                answers[name, amplitude] = read_summary(out)
+        for amplitude, off, naive, warned in ((1e-4, 0.01, 0.02, False), (1e-5, 0.04, 0.2, True)):
+            early, late = (answers[name, amplitude] for name in ("early", "late"))
+            found, wanted = (one["observables"]["G_storage"]["mean"] for one in (early, late))
+            drift = early["observables"]["sigma_drift"]["mean"]
+            self.assertLess(abs(found / wanted - 1), off, amplitude)
+            self.assertGreater(abs((found - drift / (math.pi * amplitude)) / wanted - 1), naive, amplitude)
+            self.assertEqual("stress_drift" in [one["name"] for one in early["warnings"]], warned, amplitude)
+            self.assertEqual(late["warnings"], [])
 
     def test_reversible_packings_come_back_each_cycle(self):
         out = self.oscillation("film", self.packing(), shear__amplitude=1e-5, output__trajectory_time=40000.0)
@@ -219,6 +240,73 @@ class Sequence(CliTest):
         self.assertAlmostEqual(forth["strain_rate"] / 1e-2, 1, delta=0.01)
         self.assertAlmostEqual(read_series(out)["strain"][-1], 0, places=14)
         self.refused(self.scene(**{**self.REVERSAL, "shear__pieces": [[1e-2, 0.005], [-5e-3, 0.005]]}), "shear.pieces", "longer piece")
+
+    def test_a_stop_is_averaged_over_time(self):
+        """Its first windows have a configuration each, of a step, its last ones many of hundreds."""
+        out = self.run_new("out", **{**self.REVERSAL, "shear__pieces": [[2.0**-7, 0.25], [0, 64.0]], "shear__discard": 0.0})
+        stop, series = read_summary(out)["pieces"][1], read_series(out)
+        of_stop = series["strain_rate"] == 0
+        duration = np.diff(series["time"], prepend=0.0)[of_stop]
+        self.assertAlmostEqual(duration.sum(), 64)
+        for name in ("p", "Z"):
+            wanted = np.average(series[name][of_stop], weights=duration)
+            self.assertAlmostEqual(stop["observables"][name]["mean"] / wanted, 1, places=12)
+            other = np.average(series[name][of_stop], weights=series["evaluations"][of_stop])
+            self.assertGreater(abs(other / wanted - 1), 1e-3, "else the test tells nothing")
+
+    def test_windows_of_each_piece_are_told(self):
+        out = self.run_new("out", **{**self.REVERSAL, "shear__pieces": [[2.0**-7, 0.25], [0, 16.0]], "shear__cycles": 2})
+        series = read_series(out)
+        with h5py.File(out / "result.h5") as file:
+            data = file["samples/pieces"]
+            table = dict(zip([one.split(" [")[0] for one in data.attrs["columns"].split(", ")], data[:].T))
+            self.assertEqual(file["series/p"].dims[0].keys(), ["time"])
+        np.testing.assert_array_equal(table["cycle"], [1, 1, 2, 2])
+        np.testing.assert_array_equal(table["piece"], [1, 2, 1, 2])
+        np.testing.assert_allclose(table["end_time"], [32, 48, 80, 96])
+        np.testing.assert_allclose(table["begin_strain"], [0, 0.25, 0.25, 0.5])
+        np.testing.assert_array_equal(table["first_window"][1:], table["end_window"][:-1])
+        self.assertEqual(table["end_window"][-1], len(series["time"]))
+        for end, last in zip(table["end_time"], table["end_window"]):
+            self.assertAlmostEqual(series["time"][int(last) - 1], end)
+
+    def test_sweeps_have_a_row_a_piece(self):
+        path = self.scene(**{**self.REVERSAL, "shear__pieces": None})
+        path.write_text(path.read_text() + '[sweep]\ngrid = { "disks.seed" = [1, 2], "shear.pieces" = [[[0.0078125, 0.125], '
+                        '[0, 16]], [[0.0078125, 0.25]]] }\n')
+        out = self.folder / "sweep"
+        result = self.bagnold("sweep", path, "--out", out)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("table of 6 pieces", result.stdout)
+        self.assertIn("0001_seed=1_pieces=0.0078125+0.125+0+16", [one.name for one in (out / "points").iterdir()])
+        with open(out / "pieces.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([(row["disks.seed"], row["piece"]) for row in rows],
+                         [("1", "1"), ("1", "2"), ("1", "1"), ("2", "1"), ("2", "2"), ("2", "1")])
+        for row in rows:
+            piece = read_summary(out / "points" / row["folder"])["pieces"][int(row["piece"]) - 1]
+            self.assertEqual(float(row["p"]), piece["observables"]["p"]["mean"])
+            self.assertEqual(float(row["strain"]), piece["strain"])
+        with h5py.File(out / "sweep.h5") as file:
+            np.testing.assert_array_equal(file["pieces/point"][:], [0, 0, 1, 2, 2, 3])
+            np.testing.assert_array_equal(file["pieces/sigma"][:], [float(row["sigma"]) for row in rows])
+        refused = self.bagnold("analyse", "kink", out, "--out", self.folder / "kink")
+        self.assert_clean_error(refused, 2, "pieces.csv")
+        path.write_text(path.read_text().replace("discard = 0.5", "discard = 0.25"))
+        self.assert_clean_error(self.bagnold("sweep", path, "--out", out), 2, "only a steady run can be made longer")
+
+    def test_sweeps_of_oscillations_have_moduli(self):
+        path = self.scene(**{**self.REVERSAL, "shear__protocol": "oscillate", "shear__pieces": None, "shear__period": 64.0,
+                             "shear__cycles": 2, "shear__cycle_pieces": 16, "output__sample_strain": None})
+        path.write_text(path.read_text() + '[sweep]\ngrid = { "shear.amplitude" = [0.01, 0.1] }\n')
+        out = self.folder / "sweep"
+        self.assertEqual(self.bagnold("sweep", path, "--out", out).returncode, 0)
+        with open(out / "sweep.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        for row in rows:
+            found = read_summary(out / "points" / row["folder"])["observables"]
+            self.assertEqual(float(row["G_storage"]), found["G_storage"]["mean"])
+        self.assertFalse((out / "pieces.csv").exists())
 
     def test_what_cannot_be_is_refused(self):
         scene = {**self.REVERSAL}

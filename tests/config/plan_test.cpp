@@ -234,9 +234,23 @@ TEST(Feasible, MemoryGrowsWithDisksAndWindows) {
 }
 
 TEST(Plan, WarnsWhereNothingWillBeMeasured) {
-  Plan const nothing = make_plan(scene_of(0.1, 1e-3, 0.05, 0.1, 0.5));
-  EXPECT_TRUE(has(plan_warning(nothing), "discards all 1 windows")) << plan_warning(nothing);
-  EXPECT_EQ(plan_warning(make_plan(scene_of(0.2, 1e-3, 0.05, 0.1, 0.5))), "");
+  auto const told = [](Scene const& scene) { return plan_warning(scene, make_plan(scene)); };
+  auto const nothing = told(scene_of(0.1, 1e-3, 0.05, 0.1, 0.5));
+  EXPECT_TRUE(has(nothing, "discards all 1 windows")) << nothing;
+  EXPECT_EQ(told(scene_of(0.2, 1e-3, 0.05, 0.1, 0.5)), "");
+}
+
+TEST(Plan, WarnsWhereTheOnlyCycleIsTheTransient) {
+  Scene scene = parse(oscillation_text);
+  auto const told = [&] { return plan_warning(scene, make_plan(scene)); };
+  scene.shear.cycles = 1;
+  scene.shear.discard = 0.5;
+  EXPECT_TRUE(has(told(), "shear.cycles = 1")) << told();
+  scene.shear.discard = 0;
+  EXPECT_EQ(told(), "");
+  scene.shear.discard = 0.5;
+  scene.shear.cycles = 2;
+  EXPECT_EQ(told(), "");
 }
 
 TEST(Feasible, AnUnstableTimeStepNeedsConsent) {

@@ -38,7 +38,7 @@ TEST_P(Pieces, AreThoseOfTheAllPairsReference) {
         advance(*simulation, stop - simulation->step());
         double const rate = oracle.system().p.strain_rate;
         EXPECT_EQ(simulation->state().strain_rate, rate);
-        EXPECT_LT(largest_difference(simulation->state(), oracle.system().s, rate), 1e-10)
+        EXPECT_LT(largest_difference(simulation->state(), oracle.system().s, rate), 1e-11)
             << "phi " << packing_fraction << " piece " << k;
       }
       EXPECT_GE(simulation->snapshot().list_builds, 2);

@@ -121,6 +121,11 @@ class Shown(Folder):
         np.testing.assert_array_equal(data["Z"], r.series["Z"])
         np.testing.assert_array_equal(data["strain"], r.series["strain"])
         self.assertEqual(data["p"].attrs["units"], "m/tau_e^2")
+        turning = run({**SCENE, "shear": {"protocol": "sequence", "pieces": [[2.0**-7, 0.125], [-2.0**-7, 0.125]]}}, self.folder / "turning")
+        along = turning.to_xarray()  # the strain comes back, so it is over the time
+        self.assertEqual(along["sigma"].dims, ("time",))
+        self.assertTrue((np.diff(along["time"]) > 0).all())
+        np.testing.assert_array_equal(along["strain"], turning.series["strain"])
         two = made(disks__replicas=2).to_xarray()
         self.assertEqual(two["Z"].dims, ("seed", "strain"))
         s = many()

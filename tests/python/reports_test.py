@@ -122,6 +122,16 @@ class Reports(Folder):
         self.assertEqual(done.stdout.strip(), str(self.folder / "mine.html"))
         self.assertTrue((self.folder / "mine.html").exists())
 
+    def test_by_the_program_where_none_is_in_the_path(self):
+        """It asks the program that called it how a run stands."""
+        run(SCENE, self.folder / "one")
+        (self.folder / "one/summary.json").unlink()
+        environment = {name: value for name, value in os.environ.items() if name != "BAGNOLD_PROGRAM"}
+        done = subprocess.run([os.environ["BAGNOLD_PROGRAM"], "report", self.folder / "one"], cwd=self.folder, capture_output=True,
+                              text=True, env={**environment, "PATH": "/usr/bin:/bin", "BAGNOLD_PYTHON_PACKAGE": str(SOURCE / "python")})
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("not complete; `bagnold resume", done.stderr)
+
     @unittest.skipUnless(CHROMIUM, "chromium is not installed")
     def test_a_click_sorts(self):
         """In a browser: up, down, and what has no number last."""

@@ -141,8 +141,12 @@ class Results(Folder):
             self.assertAlmostEqual(piece.error["sigma"] / (each.std(ddof=1) / np.sqrt(3)), 1, places=6)
         with self.assertRaisesRegex(KeyError, "p is not among .*see r.pieces"):
             r["p"]
+        self.assertEqual(r.state.strain, 0.125)
         with self.assertRaisesRegex(bagnold.InputError, "is no sequence"):
             made().pieces
+        self.assertEqual([hasattr(one, "pieces") for one in (r, made())], [True, False])
+        with self.assertRaisesRegex(bagnold.FileError, "output.trajectory_time"):
+            r.frames
         self.assertIn("<h2>Pictures</h2>", bagnold.report(r).read_text())
 
     def test_a_list_of_stresses(self):
@@ -175,6 +179,11 @@ class Results(Folder):
         self.assertTrue(np.isfinite(r["G_storage"].mean))
         with self.assertRaisesRegex(bagnold.InputError, "is no oscillation"):
             made().oscillation
+        self.assertEqual([hasattr(one, "oscillation") for one in (r, made())], [True, False])
+        cycles = r.samples["cycles"]
+        np.testing.assert_array_equal(cycles["measured"], [0, 0, 0, 1, 1, 1])
+        for name in ("G_storage", "G_loss", "sigma_drift"):
+            self.assertAlmostEqual(cycles[name][3:].mean() / r[name].mean, 1, places=10)
         self.assertIn("<h2>Averages</h2>", bagnold.report(r).read_text())
 
     def test_what_is_no_run_says_what_it_is(self):

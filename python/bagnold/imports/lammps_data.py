@@ -48,8 +48,9 @@ def read(path: pathlib.Path, wishes: Wishes) -> Configuration:
     split = table(atoms.rows, names, lambda k: f"{path}, Atoms, row {k + 1}", otherwise=[len(names) + 3])
     said = _header(head, "atoms")
     if not split or (said is not None and whole_number([" ".join(said)], f"{path}, atoms of the header") != len(split)):
-        raise InputError(f"{path}: {len(split)} rows in Atoms, the header says {' '.join(said or ['none'])} atoms; the file is cut "
-                         "short")
+        more = split and said is not None and len(split) > whole_number([" ".join(said)], f"{path}, atoms of the header")
+        raise InputError(f"{path}: {len(split)} rows in Atoms, the header says {' '.join(said or ['none'])} atoms; "
+                         + ("mend the header, or the rows" if more else "the file is cut short"))
     return _configuration(path, head, sections, {name: [row[k] for row in split] for k, name in enumerate(names)})
 
 

@@ -146,7 +146,7 @@ def frame_of(source, which=-1):
         disks = {"model": "CD", "elasticity": 1.0, "force_exponent": 2.0, "damping_normal": 1.0, "damping_tangential": 1.0}
         return source, contacts_of(source, {"disks": disks})
     run = source if isinstance(source, Run) else Run(source)
-    if (run.folder / "trajectory.h5md").exists() or float(run.scene.get("output.trajectory_strain", 0)) > 0:
+    if (run.folder / "trajectory.h5md").exists() or float(run.scene.get(f"output.{run.frame_spacing}", 0)) > 0:
         return run.frames[which], run.contacts[which]
     frame = run.state
     return frame, contacts_of(frame, run.scene)

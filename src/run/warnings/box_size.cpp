@@ -41,7 +41,9 @@ double excess_along(FinishedRun const& finished) {
   return std::sqrt(std::max(0.0, square)) / (run.scene.shear.strain_rate * run.box_height());
 }
 
+/// A state has as many disks as it has.
 std::string more_disks(FinishedRun const& finished) {
+  if (finished.run.scene.start.kind == "state") return "";
   return changed_run("disks.count", fmt::format("{}", 4 * finished.run.scene.disks.count));
 }
 
@@ -55,7 +57,8 @@ std::optional<Warning> box_size(FinishedRun const& finished) {
   auto const momentum = net_momentum(finished);
   bool const moves_as_one = momentum && !momentum->is_note;  // which raises R_v
   double const excess = excess_along(finished);
-  if (anisotropy > most_anisotropy && excess > least_of_bands && !moves_as_one)
+  bool const met = !few_collisions(finished);  // else R_v is what the start was
+  if (met && anisotropy > most_anisotropy && excess > least_of_bands && !moves_as_one)
     return Warning{
         "box_size",
         {{"R_v", anisotropy},

@@ -40,6 +40,9 @@ Check collision_loss;
 /// Implicit damping of a motion that is not overdamped: inertia, not damping, determines the flow.
 Check implicit_inertia;
 
+/// Disks in a drag whose inertia has a part in the flow: no bubbles.
+Check drag_inertia;
+
 /// Quasi-static steps with energy that is neither dissipated nor stored: inertia determines the
 /// flow.
 Check quasi_static_inertia;
@@ -68,15 +71,20 @@ Check contact_durations;
 /// Flow that has stopped, or nearly so, at given stress.
 Check arrest;
 
+/// Cycles of a packing that still relaxes: its stress drifts by as much as the oscillation moves
+/// it.
+Check stress_drift;
+
 /// All checks, in the order of the summary.
 inline constexpr Check* all_checks[] = {
-    above_jamming,        hard_core_limit,  large_overlap,  energy_balance,
-    dissipative_pressure, rotation_balance, collision_loss, implicit_inertia,
-    quasi_static_inertia, contact_network,  steady_state,   error_bar,
-    few_collisions,       net_momentum,     box_size,       contact_durations};
+    above_jamming,    hard_core_limit,  large_overlap,    energy_balance, dissipative_pressure,
+    rotation_balance, collision_loss,   implicit_inertia, drag_inertia,   quasi_static_inertia,
+    contact_network,  steady_state,     error_bar,        few_collisions, net_momentum,
+    box_size,         contact_durations};
 
 /// Those that hold without a steady state, of runs by pieces.
-inline constexpr Check* checks_of_pieces[] = {contact_network, net_momentum};
+inline constexpr Check* checks_of_pieces[] = {contact_network, stress_drift, few_collisions,
+                                              net_momentum};
 
 /// Those of a flow at given stress, whose strain rate is not known before.
 inline constexpr Check* checks_at_stress[] = {large_overlap, contact_network, steady_state,

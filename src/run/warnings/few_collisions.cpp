@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <string>
+
 #include "kernels/physics/sums/sums.hpp"
 #include "src/run/collisions.hpp"
 #include "src/run/warnings/checks.hpp"
@@ -26,24 +28,50 @@ double in_ramp(Run const& run) {
   return collisions_per_disk(run.scene, contacts, run.scene.shear.strain_rate * time);
 }
 
-}  // namespace
+/// Collisions of a disk in all windows of a run by pieces, whose lengths differ.
+double in_pieces(Run const& run) {
+  double contacts = 0;
+  for (auto const& replica : run.replicas)
+    for (std::size_t w = 0; w < replica.measurement.windows.size(); ++w) {
+      auto const at = static_cast<std::int64_t>(w);
+      contacts += replica.measurement.windows.mean(w, w + 1)[SumColumns::contacts] *
+                  static_cast<double>(run.plan.window_end(at) - run.plan.window_begin(at));
+    }
+  auto const disks = static_cast<double>(run.scene.disks.count * run.scene.disks.replicas);
+  return collisions_of(run.scene, contacts / disks * run.plan.time_step);
+}
 
-std::optional<Warning> few_collisions(FinishedRun const& finished) {
-  bool const is_ramp = finished.run.plan.ramp.has_value();
-  double const collisions = is_ramp ? in_ramp(finished.run)
-                                    : collisions_per_disk(finished.run.scene, finished.mean("Z"),
-                                                          finished.measured_strain());
-  if (!(collisions < fewest_collisions)) return {};
-  auto const where =
-      is_ramp ? "in the ramp"
-              : fmt::format("in the measured strain of {:.3g}", finished.measured_strain());
-  return Warning{
+Warning warning_of(double collisions, std::string const& where, std::string const& remedy,
+                   std::string const& command = "") {
+  return {
       "few_collisions",
       {{"collisions_per_disk", collisions}},
       fmt::format("a disk collides {:.2g} times at most {}; it takes {:.0f} to forget the start",
                   collisions, where, fewest_collisions),
-      is_ramp ? "take a slower ramp (shear.ramp_rate), or denser disks" : "make the run longer",
-      is_ramp ? "" : longer_run(finished.run, 1.5 * fewest_collisions / collisions)};
+      remedy,
+      command};
+}
+
+}  // namespace
+
+std::optional<Warning> few_collisions(FinishedRun const& finished) {
+  auto const& run = finished.run;
+  if (run.plan.ramp) {
+    if (double const found = in_ramp(run); found < fewest_collisions)
+      return warning_of(found, "in the ramp",
+                        "take a slower ramp (shear.ramp_rate), or denser disks");
+    return {};
+  }
+  if (run.plan.pieces) {
+    if (double const found = in_pieces(run); found < fewest_collisions)
+      return warning_of(found, "in all pieces", "take longer pieces, more cycles, or denser disks");
+    return {};
+  }
+  double const strain = finished.measured_strain();
+  double const found = collisions_per_disk(run.scene, finished.mean("Z"), strain);
+  if (!(found < fewest_collisions)) return {};
+  return warning_of(found, fmt::format("in the measured strain of {:.3g}", strain),
+                    "make the run longer", longer_run(run, 1.5 * fewest_collisions / found));
 }
 
 }  // namespace bagnold

@@ -21,15 +21,6 @@ double most_share(Scene const& scene) {
   return scene.driven() ? std::max(most, many / static_cast<double>(scene.disks.count)) : most;
 }
 
-/// True if the mean motion is more than rounding. If disks follow the shear flow exactly, p_kin too
-/// is rounding.
-bool is_motion(MeanMotion const& motion, Scene const& scene) {
-  constexpr double rounding = 1e-12;
-  auto const [x, y] = motion.velocity;
-  double const rate = typical_rate(scene);
-  return x * x + y * y > rounding * rate * rate;  // over a length of d_s
-}
-
 /// Share of the mean motion in sum m dv^2 of one replica during the measurement. As u_x changes by
 /// -u_y in a unit of strain, and u_y not at all, the mean of u^2 over a strain gamma is
 ///
@@ -79,7 +70,9 @@ std::optional<Warning> net_momentum(FinishedRun const& finished) {
   double share = 0;
   MeanMotion motion{};
   for (auto const& replica : replicas)
-    if (replica.end_motion && is_motion(*replica.end_motion, finished.run.scene) &&
+    if (replica.end_motion &&
+        is_more_than_rounding(*replica.end_motion, typical_rate(finished.run.scene),
+                              finished.run.box_height()) &&
         share_of(*replica.end_motion, finished) > share) {
       motion = *replica.end_motion;
       share = share_of(motion, finished);
