@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from xarray import Dataset
 
 
-BY_PIECES = ("sequence", "oscillate")  # protocols in which the shear turns or stops
+BY_PIECES = ("sequence", "oscillate", "stress")  # protocols in which the shear may turn or stop
 
 
 class Series(Mapping[str, Array]):

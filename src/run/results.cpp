@@ -274,7 +274,7 @@ void write_result_file(RunFolder const& folder, Run const& run) {
     result.attributes.push_back({"engine_" + name, record_of(run, &Replica::engine, name)});
   result.discarded_windows = static_cast<std::int64_t>(discarded(run));
   result.replicas = run.replicas.size();
-  if (run.plan.pieces) result.axis = "time";  // the strain comes back
+  if (run.scene.shear.by_pieces()) result.axis = "time";  // the strain may come back
 
   std::map<Replica const*, std::vector<double>> strains;
   for (auto const& replica : run.replicas) strains[&replica] = strains_of(run, replica);

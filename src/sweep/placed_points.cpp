@@ -176,8 +176,7 @@ PlacedPoints place_points(Sweep const& sweep, fs::path const& name) {
         name.string(), known.size(), sweep.origin,
         difference(known.front().scene, write_scene(placed.sweep.points.front().scene)),
         placed.sweep.points.front().scene.shear.by_pieces()
-            ? "only a steady run can be made longer: other shear.cycles or shear.pieces are other "
-              "points; "
+            ? "only a steady run can be made longer; "
         : std::ranges::any_of(sweep.points,
                               [](auto const& point) { return point.previous.has_value(); })
             ? "of a chain only the last points can get more strain, for others start from the "

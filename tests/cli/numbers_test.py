@@ -517,6 +517,29 @@ class Pages(Shown):
         more = [at["CD", phi, one]["G_loss"] / at["CD_rot", phi, one]["G_loss"] for phi in (0.84, 0.845, 0.85) for one in (0.03, 0.1, 0.3)]
         self.says("docs/results/oscillation.md", "CD dissipates {} to {} times as much", min(more), max(more))
 
+    def test_bubbles(self):
+        rows = data("results/bubbles_inertia")
+        drags = (2, 1, 0.5, 0.2, 0.1, 0.05, 0.02)
+        at = {(row["disks.packing_fraction"], rounded(row["drive.drag"] * row["shear.strain_rate"]), row["drive.drag"]): row for row in rows}
+        expected = [[f"{phi}, 1e-{power}", *(with_error(1e5 * at[place]["p"], 1e5 * at[place]["p_error"])
+                                            if (place := (phi, float(f"1e-{power}"), drag)) in at else "" for drag in drags)]
+                    for phi, power in itertools.product((0.75, 0.82), (4, 5))]
+        self.assertEqual(table_of("docs/results/bubbles.md", "φ, γ̇ζ |"), expected)
+        share = {place: row["p_kin"] / row["p"] for place, row in at.items()}
+        by_power = [share[place] / (at[place]["mu"] * at[place]["shear.strain_rate"] / 2 / place[2]) - 1 for place in at if share[place] < 6e-4]
+        self.says("docs/results/bubbles.md", "within {}% where it is below", 100 * max(map(abs, by_power)))
+        alike = [(phi, rate, drag) for phi, rate, drag in at if share[phi, rate, drag] < 3e-4]
+        apart = [abs(at[one]["p"] - at[other]["p"]) / np.hypot(at[one]["p_error"], at[other]["p_error"])
+                 for one, other in itertools.combinations(alike, 2) if one[:2] == other[:2]]
+        self.says("docs/results/bubbles.md", "larger drags to {} errors of the difference", max(apart))
+        excess = {place: 100 * (at[place]["p"] / at[*place[:2], 1]["p"] - 1) for place in at if place[1] == 1e-4}
+        told = [number for place in ((0.82, 1e-4, 0.1), (0.82, 1e-4, 0.05), (0.75, 1e-4, 0.05)) for number in (excess[place], share[place])]
+        self.says("docs/results/bubbles.md", "at 0.82 p is {}% too large at {}, and {}% at {}; at 0.75 it is {}% too large at {}", *told)
+        limit = re.search(r"most_kinetic_in_drag = ([\d.e-]+)", (SOURCE / "src/run/warnings/drag_inertia.cpp").read_text())[1]
+        self.says("docs/results/bubbles.md", "Above {} the note", float(limit))
+        factor = np.sqrt(0.3 / 2 / float(limit))
+        self.says("docs/results/bubbles.md", "ζ = {} (mγ̇ζ)^(1/2): {} at γ̇ζ = {}, {} at {}", factor, factor * 1e-2, 1e-4, factor * 10**-2.5, 1e-5)
+
     def test_crossover_a_decade_slower(self):
         found = {}
         for rate, table in (("1e-5", "figures/cd_n"), ("1e-6", "physics/cd_n_slow")):

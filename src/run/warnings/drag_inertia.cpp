@@ -8,7 +8,7 @@ namespace bagnold {
 
 namespace {
 
-constexpr double most_kinetic = 3e-4;  ///< p_kin / p; docs/stability.md
+constexpr double most_kinetic_in_drag = 3e-4;  ///< p_kin / p; docs/results/bubbles.md
 
 }  // namespace
 
@@ -16,13 +16,13 @@ std::optional<Warning> drag_inertia(FinishedRun const& finished) {
   auto const& drive = finished.run.scene.drive;
   if (drive.kind != StokesDrag::name) return {};
   double const kinetic = finished.mean("p_kin") / finished.mean("p");
-  if (!(kinetic > most_kinetic)) return {};
+  if (!(kinetic > most_kinetic_in_drag)) return {};
   return Warning{
       "drag_inertia",
       {{"p_kin_share", kinetic}},
       fmt::format("p_kin/p = {:.2g} (above {:g}): inertia has a part in this flow, so it is not "
                   "that of bubbles, which depends on gammadot zeta alone",
-                  kinetic, most_kinetic),
+                  kinetic, most_kinetic_in_drag),
       fmt::format(
           "for bubbles raise drive.drag = {} and lower shear.strain_rate = {} by one factor",
           drive.drag, finished.run.scene.shear.strain_rate),
