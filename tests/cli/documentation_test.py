@@ -42,7 +42,7 @@ NAMES_ONLY = PROGRAMS[2:4] + PROGRAMS[5:]
 FULL = os.environ.get("BAGNOLD_DOCUMENTATION") == "full"
 PLACEHOLDER = re.compile(r"\b[A-Z]{3,}\b")
 PAGES = ["README.md", *sorted(f"docs/{path.name}" for path in (SOURCE / "docs").glob("*.md")), "packaging/README.md"]
-TEXTS = PAGES + ["docs/data/reproduction/details.md", "docs/data/performance/tried.md", "CONTRIBUTING.md", "CHANGELOG.md",
+TEXTS = PAGES + ["docs/data/reproduction/details.md", "docs/data/performance/tried.md", "docs/data/performance/open.md", "CONTRIBUTING.md", "CHANGELOG.md",
                  "bench/README.md", "bench/peers/README.md", "examples/own_law/README.md", "examples/workflows/README.md"]
 COUNTED = [name for name in PAGES if name != "packaging/README.md"] + ["CONTRIBUTING.md"]
 MOST_WORDS, LONGEST_MEAN = 40000, 20  # of all these pages; of the sentences of each

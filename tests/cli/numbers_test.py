@@ -128,7 +128,7 @@ class Accuracy(Shown):
         short = [-error for error in percent("duration_error", scheme="two-stage", dt=0.2)]
         self.says(self.page, "Durations are {} to {}% short at 0.2; {}% is that of equal masses at Q = 1", min(short), max(short),
                   *{-error for error in percent("duration_error", scheme="two-stage", dt=0.2, Q=1, mass="equal")})
-        self.says("docs/plan.md", "They are {} to {}% short", min(short), max(short))
+        self.says("docs/data/performance/open.md", "They are {} to {}% short", min(short), max(short))
         short = [-error for q in (50, 500) for error in percent("duration_error", scheme="two-stage", dt=0.2, Q=q, model="CD_n")]
         self.says("docs/physics.md", "dt = 0.2 makes τ_dur {} to {}% short at these Q", min(short), max(short))
 
@@ -338,7 +338,7 @@ class LongSteps(Shown):
         loose, = where(rows, state="CD 0.7 Q=1 1e-05")
         near, = where(rows, state="CD_rot 0.8 Q=1 1e-05")
         self.says(self.page, "p, σ, Z {}, {}, {}% low", -loose["p"], -loose["sigma"], -loose["Z"])
-        self.says("docs/plan.md", "CD at 0.70, 1e-5, where it is {}% off", -loose["p"])
+        self.says("docs/data/performance/open.md", "CD at 0.70, 1e-5, where it is {}% off", -loose["p"])
         self.says(self.page, "p and σ {} ({}) and {} ({})% higher over a strain of {}, {} of the steps",
                   *with_errors(near, ("p", "sigma")), near["strain"], near["implicit_share"])
 
@@ -393,7 +393,7 @@ class Performance(Shown):
 
     def test_large_systems(self):
         ratios = [float(re.match(NUMBER, row[-1])[0]) for row in table_of(self.page, "| 16384 | 10^6 | ratio")]
-        self.says("docs/plan.md", "A disk-step costs {} to {} times that of 16384 disks", min(ratios), max(ratios))
+        self.says("docs/data/performance/open.md", "A disk-step costs {} to {} times that of 16384 disks", min(ratios), max(ratios))
 
     def test_events(self):
         rows = table_of(self.page, "φ, Q | γ̇ | hard disks")
@@ -539,6 +539,26 @@ class Pages(Shown):
         self.says("docs/results/bubbles.md", "Above {} the note", float(limit))
         factor = np.sqrt(0.3 / 2 / float(limit))
         self.says("docs/results/bubbles.md", "ζ = {} (mγ̇ζ)^(1/2): {} at γ̇ζ = {}, {} at {}", factor, factor * 1e-2, 1e-4, factor * 10**-2.5, 1e-5)
+
+    def test_viscosity_of_bubbles(self):
+        at = {(row["disks.packing_fraction"], row["shear.strain_rate"]): row for row in data("results/bubbles")}
+        rates, jamming = (1e-3, 3e-4, 1e-4, 3e-5), 0.84347
+        fractions = sorted({phi for phi, _ in at})
+
+        def exponent(looser, phi):
+            far, near = (at[one, 3e-5] for one in (looser, phi))
+            decades = np.log((jamming - looser) / (jamming - phi))
+            return np.log(near["p"] / far["p"]) / decades, np.hypot(*(row["p_error"] / row["p"] for row in (near, far))) / decades
+
+        beta = {phi: exponent(looser, phi) for looser, phi in zip(fractions, fractions[1:]) if phi < 0.835}
+        expected = [[f"{phi:.2f}", *(with_error(at[phi, rate]["p"] / rate, at[phi, rate]["p_error"] / rate) for rate in rates),
+                     with_error(*beta[phi]) if phi in beta else ""] for phi in fractions]
+        self.assertEqual(table_of("docs/results/bubbles.md", "φ | 1e-3"), expected)
+        soft = [abs(at[phi, 1e-4]["p"] * 0.3 / at[phi, 3e-5]["p"] - 1) for phi in fractions if phi <= 0.80]
+        self.says("docs/results/bubbles.md", "reached within {}% from 1e-4 on", np.ceil(100 * max(soft)))
+        between = [beta[phi][0] for phi in (0.74, 0.78, 0.80)]
+        self.assertTrue(2.2 < min(between) and max(between) < 2.95)
+        self.says("docs/results/bubbles.md", "lie between {} and {}; they", min(between), max(between))
 
     def test_crossover_a_decade_slower(self):
         found = {}
