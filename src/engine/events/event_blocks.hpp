@@ -34,6 +34,8 @@ class EventBlocks {
   /// As EventLoop::run, but that the queue of the whole is not kept.
   void run(Real until);
 
+  BlockLoop& threads() { return *plan_.each; }
+
   /// Lists have been built.
   void forget();
   /// Disks of the whole have changed.

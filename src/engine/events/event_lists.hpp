@@ -7,6 +7,7 @@
 #include "kernels/cpu/events/prefetch.hpp"
 #include "kernels/device/neighbors/neighbor_search.hpp"
 #include "kernels/physics/box/list_criterion.hpp"
+#include "src/engine/blocks/block_loop.hpp"
 
 namespace bagnold::events {
 
@@ -18,9 +19,10 @@ class EventLists {
 
   explicit EventLists(Real skin);
 
-  /// position: in the box, whose offset is in [0, L_x).
+  /// position: in the box, whose offset is in [0, L_x). each: over pieces of them, on threads, or
+  /// none.
   void build(std::vector<Vec2<Real>> const& position, std::vector<Species> const& species,
-             SpeciesTable const& table, ShearedBox const& box);
+             SpeciesTable const& table, ShearedBox const& box, BlockLoop* each);
 
   /// Those of some disks of the whole, ascending, among each other.
   void take(EventLists const& whole, std::vector<std::uint32_t> const& disks);
@@ -67,6 +69,7 @@ class EventLists {
   CellGridRoom<Space> room_;
   std::vector<Row> row_;  ///< [N]
   std::vector<Neighbor> entries_;
+  std::vector<std::vector<Neighbor>> pieces_;  ///< of the entries, while they are found
   ShearedBox box_{};
 };
 

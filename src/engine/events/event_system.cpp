@@ -49,7 +49,8 @@ void EventSystem<Rotates>::build(std::vector<Vec2<Real>> const& position, Sheare
   std::vector<Species> species(disks.count());
   for (std::uint32_t i = 0; i < disks.count(); ++i) species[i] = disks.path[i].species;
   s_.disks.shifts = ImageShifts(box);
-  s_.lists.build(position, species, disks.material.table, box);
+  s_.lists.build(position, species, disks.material.table, box,
+                 blocks_ ? &blocks_->threads() : nullptr);
   s_.disks.strain_rate = s_.sums.strain_rate = box.strain_rate;
   s_.build_step = s_.times.last_within(s_.lists.longest());
   if (blocks_) blocks_->forget();
