@@ -7,6 +7,7 @@
 #include "src/cli/options.hpp"
 #include "src/config/abilities.hpp"
 #include "src/config/cascade.hpp"
+#include "src/config/control.hpp"
 #include "src/config/quasi_static.hpp"
 #include "src/config/run_time.hpp"
 #include "src/config/scene_file.hpp"
@@ -61,6 +62,9 @@ void print_plan(Scene const& scene, Plan const& plan, RunTime const& time, int t
              scene.shear.discard || plan.ramp ? fmt::format("{} discarded", plan.discarded_windows)
                                               : "the transient discarded (MSER-5)",
              plan.every);
+  if (plan.control_steps > 0)
+    fmt::print("# pieces         of {} steps{}\n", plan.control_steps,
+               plan.by_time ? fmt::format(", box_inertia {:.4g} m", box_inertia(scene)) : "");
   for (auto const& [name, error] : scene.shear.target_error)
     fmt::print("# until          relative error of {} is at most {}, or the strain is spent\n",
                name, error);
