@@ -38,6 +38,9 @@ constexpr std::string_view shown_keys[] = {"disks.model",
                                            "shear.amplitude",
                                            "shear.period",
                                            "shear.peak_rate",
+                                           "shear.stress",
+                                           "shear.time",
+                                           "shear.pressure",
                                            "output.trajectory_strain",
                                            "output.trajectory_decades",
                                            "output.trajectory_time",
@@ -68,6 +71,7 @@ Scene first_scene(std::string const& protocol) {
     scene.shear.ramp_window = 100;
     scene.shear.ramp_every = 5;
   }
+  scene.shear.pressure = 1e-5;
   if (scene.shear.by_pieces()) {  // about jamming
     scene.disks.model = "CD";
     scene.disks.packing_fraction = 0.845;
@@ -77,6 +81,8 @@ Scene first_scene(std::string const& protocol) {
     scene.shear.pieces = {{1e-3, 0.5}, {-1e-3, 0.5}, {0, 1e3}};
     scene.shear.amplitude = 0.05;
     scene.shear.period = 400;
+    scene.shear.stress = NumberOrList(std::vector{1e-3, 3e-4});
+    scene.shear.time = 2e4;
     scene.shear.cycles = protocol == "oscillate" ? 6 : 1;
   }
   return scene;
@@ -130,8 +136,8 @@ Command add_init(Words program) {
   command.option("FILE", options->file, "file to write [scene.toml]");
   command
       .option("--protocol", options->protocol,
-              "steady, cascade, ramp, sequence or oscillate [steady]")
-      .one_of({"steady", "cascade", "ramp", "sequence", "oscillate"});
+              "steady, cascade, ramp, sequence, oscillate, stress or pressure [steady]")
+      .one_of({"steady", "cascade", "ramp", "sequence", "oscillate", "stress", "pressure"});
   return {command, [options] {
             auto const name = options->file.string();
             if (std::filesystem::exists(options->file))

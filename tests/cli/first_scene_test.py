@@ -18,7 +18,7 @@ CUT = ("--set", "shear.strain=0.1", "--set", "disks.count=64", "--set", "output.
 
 class Init(CliTest):
     def test_each_protocol_is_written_and_runs(self):
-        for protocol in ("steady", "cascade", "ramp", "sequence", "oscillate"):
+        for protocol in ("steady", "cascade", "ramp", "sequence", "oscillate", "stress", "pressure"):
             with self.subTest(protocol=protocol):
                 name = f"{protocol}.toml"
                 result = self.bagnold("init", name, "--protocol", protocol)
@@ -31,7 +31,7 @@ class Init(CliTest):
                         self.assertRegex(line, r" # [\w\[]", "a key without its meaning")
                 self.assertIn(f"bagnold run {name}", text)
                 quick = {"ramp": (*CUT, "--set", "shear.ramp_rate=1e-2"), "sequence": (*CUT[2:], "--set", "shear.pieces=[[1e-3, 0.05]]"),
-                         "oscillate": (*CUT[2:], "--set", "shear.cycles=2")}.get(protocol, CUT)
+                         "oscillate": (*CUT[2:], "--set", "shear.cycles=2"), "stress": (*CUT[2:], "--set", "shear.time=2e3")}.get(protocol, CUT)
                 self.run_scene(self.folder / name, self.folder / protocol, *quick)
 
     def test_what_is_there_is_kept(self):
