@@ -311,7 +311,7 @@ class CommandLine(CliTest):
         said = self.bagnold("frobnicate").stderr
         self.assertNotIn("did you mean", said)
         self.assertIn("bagnold --help", said)
-        for word in ("friction=0.3", "xyzzy=1", "disks.pressure=1"):
+        for word in ("friction=0.3", "xyzzy=1"):
             self.assertNotIn("did you mean", self.bagnold("validate", path, "--set", word).stderr)
         self.assertIn("shear.strain_rate, in its file",
                       self.bagnold("sweep", path, "--gammadot", "1e-3").stderr)

@@ -83,7 +83,7 @@ TEST(Protocols, StressAndPressureAreGiven) {
   EXPECT_TRUE(same(parse(write_scene(parse(by_number))), parse(by_number)));
   EXPECT_TRUE(has(refusal(pressure_text, {"shear.inertial_number=0.01"}), "give one of the two"));
   EXPECT_TRUE(has(refusal(with_line(pressure_text, "strain_rate", "")), "are missing"));
-  for (std::string const engine : {"lookahead", "events", "quasi-static", "adaptive"})
+  for (std::string const engine : {"lookahead", "events", "quasi-static"})
     for (auto const& text : {stress_text, pressure_text})
       EXPECT_TRUE(has(refusal(text, {"integration.engine=" + engine}), "shear.protocol = \""))
           << engine;
