@@ -235,7 +235,7 @@ Snapshot EventEngine<Rotates>::snapshot() const {
   s.step = step_;
   s.initial_offset = clock_.initial_offset;
   s.initial_time = clock_.initial_time;
-  s.list_builds = builds_;
+  s.list_builds = touches_known_ ? builds_ : builds_ - 1;  // else it begins anew
   if (touches_known_) {
     s.arrays = events::save(all, now());
     visit_memory(*this, WriteDown{s.memory});
