@@ -15,7 +15,7 @@ constexpr int longest_pause = 64;       // builds of lists
 constexpr std::size_t many_failed = 8;  // a failure for as many blocks or fewer
 
 constexpr std::size_t least_size = 4 * usual_group;
-constexpr std::size_t least_blocks = 4;  // on one thread
+constexpr std::size_t least_blocks = 8;  // on one thread
 
 }  // namespace
 
@@ -36,6 +36,16 @@ void EventBlocks<Rotates>::forget() {
   blocks_.clear();
   queue_known_ = false;
   together_ = std::max(together_ - 1, 0);
+  std::size_t const most = plan_.each->threads() > 1 ? 2 : 12;
+  if (most * repeated_ > ran_) pause();
+  ran_ = repeated_ = 0;
+}
+
+/// Blocks do not pay for some builds of lists: more each time.
+template <bool Rotates>
+void EventBlocks<Rotates>::pause() {
+  together_ = pause_;
+  pause_ = std::min(2 * pause_, longest_pause);
 }
 
 template <bool Rotates>
@@ -52,8 +62,8 @@ void EventBlocks<Rotates>::run(Real until) {
       now = end;
     } else {
       blocks_.clear();
-      together_ = pause_;
-      pause_ = std::min(2 * pause_, longest_pause);
+      repeated_ = 0;
+      pause();
     }
   }
 }
@@ -119,6 +129,7 @@ bool EventBlocks<Rotates>::go_alone(Real& until) {
     some = wrong_blocks(until - whole_.disks.now);
     if (some.empty()) break;
     failed_ += some.size();
+    repeated_ += some.size();
     if (repeats++ == most_repeats) return false;
     each(some.size(), [&](std::uint32_t k) { build(some[k], blocks_[some[k]]->depth() + 1); });
   }
@@ -128,6 +139,7 @@ bool EventBlocks<Rotates>::go_alone(Real& until) {
 
 template <bool Rotates>
 void EventBlocks<Rotates>::run_blocks(Numbers const& blocks, Real until) {
+  ran_ += blocks.size();
   each(blocks.size(), [&](std::uint32_t k) {
     auto& block = *blocks_[blocks[k]];
     block.begin(all_changed_);

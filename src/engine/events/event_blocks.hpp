@@ -61,17 +61,19 @@ class EventBlocks {
   Numbers wrong_blocks(Real window);
   void give();
   void set_window(Real gone, std::int64_t collisions);
+  void pause();
 
   EventState<Rotates>& whole_;
   EventLoop<Rotates>& loop_;
   BlockPlan plan_;
   std::vector<std::unique_ptr<Block>> blocks_;
   bool all_changed_ = true;
-  bool queue_known_ = false;  ///< of the whole
-  Real window_ = 0;           ///< [tau_e]
-  std::size_t failed_ = 0;    ///< blocks of the window under way, each time
-  int together_ = 0;          ///< builds of lists for which all disks go by one queue
-  int pause_ = 1;             ///< how many it will be when blocks fail next
+  bool queue_known_ = false;            ///< of the whole
+  Real window_ = 0;                     ///< [tau_e]
+  std::size_t failed_ = 0;              ///< blocks of the window under way, each time
+  std::size_t ran_ = 0, repeated_ = 0;  ///< blocks since lists were built, each time
+  int together_ = 0;                    ///< builds of lists for which all disks go by one queue
+  int pause_ = 1;                       ///< how many it will be when too many blocks fail next
 };
 
 extern template class EventBlocks<false>;
