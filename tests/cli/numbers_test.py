@@ -560,6 +560,48 @@ class Pages(Shown):
         self.assertTrue(2.2 < min(between) and max(between) < 2.95)
         self.says("docs/results/bubbles.md", "lie between {} and {}; they", min(between), max(between))
 
+    def test_coexistence(self):
+        page, rows = "docs/results/coexistence.md", data("results/coexistence")
+        at_stress = sorted((row for row in rows if row["held"] == "stress"), key=lambda row: (-row["value"], row["way"] == "up"))
+        self.assertEqual(table_of(page, "σ | way"), [
+            [f"{1e5 * row['value']:.3g}", row["way"], f"{1e5 * row['strain_rate']:.3g}", f"{1e5 * row['p']:.3g}",
+             f"{row['mu']:.3f}", f"{row['Z']:.2f}", f"{row['R_v']:.3g}"] for row in at_stress])
+        self.assertEqual(table_of(page, "p, 1e-5"), [
+            [f"{1e5 * row['value']:.3g}", f"{row['packing_fraction']:.4f}", f"{1e5 * row['sigma']:.3g}", f"{row['mu']:.3f}",
+             f"{row['Z']:.2f}", f"{row['R_v']:.3g}"] for row in rows if row["held"] == "pressure"])
+        rate = {(row["value"], row["way"]): row["strain_rate"] for row in at_stress}
+        self.says(page, "it grows by a factor of {}", rate[2e-5, "down"] / rate[5e-6, "up"])
+        self.says(page, "smaller stress by a factor of {}", rate[1e-5, "down"] / rate[1.4e-5, "down"])
+        self.says(page, "the rates are {} up and {} down", rate[7e-6, "up"], rate[7e-6, "down"])
+        self.assertGreater(min(row["R_v"] for row in at_stress if row["value"] < 4e-5), 15)
+
+    def test_what_is_held(self):
+        page, rows = "docs/results/held.md", data("results/held")
+        flow = lambda row: tuple(row[name] for name in ("disks.model", "disks.packing_fraction", "disks.count"))
+        flows, factors = [], {}
+        for at_rate in (row for row in rows if row["held"] == "rate"):
+            rate, phi = at_rate["shear.strain_rate"], at_rate["disks.packing_fraction"]
+            for row in (row for row in rows if flow(row) == flow(at_rate) and row is not at_rate):
+                by_stress = row["held"] == "stress"
+                found = (f"{100 * (row['found'] / rate - 1):+.2f}({100 * row['found_error'] / rate:.2f})%" if by_stress
+                         else f"{row['found'] - phi:+.5f}({row['found_error']:.5f})")
+                factor = row["inertia"] if by_stress else row["response"] / 10
+                factors.setdefault((flow(at_rate), factor), {})[row["held"]] = found
+                given = "sigma" if by_stress else "p"
+                off = abs(row["found"] / rate - 1) if by_stress else 0
+                self.assertLess(off, 2 * np.hypot(row["found_error"] / rate, at_rate[given + "_error"] / at_rate[given]) if by_stress else 1)
+            if at_rate["disks.count"] == 1024:
+                here = factors[flow(at_rate), 1]
+                flows.append([f"{at_rate['disks.model']} {phi:g}, Q = {at_rate['disks.elasticity']:g}, {rate:g}",
+                              f"{100 * at_rate['sigma_error'] / at_rate['sigma']:.2f}%", here.get("stress", "-"),
+                              f"{100 * at_rate['p_error'] / at_rate['p']:.2f}%", here.get("pressure", "-")])
+        self.assertEqual(table_of(page, "flow | error of σ"), flows)
+        self.assertEqual(table_of(page, "factor |"), [
+            [f"{factor:g}", found.get("stress", "-"), found.get("pressure", "-")]
+            for (of, factor), found in sorted(factors.items()) if of[2] == 256])
+        self.assertEqual(table_of(page, "N | σ at given"), [[f"{value:g}" if value != "" else "-" for value in row.values()]
+                                                           for row in data("results/held_fluctuations")])
+
     def test_crossover_a_decade_slower(self):
         found = {}
         for rate, table in (("1e-5", "figures/cd_n"), ("1e-6", "physics/cd_n_slow")):
