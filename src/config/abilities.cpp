@@ -49,7 +49,6 @@ constexpr Abilities by_events = {
 constexpr Abilities by_turns() {
   auto abilities = by_events;
   abilities.scheme = default_scheme;
-  abilities.ramps = "does not keep bits over restarts where the rate changes";
   abilities.contacts = "does not follow contacts from one engine to the other";
   return abilities;
 }

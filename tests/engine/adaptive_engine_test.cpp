@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <vector>
+
 #include "kernels/physics/sums/sums.hpp"
 #include "src/config/abilities.hpp"
 #include "src/config/events.hpp"
+#include "src/config/plan.hpp"
 #include "src/config/schemes.hpp"
 #include "tests/support/events.hpp"
 #include "tests/support/simulations.hpp"
@@ -16,6 +20,20 @@ Scene adaptive_scene(double packing_fraction, double rate, double elasticity) {
   scene.integration.scheme = automatic;
   scene.integration.engine = automatic;
   scene.integration.time_step = automatic;
+  return scene;
+}
+
+/// From where disks fly to where they touch and back.
+Scene crossing_ramp() {
+  Scene scene = adaptive_scene(0.6, 1e-4, 5);
+  auto& shear = scene.shear;
+  shear.protocol = "ramp";
+  shear.strain_rate_high = 2e-2;
+  shear.ramp_every = 1;
+  shear.ramp_window = 100;
+  shear.ramp_rate = std::log10(200) / 4000;
+  shear.strain = 0.1;  // before it
+  shear.cycles = 1;
   return scene;
 }
 
@@ -40,7 +58,7 @@ void expect_same(Simulation const& one, OpenWindows const& a, Simulation const& 
 
 /// A run in one call and one in many, of which each goes on from a checkpoint, and windows of both.
 struct StraightAndChained {
-  explicit StraightAndChained(Scene const& scene) {
+  StraightAndChained(Scene const& scene, std::int64_t end) {
     State const start = flying_start(scene);
     straight = test::simulate(scene, start, "serial");
     chained = test::simulate(scene, start, "serial");
@@ -95,9 +113,26 @@ TEST(AdaptiveEngine, StepsAreThoseOfStepsAlone) {
 
 /// Contacts of Q = 1 gather in clusters.
 TEST(AdaptiveEngine, BitsDoNotDependOnCutsOrRestarts) {
-  StraightAndChained const both(adaptive_scene(0.7, 1e-4, 1));
+  StraightAndChained const both(adaptive_scene(0.7, 1e-4, 1), end);
   EXPECT_GT(by_events(*both.straight), 0);
   both.expect_the_same();
+}
+
+TEST(AdaptiveEngine, NorDoThoseOfARampAcrossWhereContactsAreMany) {
+  Scene const scene = crossing_ramp();
+  auto const steps = make_plan(scene).steps;
+  StraightAndChained const both(scene, steps);
+  both.expect_the_same();
+  auto const simulation = test::simulate(scene, flying_start(scene), "serial");
+  std::vector<bool> turns{false};
+  while (simulation->step() < steps) {
+    OpenWindows windows;
+    auto const before = by_events(*simulation);
+    simulation->advance(stretch, {window, every, steps}, windows);
+    bool const now = by_events(*simulation) > before;
+    if (now != turns.back()) turns.push_back(now);
+  }
+  EXPECT_EQ(turns, (std::vector{false, true, false, true}));
 }
 
 TEST(AdaptiveEngine, LeavesToStepsWhatEventsCannotDo) {
@@ -110,10 +145,7 @@ TEST(AdaptiveEngine, LeavesToStepsWhatEventsCannotDo) {
   EXPECT_TRUE(goes_by_turns([](Scene&) {}));
   EXPECT_TRUE(goes_by_turns([](Scene& s) { s.disks.count = 8190; }));
   EXPECT_TRUE(goes_by_turns([](Scene& s) { s = resolved(s); }));
-  EXPECT_FALSE(goes_by_turns([](Scene& s) {
-    s.integration.time_step = 0.2;
-    ramp_every_five_steps(s);
-  }));
+  EXPECT_TRUE(goes_by_turns([](Scene& s) { s = resolved(crossing_ramp()); }));
   EXPECT_FALSE(goes_by_turns([](Scene& s) { s.measure.contacts = true; }));
   EXPECT_FALSE(goes_by_turns([](Scene& s) { s.disks.force_exponent = 2.5; }));
   EXPECT_FALSE(goes_by_turns([](Scene& s) { s.disks.elasticity = 0.5; }));

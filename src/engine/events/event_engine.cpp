@@ -51,6 +51,7 @@ EventEngine<Rotates>::EventEngine(events::Material<Rotates> const& material,
     restore(snapshot);
     return;
   }
+  if (clock_.strain_rate != system_.all().times.unit_rate()) given_ = snapshot.state;
   auto const box = box_at(step_);
   auto disks = moving_disks<Rotates>(snapshot.state, clock_.strain_rate / box.strain_rate);
   for (auto& disk : disks) wrap(box, disk.position, disk.motion.velocity.x);
@@ -178,6 +179,7 @@ void EventEngine<Rotates>::open_window() {
   if (std::exchange(in_window_, true)) return system_.windows().resume(begun);
   system_.windows().begin(begun);
   if (!std::exchange(touches_known_, true)) system_.find_touches();
+  given_.reset();
 }
 
 /// To a step, or to where the rate changes or the lists are to be built.
@@ -222,7 +224,10 @@ void EventEngine<Rotates>::add_motions(State& state) const {
 template <bool Rotates>
 Snapshot EventEngine<Rotates>::snapshot() const {
   Snapshot s;
-  add_motions(s.state);
+  if (given_)
+    s.state = *given_;
+  else
+    add_motions(s.state);
   s.state.diameter = diameter_;
   clock_.tell(s.state, step_);
   auto const& all = system_.all();

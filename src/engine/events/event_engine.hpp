@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -76,6 +77,9 @@ class EventEngine final : public Simulation {
   std::int64_t list_step_;  ///< of the last build of the lists
   std::int64_t builds_;
   bool touches_known_;  ///< of the start
+  /// State of the start, where the clock of events is another one than time, until the first window
+  /// begins: scaled to and fro, velocities would not be those that were given.
+  std::optional<State> given_;
   bool in_window_ = false;
   bool watches_contacts_ = false;
   std::int64_t begun_ = 0;  ///< step from which on the window under way is summed
