@@ -570,10 +570,14 @@ class Pages(Shown):
             [f"{1e5 * row['value']:.3g}", f"{row['packing_fraction']:.4f}", f"{1e5 * row['sigma']:.3g}", f"{row['mu']:.3f}",
              f"{row['Z']:.2f}", f"{row['R_v']:.3g}"] for row in rows if row["held"] == "pressure"])
         rate = {(row["value"], row["way"]): row["strain_rate"] for row in at_stress}
-        self.says(page, "it grows by a factor of {}", rate[2e-5, "down"] / rate[5e-6, "up"])
-        self.says(page, "smaller stress by a factor of {}", rate[1e-5, "down"] / rate[1.4e-5, "down"])
-        self.says(page, "the rates are {} up and {} down", rate[7e-6, "up"], rate[7e-6, "down"])
-        self.assertGreater(min(row["R_v"] for row in at_stress if row["value"] < 4e-5), 15)
+        over = lambda stress: rate[stress, "down"] / rate[stress, "up"]
+        self.says(page, "it is {} times that of the way up at σ = 3e-6, and {} times at 4e-5", over(3e-6), over(4e-5))
+        self.says(page, "meet at 7e-6 ({} and {})", rate[7e-6, "down"], rate[7e-6, "up"])
+        self.says(page, "grows by a factor of {} (down) and {} (up)", *(rate[2e-5, way] / rate[5e-6, way] for way in ("down", "up")))
+        self.says(page, "larger at 1e-5 than at 1.4e-5, by a factor of {}", rate[1e-5, "down"] / rate[1.4e-5, "down"])
+        self.assertGreater(min(row["R_v"] for row in at_stress if (row["value"], row["way"]) != (4e-5, "down")), 15)
+        phi = [row["packing_fraction"] for row in rows if row["held"] == "pressure"]
+        self.says(page, "φ falls by {} while p falls by a factor of 20", phi[0] - phi[-1])
 
     def test_what_is_held(self):
         page, rows = "docs/results/held.md", data("results/held")
