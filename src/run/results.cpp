@@ -73,7 +73,7 @@ double rate_of(Run const& run, std::size_t window) {
 
 /// The same of a replica, whose controller may have chosen its own.
 double rate_of(Run const& run, Replica const& replica, std::size_t window) {
-  if (run.scene.shear.protocol != "stress") return rate_of(run, window);
+  if (!run.plan.by_time) return rate_of(run, window);
   auto const& windows = replica.measurement.windows;
   return windows.row(
              window)[windows.columns - ControlColumns::count + ControlColumns::strain_rate] /
@@ -83,7 +83,7 @@ double rate_of(Run const& run, Replica const& replica, std::size_t window) {
 /// Strain of the first windows, both signs added up, mean over the replicas.
 double path_of(Run const& run, std::size_t windows) {
   if (windows == 0) return 0;
-  if (run.scene.shear.protocol != "stress") return run.plan.path(end_of(run, windows - 1));
+  if (!run.plan.by_time) return run.plan.path(end_of(run, windows - 1));
   double sum = 0;
   for (auto const& replica : run.replicas)
     for (std::size_t w = 0; w < windows; ++w)
@@ -153,9 +153,8 @@ std::vector<double> strains_of(Run const& run, Replica const& replica) {
   double strain = 0;
   double const time = run.plan.time_step * static_cast<double>(run.plan.window_steps);
   for (std::size_t w = 0; w < replica.measurement.windows.size(); ++w)
-    strains.push_back(run.scene.shear.protocol == "stress"
-                          ? strain += rate_of(run, replica, w) * time
-                          : run.plan.strain(end_of(run, w)));
+    strains.push_back(run.plan.by_time ? strain += rate_of(run, replica, w) * time
+                                       : run.plan.strain(end_of(run, w)));
   return strains;
 }
 

@@ -37,16 +37,6 @@ reference::System changed(reference::System const& from, Piece const& piece) {
   return {p, s};
 }
 
-void step(reference::System& system, std::string const& scheme) {
-  double dissipative[2][2];
-  if (scheme == papers_scheme)
-    reference::step(system);
-  else if (is_implicit(scheme))
-    reference::implicit_step(system, reference::rotates(system.p) ? 5 : 4, dissipative);
-  else
-    reference::two_stage_step(system, dissipative);
-}
-
 }  // namespace
 
 class Control : public EverySimulation {
@@ -73,7 +63,7 @@ TEST_P(Control, PiecesAreThoseOfTheAllPairsReference) {
     auto const simulation = simulate(of, state, backend());
     reference::System oracle(reference_parameters(of), state);
     for (auto const& piece : pieces) {
-      for (std::int64_t k = 0; k < piece.steps; ++k) step(oracle, of.integration.scheme);
+      for (std::int64_t k = 0; k < piece.steps; ++k) reference_step(oracle, of.integration.scheme);
       advance(*simulation, piece.steps);
       oracle = changed(oracle, piece);
       simulation->begin_piece(piece.rate, piece.scale);

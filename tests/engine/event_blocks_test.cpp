@@ -130,14 +130,7 @@ TEST_P(EventBlocks, HaveThemWhereContactsAreWatched) {
 
 TEST_P(EventBlocks, HaveThemInRamps) {
   Scene scene = dilute_scene(GetParam(), 0.78, 1024, 10);
-  scene.start.kind = "state";
-  auto& shear = scene.shear;
-  shear.protocol = "ramp";
-  shear.strain_rate_high = 4 * slow_rate;
-  shear.ramp_rate = 0.025;
-  shear.ramp_every = 1;
-  shear.ramp_window = 6;
-  shear.strain = 3 * slow_rate;
+  ramp_by_time_units(scene);
   auto const start = first_snapshot(flying_start(scene));
   Ramp const ramp = make_ramp(scene);
   Sampling const sampling{ramp.window_steps, 1, ramp.steps()};

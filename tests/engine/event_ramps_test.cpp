@@ -14,14 +14,7 @@ class EventRamps : public testing::TestWithParam<std::string> {
   /// From 1e-4 to 4e-4 and back, by 6% a time unit, clusters where dense.
   static Scene ramp_scene(bool dense, std::int64_t count = 64) {
     Scene scene = dilute_scene(GetParam(), dense ? 0.82 : 0.65, count, dense ? 3.0 : 20.0);
-    scene.start.kind = "state";
-    auto& shear = scene.shear;
-    shear.protocol = "ramp";
-    shear.strain_rate_high = 4 * slow_rate;
-    shear.ramp_rate = 0.025;
-    shear.ramp_every = 1;
-    shear.ramp_window = 6;
-    shear.strain = 3 * slow_rate;
+    ramp_by_time_units(scene);
     return scene;
   }
 };

@@ -29,6 +29,18 @@ inline Scene dilute_scene(std::string const& model, double packing_fraction = 0.
   return scene;
 }
 
+/// Makes the scene a ramp from 1e-4 to 4e-4 and back, by 6% a time unit.
+inline void ramp_by_time_units(Scene& scene) {
+  scene.start.kind = "state";
+  auto& shear = scene.shear;
+  shear.protocol = "ramp";
+  shear.strain_rate_high = 4 * slow_rate;
+  shear.ramp_rate = 0.025;
+  shear.ramp_every = 1;
+  shear.ramp_window = 6;
+  shear.strain = 3 * slow_rate;
+}
+
 /// Disks that fly past each other at a few times the rate, some of which overlap a little.
 inline State flying_start(Scene const& scene) {
   State state = shaken_start(scene);

@@ -10,6 +10,17 @@
 
 namespace bagnold::test {
 
+/// A step of all pairs by a scheme, by its name.
+inline void reference_step(reference::System& system, std::string const& scheme) {
+  double dissipative[2][2];
+  if (scheme == papers_scheme)
+    reference::step(system);
+  else if (is_implicit(scheme))
+    reference::implicit_step(system, reference::rotates(system.p) ? 5 : 4, dissipative);
+  else
+    reference::two_stage_step(system, dissipative);
+}
+
 /// All pairs, all images, through the strain rates of a scene. Where the rate changes, motions are
 /// scaled with it (P2 Eqs. 40-41) or keep their excess over the mean flow, as the protocol has it.
 class ScheduledReference {
@@ -22,13 +33,7 @@ class ScheduledReference {
   }
 
   void step() {
-    double dissipative[2][2];
-    if (scheme_ == papers_scheme)
-      reference::step(system_);
-    else if (is_implicit(scheme_))
-      reference::implicit_step(system_, reference::rotates(system_.p) ? 5 : 4, dissipative);
-    else
-      reference::two_stage_step(system_, dissipative);
+    reference_step(system_, scheme_);
     auto const stretch = rates_.at(system_.step);
     if (stretch.begin == system_.step) change_rate(stretch.rate);
   }
