@@ -61,8 +61,7 @@ void look_at_protocol(Scene const& scene, Refusals const& refuse) {
             "shear.strain_rate_high = {} (must be more than shear.strain_rate = {}, the lowest); "
             "raise it",
             shear.strain_rate_high, shear.strain_rate));
-  bool const has_one_flow = !shear.by_pieces() || (shear.controlled() && !shear.stress.is_list());
-  if (!has_one_flow && !shear.discard)
+  if (!shear.has_one_flow() && !shear.discard)
     refuse({"shear.discard"},
            fmt::format("shear.discard = \"auto\" (seeks one steady state, which shear.protocol = "
                        "\"{}\"{} has not); give a share",

@@ -83,6 +83,11 @@ struct Scene {
 
     /// True if the sums of a piece decide on the next one's strain rate or box.
     bool controlled() const { return protocol == "stress" || protocol == "pressure"; }
+
+    /// True if one state is sought, with means of its own.
+    bool has_one_flow() const {
+      return !by_pieces() || (protocol == "stress" && !stress.is_list());
+    }
   } shear;
 
   /// A force on each disk alone, beside contacts.

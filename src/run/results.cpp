@@ -80,18 +80,6 @@ double rate_of(Run const& run, Replica const& replica, std::size_t window) {
          windows.weight[window];
 }
 
-/// Strain of the first windows, both signs added up, mean over the replicas.
-double path_of(Run const& run, std::size_t windows) {
-  if (windows == 0) return 0;
-  if (!run.plan.by_time) return run.plan.path(end_of(run, windows - 1));
-  double sum = 0;
-  for (auto const& replica : run.replicas)
-    for (std::size_t w = 0; w < windows; ++w)
-      sum += std::abs(rate_of(run, replica, w)) * run.plan.time_step *
-             static_cast<double>(run.plan.window_steps);
-  return sum / static_cast<double>(run.replicas.size());
-}
-
 /// Largest number of windows of a replica; all have as many once the run is done.
 std::size_t most_windows(Run const& run) {
   std::size_t most = 0;
@@ -147,6 +135,17 @@ io::Series series(Run const& run, std::string_view name, std::string_view unit,
 }
 
 }  // namespace
+
+double path_of(Run const& run, std::size_t windows) {
+  if (windows == 0) return 0;
+  if (!run.plan.by_time) return run.plan.path(end_of(run, windows - 1));
+  double sum = 0;
+  for (auto const& replica : run.replicas)
+    for (std::size_t w = 0; w < windows; ++w)
+      sum += std::abs(rate_of(run, replica, w)) * run.plan.time_step *
+             static_cast<double>(run.plan.window_steps);
+  return sum / static_cast<double>(run.replicas.size());
+}
 
 std::vector<double> strains_of(Run const& run, Replica const& replica) {
   std::vector<double> strains;

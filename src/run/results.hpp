@@ -66,6 +66,9 @@ std::string errors_from(Run const& run);
 /// Mean and standard error of all observables, those of frames last.
 std::vector<NamedEstimate> estimates(Run const& run);
 
+/// Strain of the first windows, both signs added up, mean over the replicas.
+double path_of(Run const& run, std::size_t windows);
+
 /// Strain of a replica from step 0 to the end of each of its windows.
 std::vector<double> strains_of(Run const& run, Replica const& replica);
 

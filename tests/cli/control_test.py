@@ -2,6 +2,9 @@
 """Flows at given shear stress or pressure: against flows at given rate and packing fraction, and against a packing."""
 
 import math
+import re
+import shlex
+import shutil
 import signal
 import unittest
 
@@ -143,6 +146,31 @@ class Box(CliTest):
         self.assertGreater(rates[1], 1.3 * rates[2])
         for one in found:
             self.assertAlmostEqual(one["observables"]["sigma"]["mean"] / one["stress"], 1, delta=0.05)
+
+
+class Longer(CliTest):
+    """What a run that is too short names as remedy is accepted, and is longer."""
+
+    SHORT = {**STRESS, **FLOWS["dense"], "disks__count": 64, "shear__stress": 0.002, "shear__strain_rate": 0.002,
+             "shear__time": 400.0, "shear__discard": "auto", "output__sample_strain": 0.01}
+
+    def test_a_stress_is_held_for_longer(self):
+        out = self.folder / "short"
+        told = self.run_scene(self.scene(**self.SHORT), out).stdout
+        commands = re.findall(r"`bagnold (run [^`]*)`", told)
+        self.assertTrue(commands, told)
+        for command in set(commands):
+            arguments = shlex.split(command)
+            longer = self.folder / arguments[arguments.index("--out") + 1]
+            self.assertEqual(self.bagnold(*arguments, "--quiet").returncode, 0, command)
+            self.assertGreaterEqual(read_series(longer)["time"][-1], 1.5 * read_series(out)["time"][-1])
+            shutil.rmtree(longer)
+
+    def test_a_pressure_without_errors_is_held_for_longer(self):
+        told = self.run_scene(self.scene(**{**PRESSURE, **FLOWS["dense"], "shear__pressure": 0.02, "shear__strain_rate": 0.01,
+                                            "shear__strain": 1.0}), self.folder / "short").stdout
+        (command,) = set(re.findall(r"`bagnold (resume [^`]*)`", told))
+        self.assertEqual(self.bagnold(*shlex.split(command), "--quiet").returncode, 0, command)
 
 
 class Restarts(ResumeTest):

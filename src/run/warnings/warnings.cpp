@@ -25,10 +25,8 @@ double FinishedRun::mean(std::string_view name) const {
 }
 
 double FinishedRun::measured_strain() const {
-  auto const& plan = run.plan;
-  double const first =
-      plan.discarded_windows == 0 ? 0.0 : plan.path(plan.window_end(plan.discarded_windows - 1));
-  return plan.path(plan.steps) - first;
+  return path_of(run, static_cast<std::size_t>(run.plan.windows)) -
+         path_of(run, static_cast<std::size_t>(run.plan.discarded_windows));
 }
 
 double FinishedRun::in_window(std::string_view name, std::size_t window) const {
@@ -91,9 +89,12 @@ std::string text_of(Warning const& warning, std::string const& folder) {
 }
 
 std::string longer_run(Run const& run, double times) {
-  double const strain = run.scene.shear.strain * std::clamp(times, 1.5, 1e3);
-  double const unit = std::pow(10, std::floor(std::log10(strain)) - 1);  // of two digits
-  return fmt::format("bagnold resume DIR --strain {:.6g}", unit * std::ceil(strain / unit - 1e-9));
+  auto const& shear = run.scene.shear;
+  double const length = (run.plan.by_time ? shear.time : double{shear.strain}) * std::clamp(times, 1.5, 1e3);
+  double const unit = std::pow(10, std::floor(std::log10(length)) - 1);  // of two digits
+  auto const longer = fmt::format("{:.6g}", unit * std::ceil(length / unit - 1e-9));
+  return run.plan.by_time ? changed_run("shear.time", longer)
+                          : "bagnold resume DIR --strain " + longer;
 }
 
 double fewest_independent_windows(FinishedRun const& finished) {
@@ -107,8 +108,7 @@ double fewest_independent_windows(FinishedRun const& finished) {
 std::string until_errors(FinishedRun const& finished) {
   double const least = fewest_independent_windows(finished);
   constexpr double share_seen = 1 / 1.5;  // a short series shows too many
-  auto const& shear = finished.run.scene.shear;
-  if (!std::isfinite(least) || shear.by_pieces() || shear.controlled()) return {};
+  if (!std::isfinite(least) || !finished.run.scene.shear.has_one_flow()) return {};
   return longer_run(finished.run, enough_windows / (share_seen * least));
 }
 
