@@ -81,3 +81,15 @@ add_variables_of_a_root() {
     [ -z "${!name:-}" ] || variables+=("$name=${!name}")
   done
 }
+
+# changed_headers: those that the last twenty commits of headers or the working tree changed, as CMake's list
+# BAGNOLD_HEADERS; "all" where git does not tell.
+changed_headers() {
+  local first names
+  if first="$(git -C "$root" log -n 20 --format=%H -- '*.hpp' 2>/dev/null | tail -n 1)" && [ -n "$first" ] &&
+    names="$(git -C "$root" diff --name-only "$first~1" -- '*.hpp' 2>/dev/null | paste -sd ';')"; then
+    printf %s "${names:-none}"
+  else
+    printf all
+  fi
+}

@@ -121,7 +121,11 @@ inline constexpr AddCommand* all_commands[] = {
     add_plot,   add_sweep,  add_analyse,  add_check_limit, add_figure, add_movie,
     add_report, add_export, add_import,   add_schema,      add_units,  add_info};
 
+struct ValidateOptions : SceneOptions {
+  bool no_time = false;  ///< no trials, which are what takes long
+};
+
 /// Prints points, chains, steps and time of a sweep file.
-int validate_sweep_command(SceneOptions const& options);
+int validate_sweep_command(ValidateOptions const& options);
 
 }  // namespace bagnold

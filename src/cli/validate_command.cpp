@@ -51,8 +51,8 @@ std::string in_words(RunTime const& time, int threads) {
   return text;
 }
 
-/// Prints the size, the time and the memory of one run.
-void print_plan(Scene const& scene, Plan const& plan, RunTime const& time, int threads) {
+/// Prints the size and the memory of one run.
+void print_plan(Scene const& scene, Plan const& plan) {
   if (plan.ramp) print_ramp(*plan.ramp);
   fmt::print("# {:<14} {:.6g}\n", plan.progress_name(), plan.progress(plan.steps));
   fmt::print("# steps          {}, {:.4g} million disk-steps\n", plan.steps,
@@ -74,10 +74,9 @@ void print_plan(Scene const& scene, Plan const& plan, RunTime const& time, int t
                frames, bytes / 1e6);
   }
   fmt::print("# memory         {:.3g} MB\n", memory_needed(scene, plan) / 1e6);
-  fmt::print("# estimated time {}\n", in_words(time, threads));
 }
 
-int validate_command(SceneOptions const& options) {
+int validate_command(ValidateOptions const& options) {
   auto const origin = options.scene_file.string();
   if (sweep::is_sweep(read_text(options.scene_file), origin))
     return validate_sweep_command(options);
@@ -105,26 +104,33 @@ int validate_command(SceneOptions const& options) {
     fmt::print("# replicas       {}, seeds {} to {}; the steps and windows below are of each\n",
                scene.disks.replicas, scene.disks.seed, scene.disks.seed + scene.disks.replicas - 1);
   int const threads = default_threads(scene);
-  std::optional<State> first;
-  if (!started.empty()) first = std::move(started.front().state);
-  RunTimes const times = times_of_runs(runs, std::move(first));
+  std::optional<RunTimes> times;
+  if (!options.no_time) {
+    std::optional<State> first;
+    if (!started.empty()) first = std::move(started.front().state);
+    times = times_of_runs(runs, std::move(first));
+  }
   for (std::size_t k = 0; k < runs.size(); ++k) {
     if (runs.size() > 1) fmt::print("#\n# strain rate    {:g}\n", runs[k].shear.strain_rate);
-    print_plan(runs[k], make_plan(runs[k]), times.each[k], threads);
+    print_plan(runs[k], make_plan(runs[k]));
+    if (times) fmt::print("# estimated time {}\n", in_words(times->each[k], threads));
   }
+  if (!times) return 0;
   if (runs.size() > 1)
-    fmt::print("#\n# all {} rates    {}\n", runs.size(), in_words(times.sum(), threads));
-  fmt::print("#                {}\n", times.how);
+    fmt::print("#\n# all {} rates    {}\n", runs.size(), in_words(times->sum(), threads));
+  fmt::print("#                {}\n", times->how);
   return 0;
 }
 
 }  // namespace
 
 Command add_validate(Words program) {
-  auto const options = std::make_shared<SceneOptions>();
+  auto const options = std::make_shared<ValidateOptions>();
   Words command = add_command(program, "validate",
                               "check a scene; print it resolved, its steps, memory and time");
   add_scene_options(command, *options);
+  command.flag("--no-time", options->no_time,
+               "no estimate of the time, which takes trials of a second or two");
   return {command, [options] { return validate_command(*options); }};
 }
 

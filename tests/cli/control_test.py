@@ -175,8 +175,8 @@ class Longer(CliTest):
 
 class Restarts(ResumeTest):
     def test_a_run_that_is_stopped_goes_on_with_its_bits(self):
-        for name, protocol in (("stress", {**STRESS, "shear__stress": 0.002, "shear__time": 4e4}),
-                               ("pressure", {**PRESSURE, "shear__pressure": 0.005, "shear__strain": 80.0})):
+        for name, protocol in (("stress", {**STRESS, "shear__stress": 0.002, "shear__time": 1.5e4}),
+                               ("pressure", {**PRESSURE, "shear__pressure": 0.005, "shear__strain": 30.0})):
             path = self.scene(**{**protocol, **FLOWS["dense"], "shear__strain_rate": 0.002, "disks__replicas": 2, **OFTEN})
             whole, out = self.folder / f"{name}_whole", self.folder / f"{name}_cut"
             self.run_scene(path, whole, "--threads", 1, "--quiet")

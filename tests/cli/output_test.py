@@ -359,8 +359,10 @@ class Inputs(CliTest):
         self.assertIn("quickstart.toml", [path.name for path in paths])
         for path in paths:
             with self.subTest(path=path.name):
-                result = self.bagnold("validate", path)
+                result = self.bagnold("validate", path, "--no-time")
                 self.assertEqual(result.returncode, 0, result.stderr)
+                self.assertIn("steps", result.stdout)
+                self.assertNotIn("estimated time", result.stdout)
 
     def test_reference_equals_the_defaults(self):
         reference = tomllib.loads((SOURCE / "inputs/reference.toml").read_text())
