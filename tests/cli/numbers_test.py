@@ -7,6 +7,7 @@ numbers ("0.3 to 0.5%", "within 1%") is their least and greatest. A phrase that 
 
 import csv
 import itertools
+import math
 import re
 import sys
 import tomllib
@@ -506,16 +507,29 @@ class Pages(Shown):
     def test_oscillation(self):
         rows = data("results/oscillation")
         names = ("disks.model", "disks.packing_fraction", "shear.amplitude")
-        at = {tuple(row[name] for name in names): row for row in rows}
-        amplitudes = (1e-4, 1e-3, 0.01, 0.1, 0.3)
-        kinds = list(itertools.product(("CD", "CD_rot"), (0.84, 0.845, 0.85)))
+        at, small = ({tuple(row[name] for name in names): row for row in where(rows, **{"disks.count": count})} for count in (1024, 256))
+        amplitudes = (1e-4, 1e-3, 0.01, 0.03, 0.1, 0.3)
+        kinds = list(itertools.product(("CD", "CD_rot"), (0.84, 0.845, 0.85, 0.86)))
         expected = [[f"{model}, {phi}", *("; ".join(with_error(1e3 * at[model, phi, one][name], 1e3 * at[model, phi, one][name + "_error"])
                                                     for name in ("G_storage", "G_loss")) for one in amplitudes)] for model, phi in kinds]
         self.assertEqual(table_of("docs/results/oscillation.md", "model, φ"), expected)
+        loose = list(itertools.product(("CD", "CD_rot"), (0.8, 0.82)))
+        expected = [[f"{model}, {phi}", *("; ".join(f"{float(format(1e6 * at[model, phi, one][name], '.2g')):g}" for name in ("G_storage", "G_loss"))
+                                          for one in amplitudes[2:])] for model, phi in loose]
+        self.assertEqual(table_of("docs/results/oscillation.md", "model, φ below"), expected)
+        for row in (at[model, phi, one] for model, phi in loose for one in amplitudes[:2]):
+            self.assertLess(max(row["G_storage"], row["G_loss"]), 5e-8)
+        self.says("docs/results/oscillation.md", "A packing's is {} m/τ_e²", at["CD", 0.85, 1e-3]["G_storage"])
         fluid = [at[model, phi, 0.3]["G_loss"] / at[model, phi, 0.3]["G_storage"] for model, phi in kinds]
         self.says("docs/results/oscillation.md", "G'' is {} to {} times G'", min(fluid), max(fluid))
-        more = [at["CD", phi, one]["G_loss"] / at["CD_rot", phi, one]["G_loss"] for phi in (0.84, 0.845, 0.85) for one in (0.03, 0.1, 0.3)]
+        more = [at["CD", phi, one]["G_loss"] / at["CD_rot", phi, one]["G_loss"] for phi in (0.84, 0.845, 0.85, 0.86) for one in (0.03, 0.1, 0.3)]
         self.says("docs/results/oscillation.md", "CD dissipates {} to {} times as much", min(more), max(more))
+        apart = {key: (at[key][name] - small[key][name]) / math.hypot(at[key][name + "_error"], small[key][name + "_error"])
+                 for key in at if key in small for name in ("G_storage",)}
+        beyond = {key for key, errors in apart.items() if abs(errors) > 2}
+        self.says("docs/results/oscillation.md", "{} of {} values of G' of 256 disks", float(len(beyond)), float(len(apart)))
+        less = [100 * (1 - at[key]["G_storage"] / small[key]["G_storage"]) for key in itertools.product(("CD", "CD_rot"), (0.84, 0.845), (0.03,))]
+        self.says("docs/results/oscillation.md", "{}% to {}% larger", *(100 / (1 - one / 100) - 100 for one in (min(less), max(less))))
 
     def test_bubbles(self):
         rows = data("results/bubbles_inertia")
