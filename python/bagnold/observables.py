@@ -19,10 +19,23 @@ class Observable:
     samples: int = 0  #: windows (or frames) averaged
     rough: bool = False  #: from 4 to 7 blocks only; Student's factor is in `error`
     unit: str = ""  #: in d_s, tau_e and m
+    bias: float = math.nan  #: of scheme and time step, in `unit`; NaN where it was not measured (measure.bias)
+    bias_error: float = math.nan  #: its standard error
 
     def __str__(self) -> str:
-        """``B_p = 1.89(10)e+04``, the brackets being the error of the last digits."""
-        return f"{self.name} = {rounded(self.mean, self.error)}{' ' + self.unit if self.unit not in ('', '1') else ''}"
+        """``B_p = 1.89(10)e+04``, the brackets being the error of the last digits; and the bias of the method, if known."""
+        text = f"{self.name} = {rounded(self.mean, self.error)}{' ' + self.unit if self.unit not in ('', '1') else ''}"
+        if not math.isfinite(self.bias) or not self.mean:
+            return text
+        bias = rounded(100 * self.bias / self.mean, 100 * self.bias_error / abs(self.mean))
+        return f"{text}, method {'' if bias.startswith('-') else '+'}{bias}%"
+
+    @property
+    def total_error(self) -> float:
+        """Error with the bias of the method: (error^2 + bias^2 + bias_error^2)^(1/2); the error alone where none is known."""
+        if not math.isfinite(self.bias) or not math.isfinite(self.bias_error):
+            return self.error
+        return math.hypot(self.error, self.bias, self.bias_error)
 
     def __float__(self) -> float:
         return self.mean
@@ -66,4 +79,4 @@ def observable(name: str, found: dict[str, Any], unit: str = "") -> Observable:
     """One entry of `observables` in summary.json."""
     return Observable(name, number(found.get("mean")), number(found.get("error")),
                       number(found.get("correlation_strain")), int(found.get("samples") or 0),
-                      bool(found.get("rough", False)), unit)
+                      bool(found.get("rough", False)), unit, number(found.get("bias")), number(found.get("bias_error")))

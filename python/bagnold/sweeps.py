@@ -51,7 +51,7 @@ class Sweep(Sequence[Point]):
     @property
     def names(self) -> list[str]:
         """Observables of any point."""
-        return [name for name in self._observables if not name.endswith("_error")]
+        return [name for name in self._observables if not name.endswith(("_error", "_bias"))]
 
     def __len__(self) -> int:
         return len(self._points)
@@ -119,6 +119,12 @@ class Sweep(Sequence[Point]):
         """Standard errors of an observable, [P]."""
         return np.asarray(self[f"{name}_error"], dtype=np.float64)
 
+    def bias(self, name: str) -> Array:
+        """Biases of the method in an observable, [P]; their errors are ``error(f"{name}_bias")``. NaN where measure.bias
+        was not asked for."""
+        missing = np.full(len(self), math.nan)
+        return np.asarray(self._observables.get(f"{name}_bias", missing), dtype=np.float64)
+
     def to_pandas(self) -> DataFrame:
         """One row a point: folder, status, varied keys, NAME and NAME_error, names of warnings.
         Needs pandas."""
@@ -170,7 +176,9 @@ def _of_cascade(place: pathlib.Path, found: list[dict[str, Any]]) -> Sweep:
     means: dict[str, Array] = {}
     for name in names:
         entries = [one["observables"].get(name, {}) for one in found]
-        for ending, what in (("", "mean"), ("_error", "error")):
+        measured = any("bias" in entry for entry in entries)
+        for ending, what in (("", "mean"), ("_error", "error"),
+                             *((("_bias", "bias"), ("_bias_error", "bias_error")) if measured else ())):
             means[name + ending] = np.array([math.nan if entry.get(what) is None else float(entry[what])
                                              for entry in entries])
     rates = np.array([float(one["strain_rate"]) for one in found])

@@ -68,6 +68,18 @@ void read_observables(io::Hdf5Reader const& file, SweepTable& table) {
   }
 }
 
+/// Adds the bias of the method, where one was measured: error^2 + bias^2 + bias_error^2.
+void add_biases(SweepTable& table) {
+  for (auto& [name, measured] : table.observables) {
+    auto const bias = table.observables.find(name + "_bias");
+    if (bias == table.observables.end()) continue;
+    auto const& [value, error] = bias->second;
+    for (std::size_t k = 0; k < value.size(); ++k)
+      if (std::isfinite(value[k]) && std::isfinite(error[k]))
+        measured.error[k] = std::hypot(measured.error[k], value[k], error[k]);
+  }
+}
+
 /// Drops values of points with few collisions: they describe no flow. B_p = 1e-32 +- 0 is not to be
 /// averaged in.
 void drop_few_collisions(SweepTable& table, std::vector<std::string> const& warnings) {
@@ -123,6 +135,7 @@ SweepTable read_csv_table(std::filesystem::path const& path) {
       table.observables[name] = {cells(table, rows, name),
                                  cells(table, rows, name + std::string(error_ending))};
   }
+  add_biases(table);
   if (auto const found = std::ranges::find(rows.columns, "warnings"); found != rows.columns.end())
     drop_few_collisions(
         table, key_column(rows, static_cast<std::size_t>(found - rows.columns.begin())).texts);
@@ -248,6 +261,7 @@ SweepTable read_sweep_table(std::filesystem::path const& path) {
   io::Hdf5Reader const file(table.origin, io::read_file(file_path));
   read_keys(file, table);
   read_observables(file, table);
+  add_biases(table);
   if (table.observables.empty() && file.has("/pieces"))
     throw InputError(
         fmt::format("{}: its points are sequences, whose averages are of pieces; give {}, a row a "

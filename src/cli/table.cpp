@@ -26,6 +26,12 @@ std::string with_error(statistics::Estimate const& estimate) {
   return rounded(*estimate.mean, *estimate.error) + (estimate.rough ? " (rough)" : "");
 }
 
+/// ", method +0.02(3)%", or "" where no bias is known.
+std::string with_bias(Run const& run, std::string_view name) {
+  auto const bias = bias_of(run, name);
+  return bias ? fmt::format(", method {}%", rounded_bias(bias->value, bias->error)) : "";
+}
+
 /// Of a name, where observables and their estimates stand side by side.
 template <class Averages>
 std::string with_error(Averages const& of, std::string_view name) {
@@ -139,8 +145,10 @@ void print_table(Run const& run, std::vector<NamedEstimate> const& list, std::st
   if (run.plan.ramp) return print_loop(run);
   if (run.scene.shear.protocol == "sequence") return print_pieces(run);
   if (run.plan.stages > 1) return print_stresses(run);
-  fmt::print("\n{:<13} {:<26} {:<17} {:<19} {}\n", "quantity", "mean(standard error)", "unit",
-             "correlation strain", "what it is");
+  int const width = run.bias ? 42 : 26;
+  fmt::print("\n{:<13} {:<{}} {:<17} {:<19} {}\n", "quantity",
+             run.bias ? "mean(standard error), bias of method" : "mean(standard error)", width,
+             "unit", "correlation strain", "what it is");
   std::size_t left_out = 0;
   for (auto const& named : list) {
     auto const& [name, unit, meaning, value] = named.observable;
@@ -150,14 +158,18 @@ void print_table(Run const& run, std::vector<NamedEstimate> const& list, std::st
     }
     auto const& all = named.estimate.all;
     fmt::print(
-        "{:<13} {:<26} {:<17} {:<19} {}\n", name, with_error(all), unit,
-        all.correlation ? fmt::format("{:.2g}", *all.correlation * named.sample_strain) : "-",
+        "{:<13} {:<{}} {:<17} {:<19} {}\n", name, with_error(all) + with_bias(run, name), width,
+        unit, all.correlation ? fmt::format("{:.2g}", *all.correlation * named.sample_strain) : "-",
         meaning);
   }
 
   if (left_out > 0) fmt::print("{} more in summary.json (on the screen with --all)\n", left_out);
 
   print_ends(run, folder);
+  if (run.bias)
+    fmt::print("\nbias of the method: {} within {:g}% after {} pairs of stretches\n",
+               bias::name_of(run.bias->judgement.verdict), 100 * run.bias->tolerance,
+               run.bias->pairs);
   if (run.replicas.size() > 1)
     fmt::print("\n{} replicas, seeds {} to {}; errors: {}\n", run.replicas.size(),
                run.scene.disks.seed,

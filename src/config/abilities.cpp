@@ -43,6 +43,7 @@ constexpr Abilities by_events = {
         "disks.force_exponent = 2, here it is {}",
     .drives = needs_straight_flights,
     .pieces = needs_whole_flights,
+    .bias = "has no step whose bias a finer one could show",
     .devices = "goes from event to event on the host"};
 
 /// Events, and by turns steps of all disks.
@@ -50,6 +51,7 @@ constexpr Abilities by_turns() {
   auto abilities = by_events;
   abilities.scheme = default_scheme;
   abilities.contacts = "does not follow contacts from one engine to the other";
+  abilities.bias = {};  // that of the steps
   return abilities;
 }
 
@@ -78,6 +80,7 @@ constexpr std::array engines = {
               .pieces = steps_by_strain,
               .contacts = "does not see contacts that begin and end within a step",
               .profiles = "has no stresses of single disks",
+              .bias = "shares no instants with a method of shorter steps",
               .devices = "solves on one thread of the host"},
     by_events};
 
@@ -141,7 +144,9 @@ constexpr std::array demands = {
            "set measure.contacts = false"},
     Demand{"measure.profiles", &Abilities::profiles,
            [](Scene const& scene) { return scene.measure.profiles; }, no_value,
-           "set measure.profiles = false"}};
+           "set measure.profiles = false"},
+    Demand{"measure.bias", &Abilities::bias, [](Scene const& scene) { return scene.measure.bias; },
+           no_value, "set measure.bias = false"}};
 
 constexpr std::string_view another_engine = "integration.engine = \"auto\"";
 

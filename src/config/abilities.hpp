@@ -30,6 +30,7 @@ struct Abilities {
   WhyNot pieces = {};    ///< at whose beginning motions keep their excess over the mean flow
   WhyNot contacts = {};  ///< measure.contacts
   WhyNot profiles = {};
+  WhyNot bias = {};     ///< measure.bias
   WhyNot devices = {};  ///< backends with memory of their own
 };
 

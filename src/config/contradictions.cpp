@@ -14,6 +14,7 @@
 #include "src/config/names.hpp"
 #include "src/config/quasi_static.hpp"
 #include "src/config/shown.hpp"
+#include "src/config/time_step.hpp"
 
 namespace bagnold {
 
@@ -206,6 +207,20 @@ void look_at_scheme(Scene const& scene, Refusals const& refuse) {
                        scene.drive.kind, scheme));
 }
 
+/// Refuses pairs of stretches where the method changes, or where noise parts them.
+void look_at_bias(Scene const& scene, Refusals const& refuse) {
+  if (!scene.measure.bias) return;
+  if (implicit_step_length(scene) > 1)
+    refuse({"measure.bias", "integration.scheme"},
+           "measure.bias = true (is that of one method, and integration.scheme = \"auto\" changes "
+           "between two); name a scheme, or set measure.bias = false");
+  if (std::ranges::count(thermal_drives(), scene.drive.kind) > 0)
+    refuse({"measure.bias", "drive.kind"},
+           fmt::format("measure.bias = true (the noise of drive.kind = \"{}\" differs between two "
+                       "time steps, so pairs of stretches show nothing); set measure.bias = false",
+                       scene.drive.kind));
+}
+
 void look_at_engine(Scene const& scene, Refusals const& refuse) {
   for (auto const& [keys, message] : why_not(scene)) refuse(keys, message);
   for (auto const& [keys, message] : misused_quasi_static(scene)) refuse(keys, message);
@@ -219,6 +234,7 @@ void find_contradictions(Scene const& scene, std::string const& origin, Mistakes
   look_at_drive(scene, refuse);
   look_at_scheme(scene, refuse);
   look_at_engine(scene, refuse);
+  if (!mistakes.about("disks.model")) look_at_bias(scene, refuse);
   if (!mistakes.about("shear.protocol")) look_at_protocol(scene, refuse);
 }
 

@@ -248,10 +248,20 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
             false,
             {automatic}},
         integration.skin);
+  visit(of({"steady", "cascade"},
+           Key{"integration.accuracy", "",
+               "relative bias of p, sigma and Z that a method may have, judged by measure.bias",
+               optional, 0, 1, above}),
+        integration.accuracy);
 
   visit(Key{"measure.every", "steps", "between evaluations inside a window; quasi-static: of all",
             optional, 1, 1e12},
         measure.every);
+  visit(of({"steady", "cascade"},
+           Key{"measure.bias", "",
+               "bias of scheme and time step, by pairs of short stretches with a finer method",
+               optional}),
+        measure.bias);
   visit(of(one_way, Key{"measure.contacts", "", "durations, rate, angles and clusters of contacts",
                         optional}),
         measure.contacts);

@@ -284,8 +284,9 @@ double memory_needed(Scene const& scene, Plan const& plan) {
   double const list = 4 + 1.125 * 4 * 7 * std::pow(1 + skin(scene), 2) + 3 * 4;
   double const host = (16 + 16 + spin + 8) + 32;
   double const windows = static_cast<double>(plan.windows) * 16 * 8 * 6;
-  double const system = static_cast<double>(scene.disks.count) * (views + list + host) + windows +
-                        memory_of_frames(scene, plan);
+  double const systems = scene.measure.bias ? 2 : 1;  // a stretch has one of its own
+  double const system = systems * static_cast<double>(scene.disks.count) * (views + list + host) +
+                        windows + memory_of_frames(scene, plan);
   return static_cast<double>(scene.disks.replicas) * system + 64e6;
 }
 

@@ -102,10 +102,12 @@ struct Scene {
     std::string engine = "auto";
     NumberOrWord time_step = automatic;  ///< dt; time_step(scene) resolves it
     NumberOrWord skin = automatic;       ///< skin(scene) resolves it
+    double accuracy = 0.01;              ///< relative bias of p, sigma and Z that is allowed
   } integration;
 
   struct Measure {
     std::int64_t every = 10;
+    bool bias = false;  ///< of the method, by pairs of stretches
     bool contacts = false;
     bool correlations = false;
     bool contact_frames = false;

@@ -132,6 +132,11 @@ Machine choose(Machine machine, Scene const& scene) {
         "no CUDA device ({}): this build needs one, also for --backend serial; run it where "
         "nvidia-smi lists one, or build without CUDA (cmake --preset openmp)",
         why));
+  if (scene.measure.bias && is_device_backend(machine.backend))
+    throw InputError(fmt::format(
+        "--backend {}: measure.bias = true (pairs of stretches are stepped on the host alone); use "
+        "--backend serial",
+        machine.backend));
   if (scene.disks.replicas > 1) return choose_for_replicas(machine, scene);
   if (machine.threads == 0)
     machine.threads = static_cast<int>(

@@ -14,6 +14,7 @@
 #include "src/config/oscillation.hpp"
 #include "src/config/scene_file.hpp"
 #include "src/config/strain_rates.hpp"
+#include "src/config/time_step.hpp"
 #include "src/engine/control_columns.hpp"
 #include "src/engine/levels/levels.hpp"
 #include "src/io/atomic_file.hpp"
@@ -162,6 +163,20 @@ statistics::ReplicaEstimate estimate(Run const& run, statistics::Function const&
   auto found = statistics::estimate(windows, discarded(run), f);
   if (!run.scene.shear.target_error.empty()) found.all = statistics::cautious(found);
   return found;
+}
+
+std::optional<bias::Bias> bias_of(Run const& run, std::string_view name) {
+  if (!run.bias || run.bias->pairs < 2) return {};
+  constexpr std::pair<std::string_view, bias::Quantity> known[] = {
+      {"p", bias::pressure},           {"B_p", bias::pressure},
+      {"eta_p", bias::pressure},       {"sigma", bias::shear_stress},
+      {"B_sigma", bias::shear_stress}, {"eta_sigma", bias::shear_stress},
+      {"mu", bias::friction},          {"T_g", bias::temperature},
+      {"p_kin", bias::temperature},    {"B_p_kin", bias::temperature},
+      {"Z", bias::contact_number}};
+  for (auto const& [of, quantity] : known)
+    if (of == name) return run.bias->judgement.stated[quantity];
+  return {};
 }
 
 std::string errors_from(Run const& run) {
@@ -319,6 +334,39 @@ Json estimate_json(statistics::Estimate const& of, double sample_strain) {
   return all;
 }
 
+/// The same with the bias of the method, in the unit of the mean.
+Json with_bias(Json all, statistics::Estimate const& of, std::optional<bias::Bias> const& bias) {
+  if (!bias || !of.mean) return all;
+  all["bias"] = number(bias->value * *of.mean);
+  all["bias_error"] = number(bias->error * std::abs(*of.mean));
+  return all;
+}
+
+Json bias_json(bias::Findings const& found) {
+  auto const method = [](Scene const& scene) {
+    return Json{{"scheme", scene.integration.scheme}, {"time_step", time_step(scene)}};
+  };
+  Json all{{"verdict", bias::name_of(found.judgement.verdict)},
+           {"accuracy", found.tolerance},
+           {"pairs", found.pairs},
+           {"stretch_strain", found.methods.strain()},
+           {"method", method(found.methods.coarse)},
+           {"finer", method(found.methods.fine)},
+           {"steps", found.coarse_steps},
+           {"finer_steps", found.fine_steps},
+           {"gas", found.judgement.gas},
+           {"relative", Json::object()},
+           {"looks", Json::array()}};
+  for (std::size_t q = 0; found.pairs > 1 && q < bias::quantities; ++q) {
+    auto const& one = found.judgement.stated[q];
+    all["relative"][std::string(bias::quantity_names[q])] = {{"bias", number(one.value)},
+                                                             {"error", number(one.error)}};
+  }
+  for (auto const& look : found.looks)
+    all["looks"].push_back({{"pairs", look.pairs}, {"verdict", bias::name_of(look.verdict)}});
+  return all;
+}
+
 Json list_json(std::vector<Observable> const& observables,
                std::vector<statistics::Estimate> const& estimates) {
   Json all = Json::object();
@@ -463,12 +511,14 @@ void write_summary(RunFolder const& folder, Run const& run, std::vector<NamedEst
   summary["warnings"] = warnings_json(warnings, false);
   summary["notes"] = warnings_json(warnings, true);
   add_protocol(summary, run);
+  if (run.bias) summary["bias"] = bias_json(*run.bias);
   bool const several = run.replicas.size() > 1 && !list.empty();
   if (several) summary["errors_from"] = errors_from(run);
   summary["observables"] = Json::object();
   for (auto const& named : list)
     summary["observables"][std::string(named.observable.name)] =
-        estimate_json(named.estimate.all, named.sample_strain);
+        with_bias(estimate_json(named.estimate.all, named.sample_strain), named.estimate.all,
+                  bias_of(run, named.observable.name));
   if (several) summary["replicas"] = replicas_json(run, list);
   io::replace_text(folder.summary(), summary.dump(2) + "\n");
 }

@@ -9,6 +9,7 @@
 #include "src/config/plan.hpp"
 #include "src/config/scene.hpp"
 #include "src/engine/observables.hpp"
+#include "src/run/bias/course.hpp"
 #include "src/run/run_folder.hpp"
 #include "src/run/run_measured.hpp"
 #include "src/start/mean_motion.hpp"
@@ -25,6 +26,7 @@ struct Replica {
   std::optional<ObserverState>
       saved_frames;                        ///< of the checkpoint it goes on from; none: it begins
   std::vector<double> saved_control = {};  ///< what a controller remembers; of the same checkpoint
+  std::vector<double> saved_pairs = {};    ///< of measure.bias; of the same checkpoint
   bool discards_more = false;  ///< than at the checkpoint: the run was made longer since
   std::optional<MeanMotion> end_motion = {};  ///< of all disks together, once it is done
   Measurement measurement;
@@ -40,8 +42,9 @@ struct Run {
   double wall_seconds = 0.0;  ///< of stepping, resumes included
   bool steady_found = true;   ///< by shear.discard = "auto"; false: the middle was taken
   std::map<std::string, std::optional<double>>
-      reached;              ///< relative errors, of those with a target
-  bool target_met = false;  ///< by all of them, at this look and at the one before
+      reached;                              ///< relative errors, of those with a target
+  bool target_met = false;                  ///< by all of them, at this look and at the one before
+  std::optional<bias::Findings> bias = {};  ///< of measure.bias, once it is done
 
   double box_height() const { return scene.disks.box_aspect * box_length; }  ///< L_y, [d_s]
   double box_area() const { return box_length * box_height(); }              ///< [d_s^2]
@@ -62,6 +65,10 @@ statistics::ReplicaEstimate estimate(Run const& run, statistics::Function const&
 
 /// Source of the error for several replicas, in words.
 std::string errors_from(Run const& run);
+
+/// Relative bias of the method in an observable and its standard error, as stated by measure.bias:
+/// of p, sigma, Z, T_g, mu and what goes with them by a constant factor. None: not known.
+std::optional<bias::Bias> bias_of(Run const& run, std::string_view name);
 
 /// Mean and standard error of all observables, those of frames last.
 std::vector<NamedEstimate> estimates(Run const& run);

@@ -49,4 +49,8 @@ std::string rounded(double mean, double error) {
   return carried ? write(power + 1) : text;
 }
 
+std::string rounded_bias(double bias, double error) {
+  return (bias < 0 ? "" : "+") + rounded(100 * bias, 100 * error);
+}
+
 }  // namespace bagnold

@@ -10,4 +10,7 @@ namespace bagnold {
 /// not finite; four digits and no brackets if there is no error, or it is 0 or not finite.
 std::string rounded(double mean, double error);
 
+/// Relative bias in per cent with its sign and error: "+0.02(3)".
+std::string rounded_bias(double bias, double error);
+
 }  // namespace bagnold

@@ -6,28 +6,16 @@
 #include <limits>
 #include <vector>
 
+#include "src/run/stretch_size.hpp"
+
 namespace bagnold {
 
 namespace {
 
-/// Sizes stretches of steps to about 50 ms, so that signals and clocks are checked in time.
-class StretchSize {
- public:
-  std::int64_t steps() const { return steps_; }
-
-  void took(std::chrono::duration<double> time) {
-    if (time.count() < 0.025) steps_ = std::min<std::int64_t>(2 * steps_, 1 << 20);
-    if (time.count() > 0.1) steps_ = std::max<std::int64_t>(steps_ / 2, 1);
-  }
-
- private:
-  std::int64_t steps_ = 16;
-};
-
 /// Advances one system to `stop`, or to where it can stop, and takes its measurements. Returns
 /// false if it goes no further (LegEnd::whole).
 bool advance(MeasuredSystem const& system, std::int64_t stop, Plan const& plan, LegEnd end) {
-  auto& [simulation, measurement] = system;
+  auto& [simulation, measurement, pairs] = system;
   auto const from = simulation.step();
   auto row = plan.row_of(from);
   stop = std::min(stop, plan.row_end(row));
@@ -57,6 +45,16 @@ bool advance(MeasuredSystem const& system, std::int64_t stop, Plan const& plan, 
   return simulation.step() >= std::min(stop, plan.steps);
 }
 
+/// Pairs that are due at the present steps. Returns false if one is not done.
+bool take_pairs(std::span<MeasuredSystem const> systems, std::function<bool()> const& go_on) {
+  for (std::size_t s = 0; s < systems.size(); ++s) try {
+      if (systems[s].pairs && !systems[s].pairs->take(systems[s].simulation, go_on)) return false;
+    } catch (NumericalError const& error) {
+      throw SystemFailure(s, error);
+    }
+  return true;
+}
+
 constexpr auto nobody = std::numeric_limits<std::int64_t>::max();
 
 /// Step of the system that is furthest behind, of those that continue.
@@ -73,13 +71,16 @@ bool run_measured(std::span<MeasuredSystem const> systems, Plan const& plan,
                   std::function<bool()> const& go_on, LegEnd end) {
   StretchSize stretch;
   std::vector<bool> ended(systems.size(), false);
-  for (auto const& [simulation, measurement] : systems)
+  for (auto const& [simulation, measurement, pairs] : systems)
     if (simulation.step() == 0) measurement.frames.show(simulation, -1);
   for (auto from = step_of(systems, ended); from < plan.steps; from = step_of(systems, ended)) {
+    if (!take_pairs(systems, go_on)) return false;
     auto const start = std::chrono::steady_clock::now();
     auto stop = from + stretch.steps();
-    for (auto const& [simulation, measurement] : systems)
+    for (auto const& [simulation, measurement, pairs] : systems) {
       stop = std::min(stop, measurement.frames.next(simulation.step()));
+      if (pairs) stop = std::min(stop, pairs->next(simulation.step()));
+    }
     for (std::size_t s = 0; s < systems.size(); ++s) {
       if (ended[s] || systems[s].simulation.step() >= std::min(stop, plan.steps)) continue;
       try {
@@ -91,7 +92,7 @@ bool run_measured(std::span<MeasuredSystem const> systems, Plan const& plan,
     stretch.took(std::chrono::steady_clock::now() - start);
     if (!go_on()) return false;
   }
-  return true;
+  return take_pairs(systems, go_on);  // others may wait for them
 }
 
 bool run_measured(Simulation& simulation, Plan const& plan, Measurement& measurement,

@@ -10,6 +10,7 @@
 #include "src/config/plan.hpp"
 #include "src/engine/simulation.hpp"
 #include "src/measure/frames.hpp"
+#include "src/run/bias/pairs.hpp"
 #include "src/run/protocols/controller.hpp"
 #include "src/statistics/windows.hpp"
 
@@ -27,6 +28,7 @@ struct Measurement {
 struct MeasuredSystem {
   Simulation& simulation;
   Measurement& measurement;
+  bias::ReplicaPairs* pairs = nullptr;  ///< null: the bias is not measured
 };
 
 /// A NumericalError of one of several systems.

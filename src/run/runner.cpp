@@ -51,7 +51,18 @@ Runner::Runner(RunFolder const& folder, Run run, Machine const& machine, RunMoni
       together_(steps_together(run_.scene, machine_.backend)),
       simulations_(run_.replicas.size()),
       steps_(run_.replicas.size()),
-      wall_before_(run_.wall_seconds) {}
+      wall_before_(run_.wall_seconds) {
+  if (run_.scene.measure.bias) measure_bias();
+}
+
+void Runner::measure_bias() {
+  auto const replicas = run_.replicas.size();
+  course_.reset(new bias::SharedCourse{{}, {run_.scene, replicas}, machine_.backend});
+  for (std::size_t r = 0; r < replicas; ++r) {
+    course_->course.load(r, run_.replicas[r].saved_pairs);
+    pairs_.emplace_back(*course_, r);
+  }
+}
 
 bool Runner::start(std::vector<std::optional<Snapshot>> snapshots) {
   std::vector<Snapshot> starts(snapshots.size());
@@ -207,16 +218,23 @@ RunEnd Runner::run() {
   return done ? RunEnd::done : RunEnd::stopped;
 }
 
+bool Runner::awaits_pairs() const {
+  for (std::size_t r = 0; r < pairs_.size(); ++r)
+    if (pairs_[r].awaited(steps_[r])) return true;
+  return false;
+}
+
 /// The checkpoint of the last leg is before a lookahead that the end of the run cuts short. A run
 /// that is made longer continues from there with the bits of one that was as long from its start.
 bool Runner::work_on_leg(ReplicaScheduler& all) {
-  auto const ended = [&] { return work(all) || steps() == steps_wanted(); };
+  auto const ended = [&] { return work(all) || (steps() == steps_wanted() && !awaits_pairs()); };
   leg_end_ = is_last_leg() ? LegEnd::whole : LegEnd::exact;
   if (!ended()) return false;
   if (!is_last_leg()) return true;
   write_checkpoint();
   leg_end_ = LegEnd::exact;
-  auto to_the_end = all;  // a lookahead or less, without turns
+  if (course_) course_->ended = true;  // a longer run would stop elsewhere
+  auto to_the_end = all;               // a lookahead or less, without turns
   to_the_end.request = [] { return ReplicaScheduler::Request::go_on; };
   auto const before = SteadyClock::now();
   bool const done = work(to_the_end);
@@ -229,7 +247,8 @@ bool Runner::step_on(std::size_t first, std::function<bool()> const& go_on) {
   std::size_t const end = together_ ? simulations_.size() : first + 1;
   std::vector<MeasuredSystem> systems;
   for (auto r = first; r < end; ++r)
-    systems.push_back({*simulations_[r], run_.replicas[r].measurement});
+    systems.push_back(
+        {*simulations_[r], run_.replicas[r].measurement, pairs_.empty() ? nullptr : &pairs_[r]});
   try {
     return run_measured(
         systems, run_.plan,
@@ -293,6 +312,7 @@ io::SystemCheckpoint Runner::checkpoint_of(std::size_t r) {
   note_engine(r, c);
   auto& [windows, open, frames, controller] = replica.measurement;
   if (controller) c.arrays[controller_name] = controller->memory();
+  if (course_) c.arrays[bias::pairs_name] = pairs_[r].save();
   c.columns = static_cast<std::int64_t>(windows.columns);
   c.window_sums = windows.sums;
   c.window_weight = windows.weight;
@@ -352,6 +372,7 @@ void Runner::finish() {
     states.push_back(simulations_[r]->state());
     run_.replicas[r].end_motion = mean_motion(states.back(), run_.scene);
   }
+  if (course_) run_.bias = course_->course.findings();
   write_result_file(folder_, run_);
   io::write_states(folder_.state(), std::move(states));
   auto const list = estimates(run_);

@@ -29,6 +29,8 @@ Replica replica_of(io::SystemCheckpoint& checkpoint) {
   replica.saved_frames = std::move(checkpoint.frames);
   if (auto control = checkpoint.arrays.extract(controller_name); !control.empty())
     replica.saved_control = std::move(control.mapped());
+  if (auto pairs = checkpoint.arrays.extract(bias::pairs_name); !pairs.empty())
+    replica.saved_pairs = std::move(pairs.mapped());
   auto& [windows, open, frames, controller] = replica.measurement;
   windows = {static_cast<std::size_t>(checkpoint.columns), std::move(checkpoint.window_sums),
              std::move(checkpoint.window_weight)};

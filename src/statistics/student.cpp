@@ -20,14 +20,23 @@ double student_probability(double value, std::size_t freedom) {
   return odd ? 2.0 / std::numbers::pi * (theta + even) : even;
 }
 
-double student_factor(std::size_t freedom) {
-  double const wanted = std::erf(std::numbers::sqrt2);
-  double below = 1.0, above = 8.0;  // |t| < 14.0 for one degree of freedom
+namespace {
+
+/// Value between two others that |t| stays below with the wanted probability.
+double value_of(double wanted, std::size_t freedom, double below, double above) {
   for (int halving = 0; halving < 60; ++halving) {
     double const middle = (below + above) / 2.0;
-    (student_probability(2.0 * middle, freedom) < wanted ? below : above) = middle;
+    (student_probability(middle, freedom) < wanted ? below : above) = middle;
   }
   return above;
 }
+
+}  // namespace
+
+double student_factor(std::size_t freedom) {
+  return value_of(std::erf(std::numbers::sqrt2), freedom, 2.0, 16.0) / 2.0;  // 14.0 for one
+}
+
+double student_quantile(std::size_t freedom) { return value_of(0.95, freedom, 0.0, 16.0); }
 
 }  // namespace bagnold::statistics

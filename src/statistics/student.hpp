@@ -20,4 +20,7 @@ double student_probability(double value, std::size_t freedom);
 /// below with the probability erf(2^(1/2)). 2.26, 1.65, 1.43 for 2, 3, 4; 1.21 for 7.
 double student_factor(std::size_t freedom);
 
+/// Value that |t| stays below with the probability 0.95: 3.18, 2.57, 2.31 for 3, 5, 8.
+double student_quantile(std::size_t freedom);
+
 }  // namespace bagnold::statistics

@@ -64,6 +64,13 @@ Column& column(std::vector<Column>& columns, std::string const& name, std::size_
   return of_name;
 }
 
+void add_bias(Json const& estimate, std::size_t point, std::size_t points, Column& of_name) {
+  if (!estimate.contains("bias")) return;
+  for (auto* column : {&of_name.bias, &of_name.bias_error}) column->resize(points, nothing);
+  of_name.bias[point] = number(estimate, "bias");
+  of_name.bias_error[point] = number(estimate, "bias_error");
+}
+
 void read_pieces(Json const& summary, std::size_t point, PieceRows& rows) {
   double number_in_sequence = 0;
   for (auto const& piece : summary.value("pieces", Json::array())) {
@@ -104,6 +111,7 @@ Results read_results(Sweep const& sweep, SweepFolder const& folder) {
       auto& of_name = column(results.columns, name, points);
       of_name.mean[k] = number(estimate, "mean");
       of_name.error[k] = number(estimate, "error");
+      add_bias(estimate, k, points, of_name);
       if (is_true(estimate, "rough")) append(results.rough_errors[k], name);
     }
     read_pieces(summary, k, results.pieces);

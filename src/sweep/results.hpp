@@ -14,6 +14,7 @@ namespace bagnold::sweep {
 struct Column {
   std::string name;  ///< of the observable
   std::vector<double> mean, error;
+  std::vector<double> bias = {}, bias_error = {};  ///< of the method; empty where none was measured
 };
 
 /// Averages of the pieces of sequences, a row a piece of each point.
@@ -41,9 +42,9 @@ Results read_results(Sweep const& sweep, SweepFolder const& folder);
 /// Sweep with the strain that its points have reached.
 Sweep as_run(Sweep sweep, Results const& results);
 
-/// Writes sweep.csv: a row a point, with the varied keys, NAME and NAME_error, rough_errors,
-/// warnings, notes, folder; cells are empty if there is no value. Replaces the file as a whole;
-/// throws FileError.
+/// Writes sweep.csv: a row a point, with the varied keys, NAME and NAME_error, where
+/// measured NAME_bias and NAME_bias_error, rough_errors, warnings, notes, folder; cells are empty
+/// if there is no value. Replaces the file as a whole; throws FileError.
 void write_csv(std::filesystem::path const& file, Sweep const& sweep, Results const& results);
 
 /// Writes pieces.csv: a row a piece, with the varied keys, its number and place, NAME and

@@ -29,6 +29,9 @@ void write_csv(std::filesystem::path const& file, Sweep const& sweep, Results co
   for (auto const& column : results.columns) {
     line.push_back(cell(column.name));
     line.push_back(cell(column.name + "_error"));
+    if (column.bias.empty()) continue;
+    line.push_back(cell(column.name + "_bias"));
+    line.push_back(cell(column.name + "_bias_error"));
   }
   line.insert(line.end(), {"rough_errors", "warnings", "notes", "folder"});
   auto table = fmt::format("{}\n", fmt::join(line, ","));
@@ -38,6 +41,9 @@ void write_csv(std::filesystem::path const& file, Sweep const& sweep, Results co
     for (auto const& column : results.columns) {
       line.push_back(cell(column.mean[k]));
       line.push_back(cell(column.error[k]));
+      if (column.bias.empty()) continue;
+      line.push_back(cell(column.bias[k]));
+      line.push_back(cell(column.bias_error[k]));
     }
     line.push_back(cell(results.rough_errors[k]));
     line.push_back(cell(results.warnings[k]));

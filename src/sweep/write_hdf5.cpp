@@ -51,6 +51,9 @@ void write_hdf5(std::filesystem::path const& path, Sweep const& sweep, Results c
   for (auto const& column : results.columns) {
     file.dataset("/observables/" + column.name, column.mean, {points});
     file.dataset("/observables/" + column.name + "_error", column.error, {points});
+    if (column.bias.empty()) continue;
+    file.dataset("/observables/" + column.name + "_bias", column.bias, {points});
+    file.dataset("/observables/" + column.name + "_bias_error", column.bias_error, {points});
   }
   if (auto const& pieces = results.pieces; !pieces.point.empty()) {
     auto const rows = pieces.point.size();

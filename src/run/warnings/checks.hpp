@@ -37,6 +37,9 @@ Check rotation_balance;
 /// A time step with which a collision loses a wrong amount of energy.
 Check collision_loss;
 
+/// A bias of the method beyond integration.accuracy, or not known to be within it.
+Check method_bias;
+
 /// Implicit damping of a motion that is not overdamped: inertia, not damping, determines the flow.
 Check implicit_inertia;
 
@@ -77,10 +80,10 @@ Check stress_drift;
 
 /// All checks, in the order of the summary.
 inline constexpr Check* all_checks[] = {
-    above_jamming,    hard_core_limit,  large_overlap,    energy_balance, dissipative_pressure,
-    rotation_balance, collision_loss,   implicit_inertia, drag_inertia,   quasi_static_inertia,
-    contact_network,  steady_state,     error_bar,        few_collisions, net_momentum,
-    box_size,         contact_durations};
+    above_jamming,        hard_core_limit, large_overlap,    energy_balance,   dissipative_pressure,
+    rotation_balance,     collision_loss,  method_bias,      implicit_inertia, drag_inertia,
+    quasi_static_inertia, contact_network, steady_state,     error_bar,        few_collisions,
+    net_momentum,         box_size,        contact_durations};
 
 /// Those that hold without a steady state, of runs by pieces.
 inline constexpr Check* checks_of_pieces[] = {contact_network, stress_drift, few_collisions,

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/run/bias/methods.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/config/events.hpp"
+#include "src/config/names.hpp"
+#include "src/config/time_step.hpp"
+
+namespace bagnold::bias {
+
+namespace {
+
+constexpr std::int64_t fewest_steps = 10;  ///< of a stretch
+constexpr std::int64_t quarter = 4;
+
+std::int64_t up(double steps) { return static_cast<std::int64_t>(std::ceil(steps * (1 - 1e-12))); }
+
+/// Scene of a system that is stepped for its sums alone.
+Scene bare(Scene scene) {
+  if (scene.integration.engine == automatic) scene.integration.engine = steps_engine;
+  scene.integration.scheme = scheme_of(scene);
+  scene.integration.time_step = time_step(scene);
+  scene.disks.replicas = 1;
+  scene.measure = {};
+  return scene;
+}
+
+}  // namespace
+
+double Methods::strain() const {
+  return static_cast<double>(length()) * time_step(coarse) * coarse.shear.strain_rate;
+}
+
+Methods methods_of(Scene const& scene) {
+  Methods of{.coarse = bare(scene), .fine = {}, .ratio = quarter, .third = 0, .grid = 0};
+  double const dt = time_step(of.coarse), step_strain = dt * scene.shear.strain_rate;
+  of.fine = of.coarse;
+  of.fine.integration.scheme = default_scheme;
+  of.fine.integration.skin = automatic;
+  if (is_implicit(of.coarse.integration.scheme))
+    of.ratio = std::max<std::int64_t>(1, up(dt / rule_time_step(scene, default_scheme)));
+  of.fine.integration.time_step = dt / static_cast<double>(of.ratio);
+  of.third = std::max(up(stretch_strain / 3 / step_strain), (fewest_steps + 2) / 3);
+  of.grid = std::max(up(grid_strain / step_strain), of.length());
+  return of;
+}
+
+}  // namespace bagnold::bias

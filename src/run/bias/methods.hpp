@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+#include "src/config/scene.hpp"
+
+namespace bagnold::bias {
+
+/// Strain of a stretch, and between the instants at which pairs may begin.
+inline constexpr double stretch_strain = 0.03, grid_strain = 0.3;
+
+/// The method of a run and a finer one, and the lengths of their stretches.
+struct Methods {
+  Scene coarse;        ///< as the run steps, by steps of all disks
+  Scene fine;          ///< two stages: at their rule beside implicit damping, else a quarter of dt
+  std::int64_t ratio;  ///< steps of `fine` in a step of `coarse`
+  std::int64_t third;  ///< of a stretch, [steps of coarse]
+  std::int64_t grid;   ///< between instants at which pairs may begin, [steps of coarse]
+
+  std::int64_t length() const { return 3 * third; }  ///< of a stretch, [steps of coarse]
+  double strain() const;                             ///< of a stretch
+};
+
+Methods methods_of(Scene const& scene);
+
+}  // namespace bagnold::bias

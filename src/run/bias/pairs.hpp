@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "src/run/bias/course.hpp"
+
+namespace bagnold::bias {
+
+/// The course of a run, which replicas on threads of their own share.
+struct SharedCourse {
+  std::mutex mutex;
+  Course course;
+  std::string backend;
+  bool ended = false;  ///< no pair begins any more
+};
+
+/// Takes the pairs of one replica. A pair is a function of the state from which it begins, and of
+/// nothing else: the run's own system is only read.
+class ReplicaPairs {
+ public:
+  ReplicaPairs(SharedCourse& shared, std::size_t replica) : shared_(shared), replica_(replica) {}
+
+  /// First step after `step` at which the run stops for a pair.
+  std::int64_t next(std::int64_t step) const;
+
+  /// Takes a pair at the present step if one is due. Returns false if go_on did, or if other
+  /// replicas have to come first; called again it goes on. A pair under way is in no checkpoint.
+  bool take(Simulation const& run, std::function<bool()> const& go_on);
+
+  /// True if a pair is due at this step.
+  bool awaited(std::int64_t step) const;
+
+  /// Numbers of the pairs so far, for a checkpoint.
+  std::vector<double> save() const;
+
+ private:
+  bool is_due(std::int64_t step) const;
+
+  SharedCourse& shared_;
+  std::size_t replica_;
+  std::optional<State> start_;        ///< of the pair under way
+  std::optional<Averages> coarse_;    ///< its first stretch, once done
+  std::unique_ptr<Stretch> stretch_;  ///< under way
+};
+
+}  // namespace bagnold::bias

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/run/bias/stretch.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <string_view>
+#include <vector>
+
+#include "src/engine/make_simulation.hpp"
+#include "src/engine/observables.hpp"
+
+namespace bagnold::bias {
+
+Stretch::Stretch(Scene const& scene, State const& start, std::string const& backend,
+                 std::int64_t third, std::int64_t every)
+    : scene_(scene),
+      box_length_(start.box_length),
+      simulation_(make_simulation(scene, first_snapshot(start), backend)),
+      sampling_{.window_steps = third * every, .every = every, .last_step = 3 * third * every} {}
+
+bool Stretch::advance(std::function<bool()> const& go_on) {
+  while (simulation_->step() < sampling_.last_step) {
+    auto const begun = std::chrono::steady_clock::now();
+    simulation_->advance(std::min(size_.steps(), sampling_.last_step - simulation_->step()),
+                         sampling_, thirds_);
+    size_.took(std::chrono::steady_clock::now() - begun);
+    if (!go_on()) return false;
+  }
+  return true;
+}
+
+Averages Stretch::averages() const {
+  auto const mean = [&](std::size_t first, std::size_t end) {
+    std::vector<double> sums(thirds_.sums[first].sums.size(), 0.0);
+    double weight = 0;
+    for (auto w = first; w < end; ++w) {
+      for (std::size_t c = 0; c < sums.size(); ++c) sums[c] += thirds_.sums[w].sums[c];
+      weight += thirds_.sums[w].weight;
+    }
+    for (double& sum : sums) sum /= weight;
+    return sums;
+  };
+  auto const before = mean(0, 1), counted = mean(1, 3);
+  auto const list = observables(scene_, box_length_);
+  auto const value = [&](std::string_view name, std::vector<double> const& of) {
+    return std::ranges::find(list, name, &Observable::name)->value(of);
+  };
+  return {.p = value("p", counted),
+          .sigma = value("sigma", counted),
+          .contact_number = value("Z", counted),
+          .temperature = value("T_g", counted),
+          .kinetic_pressure = value("p_kin", counted),
+          .temperature_before = value("T_g", before)};
+}
+
+}  // namespace bagnold::bias

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "src/config/scene.hpp"
+#include "src/engine/simulation.hpp"
+#include "src/run/stretch_size.hpp"
+
+namespace bagnold::bias {
+
+/// Averages over a stretch: its last two thirds, and T_g also over the first.
+struct Averages {
+  double p, sigma, contact_number, temperature, kinetic_pressure, temperature_before;
+
+  static constexpr std::size_t count = 6;
+  std::array<double, count> numbers() const {
+    return {p, sigma, contact_number, temperature, kinetic_pressure, temperature_before};
+  }
+  static Averages of(std::array<double, count> const& n) {
+    return {n[0], n[1], n[2], n[3], n[4], n[5]};
+  }
+  bool operator==(Averages const&) const = default;
+};
+
+/// One method's steps from a state of the run, in a system of its own.
+class Stretch {
+ public:
+  /// third: of the length, in instants; between two of them lie `every` steps.
+  Stretch(Scene const& scene, State const& start, std::string const& backend, std::int64_t third,
+          std::int64_t every);
+
+  /// Steps on. Returns false if go_on, asked about twenty times a second, did before the end.
+  bool advance(std::function<bool()> const& go_on);
+
+  /// Averages over the instants, once it is done.
+  Averages averages() const;
+
+ private:
+  Scene scene_;
+  double box_length_;
+  std::unique_ptr<Simulation> simulation_;
+  Sampling sampling_;
+  OpenWindows thirds_;
+  StretchSize size_;
+};
+
+/// Two stretches from one state, looked at at the same instants.
+struct Pair {
+  std::int64_t step;  ///< of the run, from which they begin
+  Averages coarse, fine;
+};
+
+}  // namespace bagnold::bias

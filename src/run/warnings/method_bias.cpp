@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "src/config/names.hpp"
+#include "src/run/rounded.hpp"
+#include "src/run/warnings/checks.hpp"
+
+namespace bagnold {
+
+namespace {
+
+constexpr std::size_t most_pairs = 20;
+
+std::string in_words(std::string_view name, bias::Bias const& bias) {
+  return fmt::format("{} {}%", name, rounded_bias(bias.value, bias.error));
+}
+
+/// "p +4.8(9)%, sigma +6.2(12)%, Z -0.2(1)%, T_g -6.5(9)%"
+std::string all_in_words(bias::Judgement const& of) {
+  std::string words;
+  for (std::size_t q = 0; q <= bias::temperature; ++q)
+    words += (q == 0 ? "" : ", ") + in_words(bias::quantity_names[q], of.stated[q]);
+  return words;
+}
+
+}  // namespace
+
+std::optional<Warning> method_bias(FinishedRun const& finished) {
+  auto const& run = finished.run;
+  if (!run.bias || run.bias->judgement.verdict == bias::Verdict::accepted) return {};
+  auto const& found = *run.bias;
+  Warning warning{"method_bias",
+                  {{"pairs", static_cast<double>(found.pairs)}, {"accuracy", found.tolerance}},
+                  {},
+                  {}};
+  if (found.pairs < 2) {
+    warning.reason =
+        fmt::format("the bias of the method is not known, of {} pairs of stretches", found.pairs);
+  } else {
+    for (std::size_t q = 0; q <= bias::temperature; ++q) {
+      std::string const name(bias::quantity_names[q]);
+      warning.numbers.emplace_back(name, found.judgement.stated[q].value);
+      warning.numbers.emplace_back(name + "_error", found.judgement.stated[q].error);
+    }
+    bool const refused = found.judgement.verdict == bias::Verdict::refused;
+    warning.reason = fmt::format(
+        "{} pairs of stretches {} integration.accuracy = {}: {}", found.pairs,
+        refused ? "show a bias beyond" : "do not tell whether the bias of the method is within",
+        found.tolerance, all_in_words(found.judgement));
+  }
+  if (found.judgement.verdict == bias::Verdict::none && found.pairs < most_pairs) {
+    warning.remedy = "a longer run takes more pairs";
+    warning.command = longer_run(
+        run, static_cast<double>(most_pairs) / std::max(1.0, static_cast<double>(found.pairs)));
+  } else if (is_implicit(run.scene.integration.scheme)) {
+    warning.remedy = "take the default scheme, or a shorter step";
+    warning.command = fmt::format(
+        "bagnold run DIR/scene.toml --set integration.scheme={} --set integration.time_step=auto "
+        "--set integration.skin=auto --out DIR-scheme",
+        default_scheme);
+  } else {
+    warning.remedy = "halve the time step";
+    warning.command = half_the_step(finished);
+  }
+  return warning;
+}
+
+}  // namespace bagnold
