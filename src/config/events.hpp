@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
-
 #include "src/config/scene.hpp"
 
 /// Contacts as events: an engine with its own scheme, for dilute flows.
@@ -19,13 +17,8 @@ inline constexpr double event_time_unit = 0.2;
 
 bool has_events(Scene const& scene);
 
-/// Number of disks for which a run gets a thread, where it is not told how many.
-inline constexpr std::int64_t disks_of_a_thread = 4096;
-
 /// Whether integration.engine = "auto" chooses between events and steps. It does where both can run
-/// the scene, with the default scheme and its time step, and where a run of this size gets one
-/// thread, which is all that events have. These are facts of the scene, so bits do not depend on
-/// threads.
+/// the scene, with the default scheme and its time step.
 bool may_take_events(Scene const& scene);
 
 /// Smallest Q at which every contact of two disks alone is underdamped, so that it ends.

@@ -12,7 +12,6 @@
 
 #include "kernels/device/initialize_kokkos.hpp"
 #include "src/config/errors.hpp"
-#include "src/config/events.hpp"
 #include "src/engine/levels/levels.hpp"
 #include "src/engine/make_simulation.hpp"
 #include "src/run/cores.hpp"
@@ -28,6 +27,7 @@ bool has(std::string const& backend) {
 }
 
 constexpr int most_kokkos_threads = 512;  ///< the length of its pool, which it does not check
+constexpr std::int64_t disks_of_a_thread = 4096;  ///< where a run is not told how many threads
 
 int most_openmp_threads() {
 #ifdef _OPENMP

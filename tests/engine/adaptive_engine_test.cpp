@@ -7,14 +7,16 @@
 #include "src/config/events.hpp"
 #include "src/config/plan.hpp"
 #include "src/config/schemes.hpp"
+#include "src/engine/events/event_choice.hpp"
 #include "tests/support/events.hpp"
 #include "tests/support/simulations.hpp"
 
 namespace bagnold::test {
 namespace {
 
-Scene adaptive_scene(double packing_fraction, double rate, double elasticity) {
-  Scene scene = small_scene("CD_n", packing_fraction, 100);
+Scene adaptive_scene(double packing_fraction, double rate, double elasticity,
+                     std::int64_t count = 100) {
+  Scene scene = small_scene("CD_n", packing_fraction, count);
   scene.disks.elasticity = elasticity;
   scene.shear.strain_rate = rate;
   scene.integration.scheme = automatic;
@@ -40,6 +42,8 @@ Scene crossing_ramp() {
 constexpr std::int64_t window = 500, every = 10, end = 40000;
 constexpr std::int64_t stretch = 4096;  // between choices
 
+constexpr std::int64_t many_disks = 8192;  // which have several threads
+
 double by_events(Simulation const& simulation) {
   auto const counters = simulation.counters();
   return counters.contains("steps_by_events") ? counters.at("steps_by_events") : -1;
@@ -56,19 +60,25 @@ void expect_same(Simulation const& one, OpenWindows const& a, Simulation const& 
   }
 }
 
-/// A run in one call and one in many, of which each goes on from a checkpoint, and windows of both.
+/// A run in one call, and one in many, of which each goes on from a checkpoint; and windows of
+/// both.
 struct StraightAndChained {
-  StraightAndChained(Scene const& scene, std::int64_t end) {
+  /// backend(k): of call k of the second one.
+  template <class Backend>
+  StraightAndChained(Scene const& scene, std::int64_t end, std::int64_t cut,
+                     Backend const& backend) {
     State const start = flying_start(scene);
     straight = test::simulate(scene, start, "serial");
-    chained = test::simulate(scene, start, "serial");
+    chained = test::simulate(scene, start, backend(0));
     Sampling const sampling{window, every, end};
     straight->advance(end, sampling, a);
     for (int k = 0; chained->step() < end; ++k) {
-      chained->advance(1 + 197 * (k % 5), sampling, b);
-      chained = make_simulation(scene, chained->snapshot(), "serial");
+      chained->advance(1 + cut * (k % 5), sampling, b);
+      chained = make_simulation(scene, chained->snapshot(), backend(k + 1));
     }
   }
+  StraightAndChained(Scene const& scene, std::int64_t end)
+      : StraightAndChained(scene, end, 197, [](int) { return "serial"; }) {}
 
   void expect_the_same() const {
     expect_same(*straight, a, *chained, b);
@@ -135,6 +145,28 @@ TEST(AdaptiveEngine, NorDoThoseOfARampAcrossWhereContactsAreMany) {
   EXPECT_EQ(turns, (std::vector{false, true, false, true}));
 }
 
+/// Events are tried and given up; blocks of both are on several threads.
+TEST(AdaptiveEngine, ManyDisksCrossWithTheirBitsOnAnyThreads) {
+  auto const on_threads_too = [](int k) {
+    return k % 4 == 2 ? backend_names().back() : std::string("serial");
+  };
+  Scene const scene = adaptive_scene(0.77, 1e-4, 5, many_disks);
+  StraightAndChained const both(scene, 2 * stretch + 200, 397, on_threads_too);
+  both.expect_the_same();
+  EXPECT_EQ(by_events(*both.straight), stretch);
+}
+
+/// Of as many collisions a disk, few disks bear more than many.
+TEST(AdaptiveEngine, ManyDisksLeaveEventsEarlier) {
+  events::EventChoice const few(many_disks - 2), many(many_disks);
+  for (auto const* of : {&few, &many}) {
+    EXPECT_FALSE(of->leaves(0.008 * 1e6, 1e6));
+    EXPECT_TRUE(of->leaves(0.018 * 1e6, 1e6));
+  }
+  EXPECT_FALSE(few.leaves(0.012 * 1e6, 1e6));
+  EXPECT_TRUE(many.leaves(0.012 * 1e6, 1e6));
+}
+
 TEST(AdaptiveEngine, LeavesToStepsWhatEventsCannotDo) {
   auto const goes_by_turns = [](auto const& change) {
     Scene scene = adaptive_scene(0.6, 1e-4, 20);
@@ -143,7 +175,7 @@ TEST(AdaptiveEngine, LeavesToStepsWhatEventsCannotDo) {
     return may_take_events(scene);
   };
   EXPECT_TRUE(goes_by_turns([](Scene&) {}));
-  EXPECT_TRUE(goes_by_turns([](Scene& s) { s.disks.count = 8190; }));
+  EXPECT_TRUE(goes_by_turns([](Scene& s) { s.disks.count = many_disks; }));
   EXPECT_TRUE(goes_by_turns([](Scene& s) { s = resolved(s); }));
   EXPECT_TRUE(goes_by_turns([](Scene& s) { s = resolved(crossing_ramp()); }));
   EXPECT_FALSE(goes_by_turns([](Scene& s) { s.measure.contacts = true; }));
@@ -153,7 +185,6 @@ TEST(AdaptiveEngine, LeavesToStepsWhatEventsCannotDo) {
   EXPECT_FALSE(goes_by_turns([](Scene& s) { s.integration.scheme = papers_scheme; }));
   EXPECT_FALSE(goes_by_turns([](Scene& s) { s.integration.time_step = 0.1; }));
   EXPECT_FALSE(goes_by_turns([](Scene& s) { s.integration.time_step = of_papers; }));
-  EXPECT_FALSE(goes_by_turns([](Scene& s) { s.disks.count = 8192; }));
 }
 
 /// A checkpoint of steps alone, as of a version without this choice.

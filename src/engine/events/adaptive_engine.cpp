@@ -63,7 +63,8 @@ AdaptiveEngine::AdaptiveEngine(Scene const& scene, Snapshot&& snapshot, Make mak
       time_step_(time_step(scene)),
       stretch_(EventChoice::stretch(scene.shear.strain_rate * time_step_,
                                     scene.shear.protocol != "ramp")),
-      counters_(snapshot.counters) {
+      counters_(snapshot.counters),
+      choice_(static_cast<std::int64_t>(snapshot.state.count())) {
   of_events_.integration.engine = event_engine;
   of_events_.integration.scheme = exact_contacts;
   of_events_.integration.skin = automatic;
@@ -149,7 +150,7 @@ void AdaptiveEngine::choose() {
   }
   double const work = EventChoice::work(engine_->counters());
   double const time = time_step_ * static_cast<double>(step() - chosen_step_);
-  if (EventChoice::leaves(work - work_before_, disks_ * time)) {
+  if (choice_.leaves(work - work_before_, disks_ * time)) {
     choice_.left(number);
     return change();
   }

@@ -9,9 +9,12 @@
 namespace bagnold::events {
 
 /// Whether events or steps of all disks cost less, by counts alone, so that no run depends on a
-/// clock. Measured for CD_n, N = 1024 (docs/data/performance/tried.md).
+/// clock or on threads. Measured for CD_n (docs/data/performance/tried.md).
 class EventChoice {
  public:
+  explicit EventChoice(std::int64_t disks)
+      : most_collisions_(disks < many_disks ? most_collisions : most_of_many) {}
+
   /// Steps from one choice to the next, of a run at one rate: a strain of 0.01, but long enough to
   /// count contacts in. Of a run whose rate changes at any time that alone.
   static std::int64_t stretch(double step_strain, bool at_one_rate) {
@@ -31,7 +34,7 @@ class EventChoice {
 
   /// Of events: whether they are given up. work: since they were asked before; disk_time: N times
   /// the time since, [tau_e].
-  static bool leaves(double work, double disk_time) { return work > most_collisions * disk_time; }
+  bool leaves(double work, double disk_time) const { return work > most_collisions_ * disk_time; }
 
   /// They were, at a contact number: no new trial until there are clearly fewer contacts.
   void left(double contact_number) {
@@ -48,6 +51,12 @@ class EventChoice {
   static constexpr double most_collisions = 0.017;     ///< a disk and tau_e: 12 ns, as steps cost
   static constexpr double clearly_fewer = 0.7;
 
+  /// From here on a collision waits for memory and takes 1.7 to 2.6 times as long, a step hardly
+  /// longer, on any number of threads.
+  static constexpr std::int64_t many_disks = 8192;
+  static constexpr double most_of_many = 0.0085;
+
+  double most_collisions_;    ///< a disk and tau_e
   double enter_below_ = 0.1;  ///< contact number
 };
 
