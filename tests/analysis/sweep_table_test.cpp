@@ -77,6 +77,18 @@ TEST_F(SweepTableFile, IsRead) {
   EXPECT_TRUE(found.failed(2));
 }
 
+/// error^2 + bias^2 + bias_error^2, where a bias was measured: 0.1^2 + 0.2^2 + 0.2^2 = 0.3^2.
+TEST_F(SweepTableFile, AddsBiasesToErrors) {
+  auto const found = table([](io::Hdf5Writer& file) {
+    put_good(file);
+    file.dataset("/observables/p_bias", std::vector<double>{-0.2, std::nan(""), 0.2}, {count});
+    file.dataset("/observables/p_bias_error", std::vector<double>{0.2, std::nan(""), 0.2}, {count});
+  });
+  EXPECT_NEAR(found.observables.at("p").error[0], 0.3, 1e-15);
+  EXPECT_EQ(found.observables.at("p").error[1], 0.2);
+  EXPECT_TRUE(std::isnan(found.observables.at("p").error[2]));
+}
+
 TEST_F(SweepTableFile, HasNoValuesOfDisksThatHardlyMet) {
   auto const put = [](io::Hdf5Writer& file) {
     put_good(file);
