@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
 
 #include "src/config/names.hpp"
 #include "src/run/rounded.hpp"
@@ -11,7 +11,7 @@ namespace bagnold {
 
 namespace {
 
-constexpr std::size_t most_pairs = 20;
+constexpr double most_pairs = 20;  ///< after which the judge gives up
 
 std::string in_words(std::string_view name, bias::Bias const& bias) {
   return fmt::format("{} {}%", name, rounded_bias(bias.value, bias.error));
@@ -50,10 +50,10 @@ std::optional<Warning> method_bias(FinishedRun const& finished) {
         refused ? "show a bias beyond" : "do not tell whether the bias of the method is within",
         found.tolerance, all_in_words(found.judgement));
   }
-  if (found.judgement.verdict == bias::Verdict::none && found.pairs < most_pairs) {
-    warning.remedy = "a longer run takes more pairs";
-    warning.command = longer_run(
-        run, static_cast<double>(most_pairs) / std::max(1.0, static_cast<double>(found.pairs)));
+  if (found.judgement.verdict != bias::Verdict::refused) {
+    warning.remedy =
+        "a longer run or more disks tell more; the default scheme and step need no change for it";
+    warning.command = longer_run(run, most_pairs / std::max(1.0, static_cast<double>(found.pairs)));
   } else if (is_implicit(run.scene.integration.scheme)) {
     warning.remedy = "take the default scheme, or a shorter step";
     warning.command = fmt::format(
