@@ -11,6 +11,7 @@
 #include "src/config/abilities.hpp"
 #include "src/config/control.hpp"
 #include "src/config/errors.hpp"
+#include "src/config/events.hpp"
 #include "src/config/piece_table.hpp"
 #include "src/config/skin.hpp"
 #include "src/config/stability.hpp"
@@ -277,16 +278,19 @@ std::string plan_warning(Scene const& scene, Plan const& plan) {
 double memory_needed(Scene const& scene, Plan const& plan) {
   // Per disk: Views (positions, trials, list reference, motion), the list (about 7 neighbours in
   // both rows, as packed words), cells, and on the host a state and what windows keep of disks that
-  // meet. The most that was seen is 0.8 of that with the reference engine, 0.65 with the others
-  // (N = 262144 and 1048576, one in windows).
+  // meet. The most that was seen is 0.8 of that with the reference engine and with events, 0.65
+  // with the others (N = 262144 and 1048576, one in windows). Events have paths, the queue, wider
+  // lists, and copies of all in blocks.
   double const spin = scene.rotates() ? 8 : 0;
   double const views = 3 * 16 + 2 * (16 + spin) + 1;
   double const list = 4 + 1.125 * 4 * 7 * std::pow(1 + skin(scene), 2) + 3 * 4;
   double const host = (16 + 16 + spin + 8) + 32;
   double const windows = static_cast<double>(plan.windows) * 16 * 8 * 6;
-  double const systems = scene.measure.bias ? 2 : 1;  // a stretch has one of its own
-  double const system = systems * static_cast<double>(scene.disks.count) * (views + list + host) +
-                        windows + memory_of_frames(scene, plan);
+  double const systems = scene.measure.bias ? 2 : 1;  // a stretch has one of its own, of steps
+  double const events = has_events(scene) || may_take_events(scene) ? 700 : 0;
+  double const system =
+      static_cast<double>(scene.disks.count) * (systems * (views + list + host) + events) +
+      windows + memory_of_frames(scene, plan);
   return static_cast<double>(scene.disks.replicas) * system + 64e6;
 }
 
@@ -325,10 +329,11 @@ void check_feasible(Scene const& scene, Plan const& plan, bool allow_unstable) {
   if (needed > there)
     throw InputError(
         fmt::format("disks.count = {}{} needs about {:.1f} GiB of memory, this machine has {:.1f}; "
-                    "use fewer disks{}",
+                    "use fewer disks{}{}",
                     scene.disks.count,
                     alone ? "" : fmt::format(" with disks.replicas = {}", scene.disks.replicas),
-                    needed / 0x1p30, there / 0x1p30, alone ? "" : " or replicas"));
+                    needed / 0x1p30, there / 0x1p30, alone ? "" : " or replicas",
+                    may_take_events(scene) ? ", or integration.engine = \"steps\"" : ""));
 }
 
 }  // namespace bagnold

@@ -7,6 +7,7 @@
 #include <functional>
 #include <numbers>
 
+#include "src/config/events.hpp"
 #include "tests/config/scenes.hpp"
 #include "tests/support/schemes.hpp"
 
@@ -231,6 +232,21 @@ TEST(Feasible, MemoryGrowsWithDisksAndWindows) {
   Plan longer = plan;
   longer.windows += 1'000'000;
   EXPECT_GT(memory_needed(scene, longer), memory_needed(scene, plan) + 1e6 * 13 * 8);
+}
+
+/// 764 bytes a disk were seen, the program's own left out (CD_n, N = 262144).
+TEST(Feasible, MemoryIsThatOfEventsWhereTheyMayBeTaken) {
+  Scene scene = minimal_scene();
+  scene.disks.elasticity = 2;
+  scene.disks.count = 1'000'000;
+  Plan const plan = make_plan(scene);
+  ASSERT_TRUE(may_take_events(scene));
+  EXPECT_GT(memory_needed(scene, plan), 764e6);
+  scene.integration.engine = steps_engine;
+  EXPECT_LT(memory_needed(scene, plan), 500e6);
+  scene.integration.engine = automatic;
+  scene.disks.count = 1'000'000'000'000;
+  EXPECT_TRUE(has(feasibility(scene), "or integration.engine = \"steps\""));
 }
 
 TEST(Plan, WarnsWhereNothingWillBeMeasured) {
