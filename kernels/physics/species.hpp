@@ -36,6 +36,14 @@ inline constexpr int pair_classes = 3;
 
 KOKKOS_INLINE_FUNCTION constexpr int pair_class(Species a, Species b) { return a + b; }
 
+/// Diameters of the disks of a pair of a class, the smaller one first as in lists, [d_s].
+KOKKOS_INLINE_FUNCTION constexpr Real first_diameter(int pair_class) {
+  return pair_class == 2 ? big_diameter : small_diameter;
+}
+KOKKOS_INLINE_FUNCTION constexpr Real second_diameter(int pair_class) {
+  return pair_class == 0 ? small_diameter : big_diameter;
+}
+
 /// Contact distance of a class, d_ij = (d_i + d_j)/2, [d_s]; selected from constants.
 KOKKOS_INLINE_FUNCTION constexpr Real class_distance(int pair_class) {
   return pair_class == 0   ? small_diameter

@@ -375,9 +375,6 @@ struct BinaryCollisions {
   void add_second_stage(PairContact& f, Lanes const& p, Lanes const& q, Pack dt,
                         PairConstants const& pair) const {
     auto const& separation = f.force.separation;
-    Contact<Pack> contact =
-        make_contact(separation, fma(separation.x, separation.x, separation.y * separation.y),
-                     pair.inverse_distance);
     Pack const per_force = dt * (p.inverse_mass + q.inverse_mass);
     Pack const per_torque =
         dt * fma(pair.diameter_a, p.torque_to_spin, pair.diameter_b * q.torque_to_spin);
@@ -386,8 +383,10 @@ struct BinaryCollisions {
                                  per_force, per_torque);
     };
     auto const change = change_by(f.total, f.torque_per_diameter);
-    contact.velocity = second_stage_velocity<Law>(change, contact.normal, pair.share_normal,
-                                                  pair.share_tangential);
+    Pack const distance2 = fma(separation.x, separation.x, separation.y * separation.y);
+    auto const contact =
+        second_stage_contact<Law>(separation, distance2, pair.inverse_distance, change,
+                                  pair.share_normal, pair.share_tangential);
     PairForce<Pack> const second{separation, {}, law.dissipative_force(contact), {}, {}};
     Pack torque_per_diameter = 0.0;
     if constexpr (rotates) torque_per_diameter = second.torque_per_diameter(pair.inverse_distance);

@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "kernels/cpu/steps/block_system.hpp"
+#include "kernels/cpu/steps/pair_loop.hpp"
 #include "kernels/physics/laws/pair_force.hpp"
 
 namespace bagnold {
@@ -72,66 +73,73 @@ struct BlockForces {
            BlockState const& state, Force* force, Observer&& observe) const {
     double const* spins = nullptr;
     if constexpr (rotates) spins = state.spin.data() + block.first;
-    add_class(pair_class, system.blocks.near[list].data() + block.pairs[pair_class],
-              block.near[list][pair_class], state.record.data() + block.first, spins, force,
-              observe);
+    Real const distance = class_distance(pair_class);
+    each_pack(system.blocks, block, list, pair_class,
+              Evaluate<std::remove_reference_t<Observer>>{
+                  PairClass(pair_class), distance * distance, law, repulsion,
+                  state.record.data() + block.first, spins, force, observe});
   }
 
  private:
-  /// Data of a pack of pairs, loaded from memory.
-  struct Loaded {
-    simd::Records difference;
-    simd::Pack distance2, spins;
-  };
-
-  BAGNOLD_INLINE static Loaded load(simd::LocalPair const* pairs, simd::Record const* records,
-                                    double const* spins, double weight) {
-    Loaded l;
-    l.difference = simd::load_differences(records, pairs);
-    if constexpr (rotates) l.spins = simd::load_sums(spins, pairs, weight);
-    l.distance2 = fma(l.difference.x, l.difference.x, l.difference.y * l.difference.y);
-    return l;
-  }
-
-  /// Each pack is loaded before the forces of the previous one are evaluated, so that loads and
-  /// arithmetic overlap.
+  /// Body of the pair loop.
   template <class Observer>
-  void add_class(int pair_class, simd::LocalPair const* pairs, std::uint32_t count,
-                 simd::Record const* records, double const* spins, Force* force,
-                 Observer& observe) const {
-    using simd::Pack;
-    if (count == 0) return;
-    Real const distance = class_distance(pair_class);
-    Pack const reach2 = distance * distance, inverse_distance = 1 / distance;
-    Law const law = this->law;  // local: stores of forces cannot alias it
-    Repulsion const repulsion = this->repulsion;
-    // thetadot_a d_a + thetadot_b d_b as d_a (thetadot_a + d_b/d_a thetadot_b); a is the smaller
-    // one.
-    Real const diameter_a = pair_class == 2 ? big_diameter : small_diameter;
-    Real const weight = pair_class == 1 ? big_diameter / small_diameter : 1;
-    Loaded next = load(pairs, records, spins, weight);
-    for (std::uint32_t k = 0; k < count; k += simd::width) {
-      Loaded const now = next;
-      next = load(pairs + (k + simd::width < count ? k + simd::width : 0), records, spins, weight);
+  struct Evaluate {
+    struct Data {
+      simd::Records difference;
+      simd::Pack distance2, spins;
+    };
+
+    PairClass of;
+    simd::Pack reach2;
+    Law law;
+    Repulsion repulsion;
+    simd::Record const* records;
+    double const* spins;
+    Force* force;
+    Observer& observe;
+
+    BAGNOLD_INLINE Data load(simd::LocalPair const* pairs) const {
+      Data data;
+      data.difference = simd::load_differences(records, pairs);
+      if constexpr (rotates) data.spins = simd::load_sums(spins, pairs, of.ratio);
+      data.distance2 =
+          fma(data.difference.x, data.difference.x, data.difference.y * data.difference.y);
+      return data;
+    }
+
+    BAGNOLD_INLINE void operator()(simd::LocalPair const* pairs, std::uint32_t,
+                                   Data const& now) const {
+      using simd::Pack;
       simd::Mask const touching = now.distance2 < reach2;
       auto const& d = now.difference;
       auto const f =
           pair_force<Law, Repulsion, Pack>(law, repulsion, {d.x, d.y}, now.distance2, {d.vx, d.vy},
-                                           inverse_distance, diameter_a * now.spins);
+                                           of.inverse_distance, of.diameter * now.spins);
       Pack const x = zero_unless(touching, f.elastic.x + f.dissipative.x);
       Pack const y = zero_unless(touching, f.elastic.y + f.dissipative.y);
       Pack torque_per_diameter = 0.0;
       if constexpr (rotates)
-        torque_per_diameter = zero_unless(touching, f.torque_per_diameter(inverse_distance));
+        torque_per_diameter = zero_unless(touching, f.torque_per_diameter(of.inverse_distance));
       if constexpr (Counting)
-        simd::scatter(force, pairs + k, x, y, torque_per_diameter, zero_unless(touching, 1.0));
+        simd::scatter(force, pairs, x, y, torque_per_diameter, zero_unless(touching, 1.0));
       else if constexpr (rotates)
-        simd::scatter(force, pairs + k, x, y, torque_per_diameter);
+        simd::scatter(force, pairs, x, y, torque_per_diameter);
       else
-        simd::scatter(force, pairs + k, x, y);
-      observe(PackOfPairs{pairs + k, touching, f});
+        simd::scatter(force, pairs, x, y);
+      observe(PackOfPairs{pairs, touching, f});
     }
-  }
+  };
 };
+
+/// Adds the damping of a pack of pairs to the forces on their disks, where they touch.
+template <class Force>
+BAGNOLD_INLINE void scatter_damping(Force* force, simd::LocalPair const* pairs, simd::Mask touching,
+                                    PairForce<simd::Pack> const& f, bool rotates,
+                                    simd::Pack const& inverse_distance) {
+  simd::Pack torque_per_diameter = 0.0;
+  if (rotates) torque_per_diameter = zero_unless(touching, f.torque_per_diameter(inverse_distance));
+  simd::scatter(force, pairs, zero_unless(touching, f.dissipative.x),
+                zero_unless(touching, f.dissipative.y), torque_per_diameter);
+}
 
 }  // namespace bagnold

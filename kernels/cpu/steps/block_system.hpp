@@ -147,8 +147,7 @@ struct BlockSystem {
   /// [1/tau_e].
   Real common_spin(Block const& block, int pair_class, simd::LocalPair const& pair) const {
     if (!rotates) return 0;
-    Real const a = pair_class == 2 ? big_diameter : small_diameter;
-    Real const b = pair_class == 0 ? small_diameter : big_diameter;
+    Real const a = first_diameter(pair_class), b = second_diameter(pair_class);
     return (a * now.spin(block.first + pair.a()) + b * now.spin(block.first + pair.b())) / (a + b);
   }
 };

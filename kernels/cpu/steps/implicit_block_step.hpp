@@ -120,29 +120,16 @@ struct BlockStep<L, R, S> {
     auto const& w = s.implicit.solution();
     copy_halo(s.blocks, block, w);
     Forces::clear(block, force);
-    each_contact(s, block, w.data() + block.first,
-                 [&](simd::LocalPair const* pairs, simd::Mask touching, int pair_class,
-                     simd::Records const& d, Contact<Pack> contact) {
-                   Pack const inverse_distance = contact.inverse_distance;
-                   PairForce<Pack> f{{d.x, d.y},
-                                     forces.repulsion.magnitude(contact) * contact.normal,
-                                     forces.law.dissipative_force(contact),
-                                     contact.relative_overlap,
-                                     {}};
-                   scatter(force, pairs, touching, f, inverse_distance);
-                   Pack spins = 0.0;
-                   if constexpr (rotates)
-                     spins =
-                         first_diameter(pair_class) *
-                         simd::load_sums(s.now.spin.data() + block.first, pairs,
-                                         second_diameter(pair_class) / first_diameter(pair_class));
-                   auto const velocity = velocity_at_contact<Law>({d.vx, d.vy}, f.separation,
-                                                                  inverse_distance, spins);
-                   f.velocity = velocity + Pack(0.5) * contact.velocity;
-                   contact.velocity = velocity + Pack(Scheme::theta) * contact.velocity;
-                   f.dissipative = forces.law.dissipative_force(contact);
-                   observer(PackOfPairs{pairs, touching, f});
-                 });
+    double const* spins = nullptr;
+    if constexpr (rotates) spins = s.now.spin.data() + block.first;
+    for (int c = 0; c < pair_classes; ++c) {
+      PairClass const of(c);
+      each_pack(
+          s.blocks, block, contact_list, c,
+          Show<std::remove_reference_t<Observer>>{of, weight_of(of), forces.law, forces.repulsion,
+                                                  s.now.record.data() + block.first,
+                                                  w.data() + block.first, spins, force, observer});
+    }
   }
 
   DrivePower drive_power(BlockSystem const&, Block const&, Real, Force const*) const { return {}; }
@@ -179,13 +166,6 @@ struct BlockStep<L, R, S> {
   using Pack = simd::Pack;
 
   Real weighed_time_step() const { return Scheme::theta * time_step; }
-
-  static Real first_diameter(int pair_class) {
-    return pair_class == 2 ? big_diameter : small_diameter;
-  }
-  static Real second_diameter(int pair_class) {
-    return pair_class == 0 ? small_diameter : big_diameter;
-  }
 
   struct Motions {
     Vec2<Pack> velocity;
@@ -243,48 +223,70 @@ struct BlockStep<L, R, S> {
     }
   }
 
+  /// Contact of disks that move as a pack of combined records says.
+  BAGNOLD_INLINE static Contact<Pack> contact_of(PairClass const& of, Vec2<Pack> const& separation,
+                                                 Pack const& distance2,
+                                                 simd::Records const& moving) {
+    Contact<Pack> contact = make_contact(separation, distance2, of.inverse_distance);
+    contact.velocity = velocity_at_contact<Law>({moving.x, moving.vx}, separation,
+                                                of.inverse_distance, of.diameter * moving.vy);
+    return contact;
+  }
+
+  static simd::Record weight_of(PairClass const& of) { return {-1, 0, -1, of.ratio}; }
+
   /// Damping of disks that move as the records say.
   template <class Ask>
   void add_damping(BlockSystem const& s, Block const& block, simd::Record const* moving,
-                   Force* force, Ask&& ask) const {
-    auto const* const records = s.now.record.data() + block.first;
-    Law const law = forces.law;
+                   Force* force, Ask& ask) const {
     for (int c = 0; c < pair_classes; ++c) {
-      auto const count = block.near[contact_list][c];
-      if (count == 0) continue;
-      auto const* const pairs = s.blocks.near[contact_list].data() + block.pairs[c];
-      Pack const inverse_distance = 1 / class_distance(c);
-      Real const diameter = first_diameter(c);
-      simd::Record const weight = weight_of(c);
-      auto next = simd::load_combined(moving, pairs, weight);
-      for (std::uint32_t k = 0; k < count; k += simd::width) {
-        auto const u = next;
-        next = simd::load_combined(moving, pairs + (k + simd::width < count ? k + simd::width : 0),
-                                   weight);
-        auto const separation = separation_of(s, block.pairs[c] + k, records);
-        Contact<Pack> contact =
-            make_contact(separation, dot(separation, separation), inverse_distance);
-        contact.velocity =
-            velocity_at_contact<Law>({u.x, u.vx}, separation, inverse_distance, diameter * u.vy);
-        PairForce<Pack> const f{separation, {}, law.dissipative_force(contact), {}, {}};
-        scatter(force, pairs + k, simd::first_lanes(count - k), f, inverse_distance);
-        ask();
-      }
+      PairClass const of(c);
+      each_pack(
+          s.blocks, block, contact_list, c,
+          Damp<Ask>{of, weight_of(of), forces.law, moving, s.now.record.data() + block.first,
+                    s.blocks.near[contact_list].data(), s.implicit.separation.data(), force, ask});
     }
   }
 
-  /// Separations of a pack of pairs of the contact list, by its place in the list: as saved if the
-  /// law rotates.
-  BAGNOLD_INLINE static Vec2<Pack> separation_of(BlockSystem const& s, std::uint32_t at,
-                                                 simd::Record const* records) {
-    if constexpr (rotates) {
-      auto const* const kept = s.implicit.separation.data() + 2 * at;
-      return {Pack::load(kept), Pack::load(kept + simd::width)};
-    } else {
-      auto const d = simd::load_differences(records, s.blocks.near[contact_list].data() + at);
-      return {d.x, d.y};
+  /// Body of the pair loop of an iteration.
+  template <class Ask>
+  struct Damp {
+    PairClass of;
+    simd::Record weight;
+    Law law;
+    simd::Record const *moving, *records;
+    simd::LocalPair const* list;  ///< of all blocks
+    double const* kept;           ///< separations, if the law rotates
+    Force* force;
+    Ask& ask;
+
+    BAGNOLD_INLINE simd::Records load(simd::LocalPair const* pairs) const {
+      return simd::load_combined(moving, pairs, weight);
     }
-  }
+
+    BAGNOLD_INLINE void operator()(simd::LocalPair const* pairs, std::uint32_t left,
+                                   simd::Records const& u) const {
+      auto const separation = separation_of(pairs);
+      PairForce<Pack> const f{
+          separation,
+          {},
+          law.dissipative_force(contact_of(of, separation, dot(separation, separation), u)),
+          {},
+          {}};
+      scatter_damping(force, pairs, simd::first_lanes(left), f, rotates, of.inverse_distance);
+      ask();
+    }
+
+    BAGNOLD_INLINE Vec2<Pack> separation_of(simd::LocalPair const* pairs) const {
+      if constexpr (rotates) {
+        auto const* const at = kept + 2 * (pairs - list);
+        return {Pack::load(at), Pack::load(at + simd::width)};
+      } else {
+        auto const d = simd::load_differences(records, pairs);
+        return {d.x, d.y};
+      }
+    }
+  };
 
   void keep_separations(BlockSystem const& s, Block const& block) const {
     auto const* const records = s.now.record.data() + block.first;
@@ -298,56 +300,46 @@ struct BlockStep<L, R, S> {
       }
   }
 
-  static simd::Record weight_of(int pair_class) {
-    return {-1, 0, -1, second_diameter(pair_class) / first_diameter(pair_class)};
-  }
+  /// Body of the pair loop that shows the forces of a step to an observer.
+  template <class Observer>
+  struct Show {
+    struct Data {
+      simd::Records now, change;
+    };
 
-  /// Data of a pack of pairs, loaded before the previous pack is evaluated.
-  struct Loaded {
-    simd::Records now, moving;
-  };
-  BAGNOLD_INLINE static Loaded load(simd::LocalPair const* pairs, simd::Record const* records,
-                                    simd::Record const* moving, simd::Record const& weight) {
-    return {simd::load_differences(records, pairs), simd::load_combined(moving, pairs, weight)};
-  }
+    PairClass of;
+    simd::Record weight;
+    Law law;
+    Repulsion repulsion;
+    simd::Record const *records, *changes;
+    double const* spins;
+    Force* force;
+    Observer& observe;
 
-  /// Calls visit(pairs, touching, class, difference of the records, contact) for the listed pairs.
-  /// The contact's velocity is that of disks that move as `moving` says.
-  template <class Visit>
-  void each_contact(BlockSystem const& s, Block const& block, simd::Record const* moving,
-                    Visit const& visit) const {
-    auto const* const records = s.now.record.data() + block.first;
-    for (int c = 0; c < pair_classes; ++c) {
-      auto const* const pairs = s.blocks.near[contact_list].data() + block.pairs[c];
-      auto const count = block.near[contact_list][c];
-      if (count == 0) continue;
-      Pack const inverse_distance = 1 / class_distance(c);
-      Real const diameter = first_diameter(c);
-      simd::Record const weight = weight_of(c);
-      Loaded next = load(pairs, records, moving, weight);
-      for (std::uint32_t k = 0; k < count; k += simd::width) {
-        auto const [d, u] = next;
-        next =
-            load(pairs + (k + simd::width < count ? k + simd::width : 0), records, moving, weight);
-        Vec2<Pack> const separation{d.x, d.y};
-        Contact<Pack> contact =
-            make_contact(separation, fma(d.x, d.x, d.y * d.y), inverse_distance);
-        contact.velocity =
-            velocity_at_contact<Law>({u.x, u.vx}, separation, inverse_distance, diameter * u.vy);
-        visit(pairs + k, simd::first_lanes(count - k), c, d, contact);
-      }
+    BAGNOLD_INLINE Data load(simd::LocalPair const* pairs) const {
+      return {simd::load_differences(records, pairs), simd::load_combined(changes, pairs, weight)};
     }
-  }
 
-  BAGNOLD_INLINE static void scatter(Force* force, simd::LocalPair const* pairs,
-                                     simd::Mask touching, PairForce<Pack> const& f,
-                                     Pack const& inverse_distance) {
-    Pack torque_per_diameter = 0.0;
-    if constexpr (rotates)
-      torque_per_diameter = zero_unless(touching, f.torque_per_diameter(inverse_distance));
-    simd::scatter(force, pairs, zero_unless(touching, f.dissipative.x),
-                  zero_unless(touching, f.dissipative.y), torque_per_diameter);
-  }
+    BAGNOLD_INLINE void operator()(simd::LocalPair const* pairs, std::uint32_t left,
+                                   Data const& data) const {
+      auto const& [d, w] = data;
+      auto const touching = simd::first_lanes(left);
+      Vec2<Pack> const separation{d.x, d.y};
+      auto contact = contact_of(of, separation, fma(d.x, d.x, d.y * d.y), w);
+      auto const change = contact.velocity;
+      scatter_damping(force, pairs, touching,
+                      {separation, {}, law.dissipative_force(contact), {}, {}}, rotates,
+                      of.inverse_distance);
+      Pack spin = 0.0;
+      if constexpr (rotates) spin = simd::load_sums(spins, pairs, of.ratio);
+      auto const velocity = velocity_at_contact<Law>({d.vx, d.vy}, separation, of.inverse_distance,
+                                                     of.diameter * spin);
+      contact.velocity = velocity + Pack(Scheme::theta) * change;
+      auto const f =
+          force_of_contact(law, repulsion, separation, contact, velocity + Pack(0.5) * change);
+      observe(PackOfPairs{pairs, touching, f});
+    }
+  };
 };
 
 }  // namespace bagnold

@@ -235,86 +235,88 @@ struct BlockStep<L, R, S> {
     }
   }
 
-  template <bool Whole, class Ask, class Observer>
-  void add_stage(BlockSystem const& s, Block const& block, Force* force, Ask&& ask,
-                 Observer&& observe) const {
-    for (int c = 0; c < pair_classes; ++c)
-      add_class<Whole>(c, s, block, s.blocks.near[contact_list].data() + block.pairs[c],
-                       block.near[contact_list][c], force, ask, observe);
-  }
-
-  /// Data of a pack of pairs, loaded before the previous pack is evaluated.
-  struct Loaded {
-    simd::Records now, change;
-  };
-  BAGNOLD_INLINE static Loaded load(simd::LocalPair const* pairs, simd::Record const* records,
-                                    simd::Record const* changes, simd::Record const& weight) {
-    return {simd::load_differences(records, pairs), simd::load_combined(changes, pairs, weight)};
-  }
-
-  BAGNOLD_INLINE static void scatter(Force* force, simd::LocalPair const* pairs,
-                                     simd::Mask touching, PairForce<Pack> const& f,
-                                     Pack const& inverse_distance) {
-    Pack torque_per_diameter = 0.0;
-    if constexpr (rotates)
-      torque_per_diameter = zero_unless(touching, f.torque_per_diameter(inverse_distance));
-    simd::scatter(force, pairs, zero_unless(touching, f.dissipative.x),
-                  zero_unless(touching, f.dissipative.y), torque_per_diameter);
-  }
-
   /// Adds the forces of the second stage. If Whole, adds those of both stages and shows them to the
   /// observer.
   template <bool Whole, class Ask, class Observer>
-  void add_class(int pair_class, BlockSystem const& s, Block const& block,
-                 simd::LocalPair const* pairs, std::uint32_t count, Force* force, Ask& ask,
-                 Observer& observe) const {
-    simd::EightByNumber const share_normal(shares.normal[pair_class]);
-    simd::EightByNumber const share_tangential(shares.tangential[pair_class]);
-    Pack const inverse_distance = 1 / class_distance(pair_class);
-    Law const law = forces.law;
-    Repulsion const repulsion = forces.repulsion;
-    Real const diameter_a = pair_class == 2 ? big_diameter : small_diameter;
-    Real const diameter_b = pair_class == 0 ? small_diameter : big_diameter;
-    auto const* const records = s.now.record.data() + block.first;
-    auto const* const changes = s.trial.record.data() + block.first;
-    simd::Record const weight{-1, -1, diameter_b / diameter_a, simd::CountPairs::base};
-    if (count == 0) return;
-    Loaded next = load(pairs, records, changes, weight);
-    for (std::uint32_t k = 0; k < count; k += simd::width) {
-      auto const [d, a] = next;
-      next =
-          load(pairs + (k + simd::width < count ? k + simd::width : 0), records, changes, weight);
-      auto const touching = simd::first_lanes(count - k);
+  void add_stage(BlockSystem const& s, Block const& block, Force* force, Ask&& ask,
+                 Observer&& observe) const {
+    double const* spins = nullptr;
+    if constexpr (rotates) spins = s.now.spin.data() + block.first;
+    for (int c = 0; c < pair_classes; ++c) {
+      PairClass const of(c);
+      each_pack(s.blocks, block, contact_list, c,
+                Damp<Whole, std::remove_reference_t<Ask>, std::remove_reference_t<Observer>>{
+                    of,
+                    simd::EightByNumber(shares.normal[c]),
+                    simd::EightByNumber(shares.tangential[c]),
+                    {-1, -1, of.ratio, simd::CountPairs::base},
+                    forces.law,
+                    forces.repulsion,
+                    s.now.record.data() + block.first,
+                    s.trial.record.data() + block.first,
+                    spins,
+                    force,
+                    s.blocks.most_local,
+                    ask,
+                    observe});
+    }
+  }
+
+  /// Body of the pair loop of the second stage.
+  template <bool Whole, class Ask, class Observer>
+  struct Damp {
+    struct Data {
+      simd::Records now, change;
+    };
+
+    PairClass of;
+    simd::EightByNumber share_normal, share_tangential;
+    simd::Record weight;
+    Law law;
+    Repulsion repulsion;
+    simd::Record const *records, *changes;
+    double const* spins;
+    Force* force;
+    std::uint32_t most_local;
+    Ask& ask;
+    Observer& observe;
+
+    BAGNOLD_INLINE Data load(simd::LocalPair const* pairs) const {
+      return {simd::load_differences(records, pairs), simd::load_combined(changes, pairs, weight)};
+    }
+
+    BAGNOLD_INLINE void operator()(simd::LocalPair const* pairs, std::uint32_t left,
+                                   Data const& data) const {
+      auto const& [d, a] = data;
+      auto const touching = simd::first_lanes(left);
       Vec2<Pack> const separation{d.x, d.y};
-      Contact<Pack> contact = make_contact(separation, fma(d.x, d.x, d.y * d.y), inverse_distance);
-      auto const change =
-          velocity_at_contact<Law>({a.x, a.y}, separation, inverse_distance, diameter_a * a.vx);
+      auto const at_contact = [&](Pack const& x, Pack const& y, Pack const& spin) {
+        return velocity_at_contact<Law>({x, y}, separation, of.inverse_distance,
+                                        of.diameter * spin);
+      };
+      auto const change = at_contact(a.x, a.y, a.vx);
       simd::CountPairs const contacts(a.vy);
       Pack const normal = contacts.look_up_larger(share_normal);
       Pack const tangential = rotates ? contacts.look_up_larger(share_tangential) : normal;
-      contact.velocity = second_stage_velocity<Law>(change, contact.normal, normal, tangential);
-      PairForce<Pack> f{separation, {}, law.dissipative_force(contact), {}, {}};
+      auto const contact = second_stage_contact<Law>(
+          separation, fma(d.x, d.x, d.y * d.y), of.inverse_distance, change, normal, tangential);
+      auto const add = [&](Force* to, PairForce<Pack> const& f) {
+        scatter_damping(to, pairs, touching, f, rotates, of.inverse_distance);
+      };
+      add(Whole ? force + most_local : force,
+          {separation, {}, law.dissipative_force(contact), {}, {}});
       if constexpr (Whole) {
-        scatter(force + s.blocks.most_local, pairs + k, touching, f, inverse_distance);
-        Pack spins = 0.0;
-        if constexpr (rotates)
-          spins = diameter_a * simd::load_sums(s.now.spin.data() + block.first, pairs + k,
-                                               diameter_b / diameter_a);
-        auto const velocity =
-            velocity_at_contact<Law>({d.vx, d.vy}, separation, inverse_distance, spins);
-        f.velocity = velocity + Pack(0.5) * change;
-        contact.velocity = contact.velocity + velocity;
-        f.elastic = repulsion.magnitude(contact) * contact.normal;
-        f.dissipative = law.dissipative_force(contact);
-        f.relative_overlap = contact.relative_overlap;
-        scatter(force, pairs + k, touching, f, inverse_distance);
-        observe(PackOfPairs{pairs + k, touching, f});
+        Pack spin = 0.0;
+        if constexpr (rotates) spin = simd::load_sums(spins, pairs, of.ratio);
+        auto const both = force_of_both_stages(law, repulsion, separation, contact,
+                                               at_contact(d.vx, d.vy, spin), change);
+        add(force, both);
+        observe(PackOfPairs{pairs, touching, both});
       } else {
-        scatter(force, pairs + k, touching, f, inverse_distance);
         ask();
       }
     }
-  }
+  };
 };
 
 }  // namespace bagnold

@@ -135,13 +135,11 @@ struct ImplicitForces {
     Load<rotates> load;
     damping.each_contact(
         i, [&](Vec2<Real> const& separation, Contact<Real> contact, Vec2<Real> const& velocity) {
-          PairForce<Real> pair{separation, forces.repulsion.magnitude(contact) * contact.normal,
-                               forces.law.dissipative_force(contact), contact.relative_overlap,
-                               velocity + Real(0.5) * contact.velocity};
-          damping.add(i, pair, contact, load);
+          damping.add(i, {separation, {}, forces.law.dissipative_force(contact), {}, {}}, contact,
+                      load);
+          auto const halfway = velocity + Real(0.5) * contact.velocity;
           contact.velocity = velocity + theta * contact.velocity;
-          pair.dissipative = forces.law.dissipative_force(contact);
-          observe(pair);
+          observe(force_of_contact(forces.law, forces.repulsion, separation, contact, halfway));
         });
     auto const species = forces.species(i);
     auto const before = forces.motion(i), change = damping.moving(i);

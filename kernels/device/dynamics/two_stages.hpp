@@ -131,22 +131,19 @@ struct ChangeForces {
       int const contacts_j = touching.count(j);
       int const n = SecondStage::index(contacts_i > contacts_j ? contacts_i : contacts_j);
       int const c = pair_class(own, neighbor.big());
-      Contact<Real> contact = make_contact(separation, distance2, inverse_distance);
       SecondStage const& share = shares(0);
-      contact.velocity = second_stage_velocity<Law>(changed, contact.normal, share.normal[c][n],
-                                                    share.tangential[c][n]);
-      PairForce<Real> pair{separation, forces.repulsion.magnitude(contact) * contact.normal,
-                           forces.law.dissipative_force(contact), contact.relative_overlap,
-                           before + Real(0.5) * changed};
-      auto const add = [&](Load<rotates>& to) {
+      auto const contact =
+          second_stage_contact<Law>(separation, distance2, inverse_distance, changed,
+                                    share.normal[c][n], share.tangential[c][n]);
+      auto const both =
+          force_of_both_stages(forces.law, forces.repulsion, separation, contact, before, changed);
+      auto const add = [&](PairForce<Real> const& pair, Load<rotates>& to) {
         to.force += pair.dissipative;
         if constexpr (rotates) to.torque += diameter_i * pair.torque_per_diameter(inverse_distance);
       };
-      add(total.second);
-      contact.velocity = contact.velocity + before;
-      pair.dissipative = forces.law.dissipative_force(contact);
-      add(total.both);
-      observe(pair);
+      add({separation, {}, forces.law.dissipative_force(contact), {}, {}}, total.second);
+      add(both, total.both);
+      observe(both);
     };
     if (contacts_i <= TouchingDisks<Space>::room)
       forces.each_of(

@@ -55,6 +55,17 @@ KOKKOS_FORCEINLINE_FUNCTION Vec2<T> velocity_at_contact(Vec2<T> const& velocity,
     return velocity;
 }
 
+/// Forces of a contact whose damping acts at contact.velocity. velocity: what observers see.
+template <PairLaw Law, class Repulsion, class T>
+KOKKOS_FORCEINLINE_FUNCTION PairForce<T> force_of_contact(Law const& law,
+                                                          Repulsion const& repulsion,
+                                                          Vec2<T> const& separation,
+                                                          Contact<T> const& contact,
+                                                          Vec2<T> const& velocity) {
+  return {separation, repulsion.magnitude(contact) * contact.normal, law.dissipative_force(contact),
+          contact.relative_overlap, velocity};
+}
+
 /// Force of a pair that touches, for one pair or a pack of pairs. Arguments: see make_contact and
 /// velocity_at_contact.
 template <PairLaw Law, class Repulsion, class T>
@@ -64,8 +75,7 @@ KOKKOS_FORCEINLINE_FUNCTION PairForce<T> pair_force(Law const& law, Repulsion co
                                                     T const& inverse_distance, T const& spins) {
   Contact<T> contact = make_contact(separation, distance2, inverse_distance);
   contact.velocity = velocity_at_contact<Law>(velocity, separation, inverse_distance, spins);
-  return {separation, repulsion.magnitude(contact) * contact.normal, law.dissipative_force(contact),
-          contact.relative_overlap, contact.velocity};
+  return force_of_contact(law, repulsion, separation, contact, contact.velocity);
 }
 
 }  // namespace bagnold

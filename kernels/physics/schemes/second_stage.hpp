@@ -54,6 +54,30 @@ KOKKOS_FORCEINLINE_FUNCTION Vec2<T> second_stage_velocity(Vec2<T> const& change,
     return share_normal * change;  // CD: one and the same share; CD_n: no force along the tangent
 }
 
+/// Contact in the second stage: its velocity is the share of the change that is damped. Its
+/// arguments: see make_contact and second_stage_velocity.
+template <TwoStageLaw Law, class T>
+KOKKOS_FORCEINLINE_FUNCTION Contact<T> second_stage_contact(
+    Vec2<T> const& separation, T const& distance2, T const& inverse_distance, Vec2<T> const& change,
+    T const& share_normal, T const& share_tangential) {
+  Contact<T> contact = make_contact(separation, distance2, inverse_distance);
+  contact.velocity =
+      second_stage_velocity<Law>(change, contact.normal, share_normal, share_tangential);
+  return contact;
+}
+
+/// Forces of both stages of a pair together. Observers see the velocity after half of the change by
+/// the first stage. second: the contact in the second stage; velocity: at the contact before the
+/// step.
+template <TwoStageLaw Law, class Repulsion, class T>
+KOKKOS_FORCEINLINE_FUNCTION PairForce<T> force_of_both_stages(
+    Law const& law, Repulsion const& repulsion, Vec2<T> const& separation, Contact<T> const& second,
+    Vec2<T> const& velocity, Vec2<T> const& change) {
+  Contact<T> both = second;
+  both.velocity = second.velocity + velocity;
+  return force_of_contact(law, repulsion, separation, both, velocity + T(0.5) * change);
+}
+
 /// Change of the velocity at the contact of a lone pair in a step, by a force on i and its opposite
 /// on j, with their torques.
 ///
