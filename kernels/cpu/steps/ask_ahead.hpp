@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "kernels/cpu/steps/block_system.hpp"
+#include <initializer_list>
+
+#include "kernels/cpu/steps/block_stepper.hpp"
 
 namespace bagnold {
 
@@ -10,7 +12,7 @@ namespace bagnold {
 template <int lines>
 class AskAhead {
  public:
-  /// Prefetches for a half of a step. near: list of pairs of this half.
+  /// near: list of pairs of the pass; halo: state that the halo copies.
   AskAhead(BlockSystem const& s, Block const& next, NearList near, BlockState const& halo)
       : AskAhead(s, next, halo.record, halo.spin) {
     add(s.now.record, next);
@@ -20,12 +22,11 @@ class AskAhead {
     add_pairs(s, next, near);
   }
 
-  /// Prefetches for iteration k of the system's solve.
-  AskAhead(BlockSystem const& s, Block const& next, int k)
-      : AskAhead(s, next, s.implicit.now(k, s.trial.record), {}) {
-    add(s.trial.record, next);
-    if (k != 0) add(s.implicit.now(k, s.trial.record), next);
-    add(s.implicit.next(k), next);
+  /// For pairs of the contact list. halo: array that the halo copies; own: arrays of the block.
+  AskAhead(BlockSystem const& s, Block const& next, Blocks::Array<simd::Record> const& halo,
+           std::initializer_list<Blocks::Array<simd::Record> const*> own)
+      : AskAhead(s, next, halo, Blocks::Array<double>{}) {
+    for (auto const* array : own) add(*array, next);
     add_pairs(s, next, contact_list);
   }
 
@@ -69,8 +70,8 @@ class AskAhead {
   void add_pairs(BlockSystem const& s, Block const& block, NearList near) {
     for (int c = 0; c < pair_classes; ++c) {
       add(s.blocks.near[near].data() + block.pairs[c], block.near[near][c]);
-      if (s.implicit.separation.extent(0) != 0)
-        add(s.implicit.separation.data() + 2 * block.pairs[c], 2 * block.near[contact_list][c]);
+      if (s.of_pairs.extent(0) != 0)
+        add(s.of_pairs.data() + 2 * block.pairs[c], 2 * block.near[contact_list][c]);
     }
   }
   template <class T>
@@ -81,24 +82,16 @@ class AskAhead {
 };
 
 /// Calls body(ask) for block b, which calls ask() for each pack of pairs. ask() does nothing if all
-/// data are in cache.
-template <class Body>
-BAGNOLD_INLINE void asking_ahead(BlockSystem const& s, std::uint32_t b, HalfOfStep half,
-                                 NearList near, Body const& body) {
-  if (s.blocks.beyond_cache())
-    body(AskAhead<6>(s, s.blocks.block(s.blocks.next[half](b)), near,
-                     half == first_half_of_step ? s.now : s.trial));
-  else
+/// data are in cache. lines, of: as AskAhead has them, behind the next block.
+template <int lines = 6, class Body, class... Of>
+BAGNOLD_INLINE void asking_ahead(BlockSystem const& s, std::uint32_t b, StepAt const& at,
+                                 Body const& body, Of const&... of) {
+  if (s.blocks.beyond_cache()) {
+    auto const next = at.next != nullptr ? at.next[b] : (b + 1) % s.blocks.count;
+    body(AskAhead<lines>(s, s.blocks.block(next), of...));
+  } else {
     body([] {});
-}
-
-/// Calls body(ask) in iteration k of a solve, which takes blocks in the order of their numbers.
-template <class Body>
-BAGNOLD_INLINE void asking_ahead(BlockSystem const& s, std::uint32_t b, int k, Body const& body) {
-  if (s.blocks.beyond_cache())
-    body(AskAhead<10>(s, s.blocks.block((b + 1) % s.blocks.count), k));
-  else
-    body([] {});
+  }
 }
 
 }  // namespace bagnold

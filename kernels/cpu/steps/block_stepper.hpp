@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <string_view>
+#include <memory>
+#include <vector>
 
 #include "kernels/cpu/contacts/lane_detector.hpp"
 #include "kernels/cpu/islands/binary_pair.hpp"
@@ -22,32 +23,72 @@ struct StepCosts {
   Real few_below;  ///< contacts per disk below which steps for few contacts cost less
 };
 
-/// Facts on a law and a scheme from which an engine allocates memory for its steps.
+/// Facts on a law and a scheme from which an engine allocates memory and chooses its way.
 struct StepNeeds {
-  bool rotates;             ///< the law: spins are there
-  bool lists_contacts;      ///< steps with many contacts list them too
-  bool trial_spins;         ///< `trial` holds spins, not in its records
-  bool trial_is_change;     ///< `trial` is zero where nothing acts, not another state
-  int evaluations;          ///< of all near pairs in a step
-  int observed_forces;      ///< arrays of forces that measure() fills
-  std::size_t force_bytes;  ///< of a disk's force
-  StepCosts costs;
-  /// Terms of the Chebyshev solution for the changes of the motions; 0 if the scheme solves for
-  /// nothing. A scheme that solves always steps all disks.
-  int terms = 0;
-  bool driven = false;  ///< by a one-body force: disks that touch nothing do not fly straight
+  bool rotates;              ///< the law: spins are there
+  bool lists_contacts;       ///< steps with many contacts list them too
+  bool trial_spins;          ///< `trial` holds spins, not in its records
+  bool trial_is_change;      ///< `trial` is zero where nothing acts, not another state
+  int evaluations;           ///< of all near pairs in a step
+  std::size_t scratch;       ///< of a pass, for each disk of a block, [bytes]
+  StepCosts costs;           ///< of passes for few and for many contacts
+  int more_records = 0;      ///< arrays in BlockSystem::more_records
+  int numbers_per_pair = 0;  ///< in BlockSystem::of_pairs
+  bool driven = false;       ///< by a one-body force: disks that touch nothing do not fly straight
 };
+
+/// Blocks that must be through the passes before, so that a pass may take a block.
+enum class Awaits {
+  own,         ///< the block itself; the pass finds its scratch as the pass before left it
+  neighbours,  ///< those that its halo copies
+  all          ///< all, whose reports the pass sees
+};
+
+/// Data of a step, as its passes see them.
+struct StepAt {
+  ShearedBox box, next_box;  ///< where the step begins and ends
+  int pass = 0;              ///< place of the pass in the list
+  BlockReport total = {};    ///< of all blocks, for a pass that awaits all
+  /// Block that follows each one in this pass, [blocks]; null: they go by number.
+  std::uint32_t const* next = nullptr;
+  ActiveDisks const* active = nullptr;  ///< for few contacts
+  BlockSums* sums = nullptr;            ///< [blocks], out; null: the step is not sampled
+  DrivePower* drive_powers = nullptr;   ///< [blocks], out, where sums are, if there is a drive
+};
+
+/// A pass of a step over all blocks. Law, repulsion and scheme are behind this interface: one
+/// virtual call for a thousand disks, and engines are compiled once.
+class BlockPass {
+ public:
+  BlockPass(Awaits blocks, bool in_samples) : awaits(blocks), sampled(in_samples) {}
+  virtual ~BlockPass() = default;
+
+  Awaits const awaits;
+  bool const sampled;  ///< belongs to steps whose sums are taken, and to no others
+
+  /// Works on block b and returns its part of the block's report. scratch: of the calling thread,
+  /// [blocks.most_local] of StepNeeds::scratch.
+  virtual BlockReport run(BlockSystem const& system, std::uint32_t b, StepAt const& at,
+                          void* scratch) const = 0;
+};
+
+using BlockPasses = std::vector<std::unique_ptr<BlockPass const>>;
 
 /// Step of a scheme on a block of disks, by its form; StepperOf wraps it.
 template <ContactLaw Law, class Repulsion, class Scheme>
 struct BlockStep;
 
-/// Step of a scheme, under a law and a repulsion, on one block of disks at a time. Law, repulsion
-/// and scheme are behind this interface: one virtual call for a thousand disks, and engines are
-/// compiled once.
-///
-/// A step has two halves with a barrier between them, as `trial` of a block is read by its
-/// neighbours. force: scratch of the calling thread, [system.blocks.most_local] of force_bytes.
+/// Steps of pairs of disks that meet no other disk; see BinaryCollisions.
+class LonePairs {
+ public:
+  virtual ~LonePairs() = default;
+  virtual BinaryOutcome collide(BinaryDisk* a, BinaryDisk* b, int count, std::int64_t steps,
+                                Real strain_rate, FlightTimes const& flights,
+                                SampleTimes const& times, BlockSums* sums,
+                                LaneDetector* detector) const = 0;
+};
+
+/// Step of a scheme, under a law and a repulsion, as a list of passes.
 class BlockStepper {
  public:
   explicit BlockStepper(StepNeeds const& what) : needs(what) {}
@@ -55,43 +96,16 @@ class BlockStepper {
 
   StepNeeds const needs;
 
-  /// First half of a step: the changes by the forces at t, or the trial state at t + dt.
-  virtual BlockReport predict(BlockSystem const& system, std::uint32_t b, ShearedBox const& box,
-                              void* force) const = 0;
+  /// Passes of a step. Only the last one changes what is visible outside.
+  BlockPasses many;
 
-  /// Second half: the state at t + dt. observed: `force` is as measure() left it. seen: called with
-  /// the new motion of each pack of disks, unless null.
-  virtual BlockReport correct(BlockSystem const& system, std::uint32_t b, ShearedBox const& box,
-                              void* force, bool observed, FlightDeviation* seen) const = 0;
+  /// Passes of a step where few of the near pairs touch, with the same bits: contacts are found
+  /// first and forces evaluated for them alone; all other disks are moved in one stream, x += v dt.
+  /// Their report's speed is that of the disks that touch. Empty if disks without contacts do not
+  /// fly straight, or the scheme has no such step.
+  BlockPasses few;
 
-  /// Iteration k of the system's solve, between the halves, for a scheme with needs.terms. All
-  /// blocks must have done iteration k - 1.
-  virtual void iterate(BlockSystem const& system, std::uint32_t b, int k, void* force) const = 0;
-
-  /// Both halves for blocks in which few of the near pairs touch, with the same bits. Contacts are
-  /// found first and forces evaluated for them alone; all other disks are moved in one stream, x +=
-  /// v dt. moved: scratch, [most_local]. The report's speed is that of the disks that touch.
-  virtual BlockReport predict_few(BlockSystem const& system, ActiveDisks const& active,
-                                  std::uint32_t b, ShearedBox const& box, void* force) const = 0;
-  virtual BlockReport correct_few(BlockSystem const& system, ActiveDisks const& active,
-                                  std::uint32_t b, ShearedBox const& box, void* force,
-                                  bool observed, simd::Record* moved) const = 0;
-
-  /// Sums of one block, after it and its neighbours have been through the first half of a step, and
-  /// before its second half. force: [observed_forces][most_local].
-  virtual BlockSums measure(BlockSystem const& system, std::uint32_t b, Real strain_rate,
-                            void* force) const = 0;
-
-  /// Powers of the one-body force on a block, if there is one, after measure(), with the force that
-  /// it left.
-  virtual DrivePower drive_power(BlockSystem const& system, std::uint32_t b, Real strain_rate,
-                                 void* force) const = 0;
-
-  /// Steps `count` pairs of disks that meet no other disk; see BinaryCollisions.
-  virtual BinaryOutcome collide(BinaryDisk* a, BinaryDisk* b, int count, std::int64_t steps,
-                                Real strain_rate, FlightTimes const& flights,
-                                SampleTimes const& times, BlockSums* sums,
-                                LaneDetector* detector) const = 0;
+  std::unique_ptr<LonePairs const> lone_pairs;  ///< null where `few` is empty
 };
 
 }  // namespace bagnold

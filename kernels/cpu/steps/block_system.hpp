@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "kernels/cpu/blocks/blocks.hpp"
-#include "kernels/cpu/steps/implicit_solve.hpp"
 
 namespace bagnold {
 
@@ -128,12 +127,13 @@ struct BlockSystem {
   Blocks::Array<Species> species;  ///< by slot
   SpeciesTable table;
   BlockState now;
-  BlockState trial;                      ///< result of the first half of a step for the second
-  ImplicitSolve implicit;                ///< between the halves, if the scheme solves for anything
-  bool rotates = false;                  ///< spins are there
-  std::int64_t arrangement = 0;          ///< counts rearrangements of disks in slots
-  std::int64_t listing = 0;              ///< counts prunings of the inner lists
-  std::int64_t step = 0;                 ///< steps done
+  BlockState trial;  ///< result of the first half of a step for the second
+  Blocks::Array<simd::Record> more_records[2];  ///< by slot, of a scheme that needs them
+  Blocks::Array<double> of_pairs;               ///< numbers of each pair, in packs, likewise
+  bool rotates = false;                         ///< spins are there
+  std::int64_t arrangement = 0;                 ///< counts rearrangements of disks in slots
+  std::int64_t listing = 0;                     ///< counts prunings of the inner lists
+  std::int64_t step = 0;                        ///< steps done
   Blocks::Array<std::uint32_t> disk_of;  ///< by slot, the index at the start; if a drive needs it
 
   /// (d_i thetadot_i + d_j thetadot_j) / (d_i + d_j) of two slots, [1/tau_e]; 0 without spins.

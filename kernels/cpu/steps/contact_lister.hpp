@@ -31,10 +31,10 @@ struct ContactLister {
 /// rest of the step. Returns their number and their largest overlap.
 template <class Forces>
 BAGNOLD_INLINE BlockReport add_and_list(Forces const& forces, BlockSystem const& s, std::uint32_t b,
-                                        typename Forces::Force* force) {
+                                        StepAt const& at, typename Forces::Force* force) {
   Block& block = s.blocks.block(b);
   BlockReport report;
-  asking_ahead(s, b, first_half_of_step, inner_list, [&](auto&& ask) {
+  auto const list = [&](auto&& ask) {
     for (int c = 0; c < pair_classes; ++c) {
       ContactLister lister{s.blocks.near[contact_list].data() + block.pairs[c]};
       forces.add(c, s, block, inner_list, s.now, force, [&](PackOfPairs const& p) {
@@ -46,7 +46,8 @@ BAGNOLD_INLINE BlockReport add_and_list(Forces const& forces, BlockSystem const&
       report.largest_overlap =
           std::max(report.largest_overlap, simd::largest(lister.largest_overlap));
     }
-  });
+  };
+  asking_ahead(s, b, at, list, inner_list, s.now);
   return report;
 }
 

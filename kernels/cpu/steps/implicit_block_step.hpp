@@ -8,16 +8,19 @@
 #include "kernels/cpu/steps/block_drive.hpp"
 #include "kernels/cpu/steps/block_forces.hpp"
 #include "kernels/cpu/steps/block_stepper.hpp"
+#include "kernels/cpu/steps/block_sums.hpp"
 #include "kernels/cpu/steps/contact_lister.hpp"
 #include "kernels/cpu/steps/kick.hpp"
+#include "kernels/physics/schemes/chebyshev.hpp"
 #include "kernels/physics/schemes/damping_bound.hpp"
 #include "kernels/physics/schemes/forms.hpp"
 
 namespace bagnold {
 
-/// Step of an ImplicitScheme on a block. `trial` holds a, the changes by the forces. The system
-/// solves (ImplicitSolve): each iteration is a pass of all blocks through the pairs that touch,
-/// which the first half lists.
+/// Step of an ImplicitScheme on a block. `trial` holds a, the changes by the forces. Each iteration
+/// for w, the changes of all motions, is a pass through the pairs that touch, which the first half
+/// lists. Iteration k makes w_k+2 from w_k+1; the two arrays of more_records hold them in turns, a
+/// record {v_x, v_y, thetadot, -} a disk.
 template <ContactLaw L, class R, ImplicitScheme S>
 struct BlockStep<L, R, S> {
   using Law = L;
@@ -27,33 +30,42 @@ struct BlockStep<L, R, S> {
   using Forces = BlockForces<Law, Repulsion, true>;
   using Force = typename Forces::Force;
 
-  static constexpr int observed_forces = 1;
+  static constexpr int iterations = Scheme::terms(rotates) - 1;
   static constexpr StepNeeds needs{.rotates = rotates,
                                    .lists_contacts = true,
                                    .trial_spins = false,
                                    .trial_is_change = true,
                                    .evaluations = 1,
-                                   .observed_forces = observed_forces,
-                                   .force_bytes = sizeof(Force),
+                                   .scratch = sizeof(Force),
                                    .costs = {},
-                                   .terms = Scheme::terms(rotates)};
+                                   .more_records = 2,
+                                   .numbers_per_pair = rotates ? 2 : 0};
 
   Forces forces;
   Real time_step;  ///< dt, [tau_e]
   DampingBound bound;
+  ChebyshevRoots roots = ChebyshevRoots::make(iterations + 1);
 
   BlockStep(Law const& law, Repulsion const& repulsion, SpeciesTable const& table, Real dt,
             std::unique_ptr<BlockDrive<Force, rotates> const>)
       : forces{law, repulsion}, time_step(dt), bound(DampingBound::of(law, table)) {}
 
+  /// The last iteration belongs to the second half, unless sums are taken.
+  template <class Add>
+  static void each_pass(Add const& add) {
+    add(&BlockStep::predict, Awaits::neighbours);
+    for (int k = 0; k < iterations; ++k) add(&BlockStep::iterate, Awaits::all, k == iterations - 1);
+    add(&BlockStep::measure, Awaits::all, true);
+    add(&BlockStep::correct, Awaits::own);
+  }
+
   /// First half: the changes by the forces at t. force: scratch, [most_local].
-  BlockReport predict(BlockSystem const& s, std::uint32_t b, ShearedBox const& box,
-                      Force* force) const {
+  BlockReport predict(BlockSystem const& s, std::uint32_t b, StepAt const& at, Force* force) const {
     Block const& block = s.blocks.block(b);
-    refresh_halo(s.blocks, block, s.now, box);
+    refresh_halo(s.blocks, block, s.now, at.box);
     bring_near(s.blocks, block, s.trial);
     Forces::clear(block, force);
-    BlockReport report = add_and_list(forces, s, b, force);
+    BlockReport report = add_and_list(forces, s, b, at, force);
     Kick const kick(s.table, time_step);
     Pack most_small = 0.0, most_big = 0.0;
     for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
@@ -73,29 +85,35 @@ struct BlockStep<L, R, S> {
     return report;
   }
 
-  /// Iteration k of the system's solve, into ImplicitSolve::next.
-  void iterate(BlockSystem const& s, std::uint32_t b, int k, Force* force) const {
+  /// Iteration of a pass, the first of which follows the first half.
+  BlockReport iterate(BlockSystem const& s, std::uint32_t b, StepAt const& at, Force* force) const {
     Block const& block = s.blocks.block(b);
-    asking_ahead(s, b, k, [&](auto&& ask) {
-      iterate(s, block, k, force, s.implicit.next(k).data() + block.first, ask);
-    });
+    int const k = at.pass - 1;
+    auto const& to = s.more_records[k % 2];
+    auto const body = [&](auto&& ask) {
+      iterate(s, block, at, k, force, to.data() + block.first, ask);
+    };
+    auto const& now = iterate_of(s, k);
+    if (k == 0)
+      asking_ahead<10>(s, b, at, body, now, Arrays{&now, &to});
+    else
+      asking_ahead<10>(s, b, at, body, now, Arrays{&s.trial.record, &now, &to});
+    return {};
   }
 
-  /// Second half: the last iteration, and the state at t + dt. observed: measure() has done the
-  /// last iteration already.
-  template <class Seen>
-  BlockReport correct(BlockSystem const& s, std::uint32_t b, ShearedBox const& box, Force* force,
-                      bool observed, Seen const& seen) const {
+  /// Second half: the last iteration, and the state at t + dt.
+  BlockReport correct(BlockSystem const& s, std::uint32_t b, StepAt const& at, Force* force) const {
     Block const& block = s.blocks.block(b);
-    auto const* change = s.implicit.solution().data() + block.first;
-    if (!observed) {
+    auto const* change = solution(s).data() + block.first;
+    if (at.sums == nullptr) {
       auto* const in_place = reinterpret_cast<simd::Record*>(force);
-      asking_ahead(s, b, second_half_of_step, contact_list, [&](auto&& ask) {
-        iterate(s, block, s.implicit.passes() - 1, force, in_place, ask);
-      });
+      auto const body = [&](auto&& ask) {
+        iterate(s, block, at, iterations - 1, force, in_place, ask);
+      };
+      asking_ahead(s, b, at, body, contact_list, s.trial);
       change = in_place;
     }
-    SpeedBound speeds{box.strain_rate};
+    SpeedBound speeds{at.next_box.strain_rate};
     for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
       auto const slot = block.first + i;
       auto r = simd::load_records(s.now.record.data() + slot);
@@ -103,7 +121,6 @@ struct BlockStep<L, R, S> {
       auto const after = Scheme::velocity(r.velocity(), w.velocity);
       r = simd::make_records(Scheme::position(r.position(), after, Pack(time_step)), after);
       simd::store_records(s.now.record.data() + slot, r);
-      seen(slot, r);
       if constexpr (rotates) {
         auto* const spin = s.now.spin.data() + slot;
         Scheme::velocity(Pack::load(spin), w.spin).store(spin);
@@ -117,7 +134,7 @@ struct BlockStep<L, R, S> {
   /// the damping of w.
   template <class Observer>
   void observe(BlockSystem const& s, Block const& block, Force* force, Observer&& observer) const {
-    auto const& w = s.implicit.solution();
+    auto const& w = solution(s);
     copy_halo(s.blocks, block, w);
     Forces::clear(block, force);
     double const* spins = nullptr;
@@ -132,7 +149,11 @@ struct BlockStep<L, R, S> {
     }
   }
 
-  DrivePower drive_power(BlockSystem const&, Block const&, Real, Force const*) const { return {}; }
+  /// Sums of the configuration where the step began.
+  BlockReport measure(BlockSystem const& s, std::uint32_t b, StepAt const& at, Force* force) const {
+    at.sums[b] = measure_block(*this, s, b, at.box.strain_rate, force);
+    return {};
+  }
 
   /// Powers of a pack of disks from i on, after observe(), as in ImplicitForces. r, spin: of these
   /// disks.
@@ -141,7 +162,7 @@ struct BlockStep<L, R, S> {
                            Real strain_rate) const {
     auto const slot = block.first + i;
     auto const a = load_motions(s.trial.record.data() + slot),
-               w = load_motions(s.implicit.solution().data() + slot);
+               w = load_motions(solution(s).data() + slot);
     auto const f = simd::load_forces(force + i);
     Kick const weighed(s.table, weighed_time_step());
     auto const left = a.velocity - w.velocity + weighed.per_mass(big) * f.force();
@@ -164,6 +185,16 @@ struct BlockStep<L, R, S> {
 
  private:
   using Pack = simd::Pack;
+  using Records = Blocks::Array<simd::Record>;
+  using Arrays = std::initializer_list<Records const*>;
+
+  /// w_k+1, from which iteration k starts: a for w_1.
+  static Records const& iterate_of(BlockSystem const& s, int k) {
+    return k == 0 ? s.trial.record : s.more_records[(k - 1) % 2];
+  }
+  static Records const& solution(BlockSystem const& s) {
+    return s.more_records[(iterations - 1) % 2];
+  }
 
   Real weighed_time_step() const { return Scheme::theta * time_step; }
 
@@ -206,14 +237,13 @@ struct BlockStep<L, R, S> {
 
   /// to: [block.padded]; may be the array of forces. ask(): called for each pack of pairs.
   template <class Ask>
-  void iterate(BlockSystem const& s, Block const& block, int k, Force* force, simd::Record* to,
-               Ask&& ask) const {
-    auto const& solve = s.implicit;
-    auto const& now = solve.now(k, s.trial.record);
+  void iterate(BlockSystem const& s, Block const& block, StepAt const& at, int k, Force* force,
+               simd::Record* to, Ask&& ask) const {
+    auto const& now = iterate_of(s, k);
     copy_halo(s.blocks, block, now);
     Forces::clear(block, force);
     add_damping(s, block, now.data() + block.first, force, ask);
-    auto const by = solve.iterations.iteration[k];
+    auto const by = ChebyshevIterations(at.total.coupling, roots).iteration[k];
     auto const* const start = s.trial.record.data() + block.first;
     auto const* const before = now.data() + block.first;
     RowBySpecies const per(s.table, by.of_coupling * weighed_time_step());
@@ -241,10 +271,9 @@ struct BlockStep<L, R, S> {
                    Force* force, Ask& ask) const {
     for (int c = 0; c < pair_classes; ++c) {
       PairClass const of(c);
-      each_pack(
-          s.blocks, block, contact_list, c,
-          Damp<Ask>{of, weight_of(of), forces.law, moving, s.now.record.data() + block.first,
-                    s.blocks.near[contact_list].data(), s.implicit.separation.data(), force, ask});
+      each_pack(s.blocks, block, contact_list, c,
+                Damp<Ask>{of, weight_of(of), forces.law, moving, s.now.record.data() + block.first,
+                          s.blocks.near[contact_list].data(), s.of_pairs.data(), force, ask});
     }
   }
 
@@ -294,7 +323,7 @@ struct BlockStep<L, R, S> {
       for (std::uint32_t k = 0; k < block.near[contact_list][c]; k += simd::width) {
         auto const at = block.pairs[c] + k;
         auto const d = simd::load_differences(records, s.blocks.near[contact_list].data() + at);
-        auto* const kept = s.implicit.separation.data() + 2 * at;
+        auto* const kept = s.of_pairs.data() + 2 * at;
         d.x.store(kept);
         d.y.store(kept + simd::width);
       }

@@ -44,8 +44,4 @@ struct FlightDeviation {
   }
 };
 
-struct NoFlightDeviation {
-  void operator()(std::uint32_t, simd::Records const&) const {}
-};
-
 }  // namespace bagnold

@@ -8,6 +8,7 @@
 #include "kernels/cpu/steps/block_drive.hpp"
 #include "kernels/cpu/steps/block_forces.hpp"
 #include "kernels/cpu/steps/block_stepper.hpp"
+#include "kernels/cpu/steps/block_sums.hpp"
 #include "kernels/cpu/steps/kick.hpp"
 #include "kernels/physics/schemes/forms.hpp"
 #include "kernels/physics/schemes/second_stage.hpp"
@@ -24,14 +25,12 @@ struct BlockStep<L, R, S> {
   using Forces = BlockForces<Law, Repulsion>;
   using Force = typename Forces::Force;
 
-  static constexpr int observed_forces = 1;
   static constexpr StepNeeds needs{.rotates = rotates,
                                    .lists_contacts = false,
                                    .trial_spins = rotates,
                                    .trial_is_change = false,
                                    .evaluations = 2,
-                                   .observed_forces = observed_forces,
-                                   .force_bytes = sizeof(Force),
+                                   .scratch = sizeof(Force) + sizeof(simd::Record),
                                    .costs = {.by_itself = 7, .contact = 39, .few_below = 0.3}};
 
   Forces forces;
@@ -44,16 +43,30 @@ struct BlockStep<L, R, S> {
 
   SecondStage const* second_stage() const { return nullptr; }
 
+  /// The halo of a pass is of what the pass before it wrote: `now`, then the trial state.
+  template <class Add>
+  static void each_pass(Add const& add) {
+    add(&BlockStep::predict, Awaits::neighbours);
+    add(&BlockStep::measure, Awaits::neighbours, true);
+    add(&BlockStep::correct, Awaits::own);
+  }
+  template <class Add>
+  static void each_pass_for_few(Add const& add) {
+    add(&BlockStep::predict_few, Awaits::neighbours);
+    add(&BlockStep::measure, Awaits::neighbours, true);
+    add(&BlockStep::correct_few, Awaits::own);
+  }
+
   /// First half: trial state at t + dt from forces at t.
-  BlockReport predict(BlockSystem const& s, std::uint32_t b, ShearedBox const& box,
-                      Force* force) const {
+  BlockReport predict(BlockSystem const& s, std::uint32_t b, StepAt const& at, Force* force) const {
     Block const& block = s.blocks.block(b);
-    refresh_halo(s.blocks, block, s.now, box);
+    refresh_halo(s.blocks, block, s.now, at.box);
     bring_near(s.blocks, block, s.trial);
-    asking_ahead(s, b, first_half_of_step, inner_list, [&](auto&& ask) {
+    auto const evaluate = [&](auto&& ask) {
       forces.evaluate(s, block, s.now, force, [&](PackOfPairs const&) { ask(); });
-    });
-    if (drive) drive->add(s, block, s.now, box.strain_rate, force);
+    };
+    asking_ahead(s, b, at, evaluate, inner_list, s.now);
+    if (drive) drive->add(s, block, s.now, at.box.strain_rate, force);
     Kick const kick(s.table, time_step);
     for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
       auto const slot = block.first + i;
@@ -70,21 +83,20 @@ struct BlockStep<L, R, S> {
     return {};
   }
 
-  /// Second half: the state at t + dt from forces at the trial state, observed or not. seen(slot,
-  /// records): called with the new motion of each pack of disks.
-  template <class Seen>
-  BlockReport correct(BlockSystem const& s, std::uint32_t b, ShearedBox const& box, Force* force,
-                      bool, Seen const& seen) const {
+  /// Second half: the state at t + dt from forces at the trial state.
+  BlockReport correct(BlockSystem const& s, std::uint32_t b, StepAt const& at, Force* force) const {
     Block const& block = s.blocks.block(b);
+    ShearedBox const& box = at.next_box;
     refresh_halo(s.blocks, block, s.trial, box);
     bring_near(s.blocks, block, s.now);
     OverlapBound overlaps;
-    asking_ahead(s, b, second_half_of_step, inner_list, [&](auto&& ask) {
+    auto const evaluate = [&](auto&& ask) {
       forces.evaluate(s, block, s.trial, force, [&](PackOfPairs const& p) {
         overlaps(p);
         ask();
       });
-    });
+    };
+    asking_ahead(s, b, at, evaluate, inner_list, s.trial);
     if (drive) drive->add(s, block, s.trial, box.strain_rate, force);
     Kick const kick(s.table, time_step / 2);
     SpeedBound speeds{box.strain_rate};
@@ -96,7 +108,6 @@ struct BlockStep<L, R, S> {
       auto const big = simd::nonzero(s.species.data() + slot);
       correct(r, t, f, kick.per_mass(big));
       simd::store_records(s.now.record.data() + slot, r);
-      seen(slot, r);
       if constexpr (rotates) {
         auto* const spin = s.now.spin.data() + slot;
         auto const trial = Pack::load(s.trial.spin.data() + slot);
@@ -109,12 +120,13 @@ struct BlockStep<L, R, S> {
   }
 
   /// First half where few of the near pairs touch.
-  BlockReport predict_few(BlockSystem const& s, ActiveDisks const& active, std::uint32_t b,
-                          ShearedBox const& box, Force* force) const {
+  BlockReport predict_few(BlockSystem const& s, std::uint32_t b, StepAt const& at,
+                          Force* force) const {
     Block const& block = s.blocks.block(b);
+    ActiveDisks const& active = *at.active;
     auto const* const now = s.now.record.data() + block.first;
     auto* const trial = s.trial.record.data() + block.first;
-    refresh_halo(s.blocks, block, s.now, box);
+    refresh_halo(s.blocks, block, s.now, at.box);
     active.count(b) = 0;
     active.find(s.blocks, b, now, force);
     forces.add(s, block, contact_list, s.now, force, NoPackObserver{});
@@ -122,23 +134,26 @@ struct BlockStep<L, R, S> {
     if constexpr (rotates) std::copy_n(spins(s.now, block), block.padded, spins(s.trial, block));
     Kick const kick(s.table, time_step);
     active.each_pack(
-        block, active.count(b), s.species.data(), [&](std::uint16_t const* at, simd::Mask big) {
-          auto r = simd::load_records(now, at);
-          auto const f = simd::load_forces(force, at);
+        block, active.count(b), s.species.data(), [&](std::uint16_t const* index4, simd::Mask big) {
+          auto r = simd::load_records(now, index4);
+          auto const f = simd::load_forces(force, index4);
           predict(r, f, kick.per_mass(big));
-          simd::store_records(trial, at, r);
+          simd::store_records(trial, index4, r);
           if constexpr (rotates)
-            simd::store(spins(s.trial, block), at,
-                        Scheme::trial_velocity(simd::load(spins(s.now, block), at),
+            simd::store(spins(s.trial, block), index4,
+                        Scheme::trial_velocity(simd::load(spins(s.now, block), index4),
                                                f.torque_per_diameter, kick.per_inertia(big)));
         });
     return {};
   }
 
-  /// Second half where few of the near pairs touch. moved: scratch, [most_local].
-  BlockReport correct_few(BlockSystem const& s, ActiveDisks const& active, std::uint32_t b,
-                          ShearedBox const& box, Force* force, bool, simd::Record* moved) const {
+  /// Second half where few of the near pairs touch.
+  BlockReport correct_few(BlockSystem const& s, std::uint32_t b, StepAt const& at,
+                          Force* force) const {
     Block const& block = s.blocks.block(b);
+    ShearedBox const& box = at.next_box;
+    ActiveDisks const& active = *at.active;
+    auto* const moved = reinterpret_cast<simd::Record*>(force + s.blocks.most_local);
     auto* const now = s.now.record.data() + block.first;
     auto const* const trial = s.trial.record.data() + block.first;
     refresh_halo(s.blocks, block, s.trial, box);
@@ -149,28 +164,36 @@ struct BlockStep<L, R, S> {
     SpeedBound speeds{box.strain_rate};
     auto* to = moved;
     active.each_pack(
-        block, active.count(b), s.species.data(), [&](std::uint16_t const* at, simd::Mask big) {
-          auto r = simd::load_records(now, at);
-          auto const f = simd::load_forces(force, at);
-          correct(r, simd::load_records(trial, at), f, kick.per_mass(big));
+        block, active.count(b), s.species.data(), [&](std::uint16_t const* index4, simd::Mask big) {
+          auto r = simd::load_records(now, index4);
+          auto const f = simd::load_forces(force, index4);
+          correct(r, simd::load_records(trial, index4), f, kick.per_mass(big));
           simd::store_records(to, r);
           to += simd::width;
           if constexpr (rotates) {
             auto* const spin = spins(s.now, block);
-            auto const trial_spin = simd::load(spins(s.trial, block), at);
-            simd::store(spin, at,
-                        Scheme::velocity(simd::load(spin, at), trial_spin, f.torque_per_diameter,
-                                         kick.per_inertia(big)));
+            auto const trial_spin = simd::load(spins(s.trial, block), index4);
+            simd::store(spin, index4,
+                        Scheme::velocity(simd::load(spin, index4), trial_spin,
+                                         f.torque_per_diameter, kick.per_inertia(big)));
           }
           speeds(r, r.y);
         });
     simd::fly(now, now, block.padded, time_step);
-    auto const* const at = active.list.data() + block.first;
+    auto const* const list = active.list.data() + block.first;
     for (std::uint32_t k = 0; k < active.count(b); ++k) {
-      simd::at(now, at[k]) = moved[k];
-      active.is_active(block.first + at[k] / 4u) = 0;
+      simd::at(now, list[k]) = moved[k];
+      active.is_active(block.first + list[k] / 4u) = 0;
     }
     return report(speeds, overlaps);
+  }
+
+  /// Sums of the configuration where the step began, and powers of the drive.
+  BlockReport measure(BlockSystem const& s, std::uint32_t b, StepAt const& at, Force* force) const {
+    Real const rate = at.box.strain_rate;
+    at.sums[b] = measure_block(*this, s, b, rate, force);
+    if (drive) at.drive_powers[b] = drive->power(s, s.blocks.block(b), rate);
+    return {};
   }
 
   /// Shows all pairs of the inner list to an observer, at their state between the two halves of a
@@ -178,12 +201,6 @@ struct BlockStep<L, R, S> {
   template <class Observer>
   void observe(BlockSystem const& s, Block const& block, Force* force, Observer&& observer) const {
     forces.evaluate(s, block, s.now, force, observer);
-  }
-
-  /// Powers of the drive.
-  DrivePower drive_power(BlockSystem const& s, Block const& block, Real strain_rate,
-                         Force const*) const {
-    return drive->power(s, block, strain_rate);
   }
 
   /// Powers of a pack of disks from i on, after observe(). spin: of these disks.

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <stdexcept>
 #include <utility>
 
 #include "kernels/cpu/islands/binary_collisions.hpp"
@@ -11,102 +10,83 @@
 
 namespace bagnold {
 
+/// LonePairs of one law, repulsion and scheme.
+template <class Collisions>
+class LonePairsOf final : public LonePairs {
+ public:
+  explicit LonePairsOf(Collisions const& collisions) : collisions_(collisions) {}
+
+  BinaryOutcome collide(BinaryDisk* a, BinaryDisk* b, int count, std::int64_t steps,
+                        Real strain_rate, FlightTimes const& flights, SampleTimes const& times,
+                        BlockSums* sums, LaneDetector* detector) const override {
+    Collisions collisions = collisions_;
+    collisions.strain_rate = strain_rate;
+    if (detector != nullptr)
+      return collisions.run(a, b, count, steps, flights, times, sums, *detector);
+    return collisions.run(a, b, count, steps, flights, times, sums, NoLaneDetector{});
+  }
+
+ private:
+  Collisions collisions_;
+};
+
+/// Pass of a BlockStep, one of its members.
+template <class Step>
+class PassOf final : public BlockPass {
+ public:
+  using Run = BlockReport (Step::*)(BlockSystem const&, std::uint32_t b, StepAt const&,
+                                    typename Step::Force* scratch) const;
+
+  PassOf(Step const& step, Run run, Awaits awaits, bool sampled)
+      : BlockPass(awaits, sampled), step_(step), run_(run) {}
+
+  BlockReport run(BlockSystem const& s, std::uint32_t b, StepAt const& at,
+                  void* scratch) const override {
+    return (step_.*run_)(s, b, at, static_cast<typename Step::Force*>(scratch));
+  }
+
+ private:
+  Step const& step_;
+  Run run_;
+};
+
 /// BlockStepper of one law, repulsion and scheme. Step: a BlockStep.
 template <class Step>
 class StepperOf final : public BlockStepper {
  public:
   using Law = typename Step::Law;
   using Repulsion = typename Step::Repulsion;
-
   using Drive = BlockDrive<typename Step::Force, Step::rotates>;
 
   /// drive: null for none.
   StepperOf(Law const& law, Repulsion const& repulsion, SpeciesTable const& table, Real time_step,
             std::unique_ptr<Drive const> drive)
       : BlockStepper(needs_of(drive != nullptr)),
-        step_(law, repulsion, table, time_step, std::move(drive)),
-        table_(table) {}
-
-  BlockReport predict(BlockSystem const& s, std::uint32_t b, ShearedBox const& box,
-                      void* force) const override {
-    return step_.predict(s, b, box, forces(force));
-  }
-
-  BlockReport correct(BlockSystem const& s, std::uint32_t b, ShearedBox const& box, void* force,
-                      bool observed, FlightDeviation* seen) const override {
-    if (seen != nullptr) return step_.correct(s, b, box, forces(force), observed, *seen);
-    return step_.correct(s, b, box, forces(force), observed, NoFlightDeviation{});
-  }
-
-  void iterate(BlockSystem const& s, std::uint32_t b, int k, void* force) const override {
-    if constexpr (iterates)
-      step_.iterate(s, b, k, forces(force));
-    else
-      not_of_this_form();
-  }
-
-  BlockReport predict_few(BlockSystem const& s, ActiveDisks const& active, std::uint32_t b,
-                          ShearedBox const& box, void* force) const override {
-    if constexpr (iterates)
-      not_of_this_form();
-    else
-      return step_.predict_few(s, active, b, box, forces(force));
-  }
-
-  BlockReport correct_few(BlockSystem const& s, ActiveDisks const& active, std::uint32_t b,
-                          ShearedBox const& box, void* force, bool observed,
-                          simd::Record* moved) const override {
-    if constexpr (iterates)
-      not_of_this_form();
-    else
-      return step_.correct_few(s, active, b, box, forces(force), observed, moved);
-  }
-
-  BlockSums measure(BlockSystem const& s, std::uint32_t b, Real strain_rate,
-                    void* force) const override {
-    return measure_block(step_, s, b, strain_rate, forces(force));
-  }
-
-  DrivePower drive_power(BlockSystem const& s, std::uint32_t b, Real strain_rate,
-                         void* force) const override {
-    return step_.drive_power(s, s.blocks.block(b), strain_rate, forces(force));
-  }
-
-  BinaryOutcome collide(BinaryDisk* a, BinaryDisk* b, int count, std::int64_t steps,
-                        Real strain_rate, FlightTimes const& flights, SampleTimes const& times,
-                        BlockSums* sums, LaneDetector* detector) const override {
-    if constexpr (iterates) {
-      not_of_this_form();
-    } else {
-      BinaryCollisions<Law, Repulsion, typename Step::Scheme> const collisions{
-          step_.forces.law, step_.forces.repulsion, table_, step_.time_step,
-          strain_rate,      step_.second_stage()};
-      if (detector != nullptr)
-        return collisions.run(a, b, count, steps, flights, times, sums, *detector);
-      return collisions.run(a, b, count, steps, flights, times, sums, NoLaneDetector{});
+        step_(law, repulsion, table, time_step, std::move(drive)) {
+    Step::each_pass(adding_to(many));
+    if constexpr (requires { Step::each_pass_for_few(adding_to(few)); }) {
+      if (needs.driven) return;
+      Step::each_pass_for_few(adding_to(few));
+      using Pairs = BinaryCollisions<Law, Repulsion, typename Step::Scheme>;
+      lone_pairs = std::make_unique<LonePairsOf<Pairs>>(
+          Pairs{law, repulsion, table, time_step, 0, step_.second_stage()});
     }
   }
 
  private:
-  static constexpr bool iterates = ImplicitScheme<typename Step::Scheme>;
-
-  /// Never reached: engines read `needs` before they call.
-  [[noreturn]] static void not_of_this_form() {
-    throw std::logic_error("a step that the scheme has not");
-  }
-
   static StepNeeds needs_of(bool driven) {
     StepNeeds needs = Step::needs;
     needs.driven = driven;
     return needs;
   }
 
-  static typename Step::Force* forces(void* scratch) {
-    return static_cast<typename Step::Force*>(scratch);
+  auto adding_to(BlockPasses& passes) {
+    return [&](typename PassOf<Step>::Run run, Awaits awaits, bool sampled = false) {
+      passes.push_back(std::make_unique<PassOf<Step>>(step_, run, awaits, sampled));
+    };
   }
 
   Step step_;
-  SpeciesTable table_;
 };
 
 }  // namespace bagnold

@@ -8,6 +8,7 @@
 #include "kernels/cpu/steps/block_drive.hpp"
 #include "kernels/cpu/steps/block_forces.hpp"
 #include "kernels/cpu/steps/block_stepper.hpp"
+#include "kernels/cpu/steps/block_sums.hpp"
 #include "kernels/cpu/steps/contact_lister.hpp"
 #include "kernels/cpu/steps/kick.hpp"
 #include "kernels/physics/schemes/forms.hpp"
@@ -27,14 +28,12 @@ struct BlockStep<L, R, S> {
   using Forces = BlockForces<Law, Repulsion, true>;
   using Force = typename Forces::Force;
 
-  static constexpr int observed_forces = 2;
   static constexpr StepNeeds needs{.rotates = rotates,
                                    .lists_contacts = true,
                                    .trial_spins = false,
                                    .trial_is_change = true,
                                    .evaluations = 1,
-                                   .observed_forces = observed_forces,
-                                   .force_bytes = sizeof(Force),
+                                   .scratch = 2 * sizeof(Force),
                                    .costs = {.by_itself = 5, .contact = 33, .few_below = 0.6}};
 
   Forces forces;
@@ -51,15 +50,28 @@ struct BlockStep<L, R, S> {
 
   SecondStage const* second_stage() const { return &shares; }
 
+  /// The halo of a pass is of what the pass before it wrote: `now`, then the changes.
+  template <class Add>
+  static void each_pass(Add const& add) {
+    add(&BlockStep::predict, Awaits::neighbours);
+    add(&BlockStep::measure, Awaits::neighbours, true);
+    add(&BlockStep::correct, Awaits::own);
+  }
+  template <class Add>
+  static void each_pass_for_few(Add const& add) {
+    add(&BlockStep::predict_few, Awaits::neighbours);
+    add(&BlockStep::measure, Awaits::neighbours, true);
+    add(&BlockStep::correct_few, Awaits::own);
+  }
+
   /// First half: the changes by the forces at t. force: scratch, [most_local].
-  BlockReport predict(BlockSystem const& s, std::uint32_t b, ShearedBox const& box,
-                      Force* force) const {
+  BlockReport predict(BlockSystem const& s, std::uint32_t b, StepAt const& at, Force* force) const {
     Block const& block = s.blocks.block(b);
-    refresh_halo(s.blocks, block, s.now, box);
+    refresh_halo(s.blocks, block, s.now, at.box);
     bring_near(s.blocks, block, s.trial);
     Forces::clear(block, force);
-    BlockReport const report = add_and_list(forces, s, b, force);
-    if (drive) drive->add(s, block, s.now, box.strain_rate, force);
+    BlockReport const report = add_and_list(forces, s, b, at, force);
+    if (drive) drive->add(s, block, s.now, at.box.strain_rate, force);
     Kick const kick(s.table, time_step);
     for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
       auto const f = simd::load_forces(force + i);
@@ -69,22 +81,19 @@ struct BlockStep<L, R, S> {
     return report;
   }
 
-  /// Second half: the damping of the changes, and the state at t + dt. observed: force is as
-  /// observe() left it. seen(slot, records): called with the new motion of each pack of disks.
-  template <class Seen>
-  BlockReport correct(BlockSystem const& s, std::uint32_t b, ShearedBox const& box, Force* force,
-                      bool observed, Seen const& seen) const {
+  /// Second half: the damping of the changes, and the state at t + dt.
+  BlockReport correct(BlockSystem const& s, std::uint32_t b, StepAt const& at, Force* force) const {
     Block const& block = s.blocks.block(b);
-    if (observed) {
+    if (at.sums != nullptr) {
       force += s.blocks.most_local;
     } else {
       Forces::clear(block, force);
-      asking_ahead(s, b, second_half_of_step, contact_list,
-                   [&](auto&& ask) { add_second(s, block, force, ask); });
+      asking_ahead(
+          s, b, at, [&](auto&& ask) { add_second(s, block, force, ask); }, contact_list, s.trial);
       if (drive) drive->add_second(s, block, force);
     }
     Kick const kick(s.table, time_step);
-    SpeedBound speeds{box.strain_rate};
+    SpeedBound speeds{at.next_box.strain_rate};
     for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
       auto const slot = block.first + i;
       auto r = simd::load_records(s.now.record.data() + slot);
@@ -94,7 +103,6 @@ struct BlockStep<L, R, S> {
       auto const after = accelerated(r, change, f, kick.per_mass(big));
       r = simd::make_records(Scheme::position(r.position(), after, Pack(time_step)), after);
       simd::store_records(s.now.record.data() + slot, r);
-      seen(slot, r);
       if constexpr (rotates) {
         auto* const spin = s.now.spin.data() + slot;
         spun(Pack::load(spin), change, f, kick.per_inertia(big)).store(spin);
@@ -105,11 +113,12 @@ struct BlockStep<L, R, S> {
   }
 
   /// First half where few of the near pairs touch.
-  BlockReport predict_few(BlockSystem const& s, ActiveDisks const& active, std::uint32_t b,
-                          ShearedBox const& box, Force* force) const {
+  BlockReport predict_few(BlockSystem const& s, std::uint32_t b, StepAt const& at,
+                          Force* force) const {
     Block const& block = s.blocks.block(b);
+    ActiveDisks const& active = *at.active;
     auto* const change = s.trial.record.data() + block.first;
-    refresh_halo(s.blocks, block, s.now, box);
+    refresh_halo(s.blocks, block, s.now, at.box);
     auto const* const before = active.list.data() + block.first;
     for (std::uint32_t k = 0; k < active.count(b); ++k) simd::at(change, before[k]) = {};
     active.count(b) = 0;
@@ -117,40 +126,43 @@ struct BlockStep<L, R, S> {
     OverlapBound overlaps;
     forces.add(s, block, contact_list, s.now, force, overlaps);
     Kick const kick(s.table, time_step);
-    active.each_pack(
-        block, active.count(b), s.species.data(), [&](std::uint16_t const* at, simd::Mask big) {
-          simd::store_records(change, at, change_of(kick, simd::load_forces(force, at), big));
-        });
+    active.each_pack(block, active.count(b), s.species.data(),
+                     [&](std::uint16_t const* index4, simd::Mask big) {
+                       simd::store_records(change, index4,
+                                           change_of(kick, simd::load_forces(force, index4), big));
+                     });
     return {0, simd::largest(overlaps.largest), overlaps.touching, 0};
   }
 
-  /// Second half where few of the near pairs touch. observed: force is as observe() left it.
-  BlockReport correct_few(BlockSystem const& s, ActiveDisks const& active, std::uint32_t b,
-                          ShearedBox const& box, Force* force, bool observed, simd::Record*) const {
+  /// Second half where few of the near pairs touch.
+  BlockReport correct_few(BlockSystem const& s, std::uint32_t b, StepAt const& at,
+                          Force* force) const {
     Block const& block = s.blocks.block(b);
+    ActiveDisks const& active = *at.active;
     auto* const now = s.now.record.data() + block.first;
     auto* const change = s.trial.record.data() + block.first;
-    if (observed) {
+    if (at.sums != nullptr) {
       force += s.blocks.most_local;
     } else {
       clear_touching(s, block, force);
       add_second(s, block, force, [] {});
     }
     Kick const kick(s.table, time_step);
-    SpeedBound speeds{box.strain_rate};
+    SpeedBound speeds{at.next_box.strain_rate};
     auto const* const list = active.list.data() + block.first;
     for (auto k = active.count(b); k < simd::round_up(active.count(b)); ++k)
       simd::at(force, list[k]) = Force{};
     active.each_pack(
-        block, active.count(b), s.species.data(), [&](std::uint16_t const* at, simd::Mask big) {
-          auto r = simd::load_records(now, at);
-          auto const of_first = simd::load_records(change, at);
-          auto const f = simd::load_forces(force, at);
+        block, active.count(b), s.species.data(), [&](std::uint16_t const* index4, simd::Mask big) {
+          auto r = simd::load_records(now, index4);
+          auto const of_first = simd::load_records(change, index4);
+          auto const f = simd::load_forces(force, index4);
           r = simd::make_records(r.position(), accelerated(r, of_first, f, kick.per_mass(big)));
-          simd::store_records(now, at, r);
+          simd::store_records(now, index4, r);
           if constexpr (rotates) {
             auto* const spin = s.now.spin.data() + block.first;
-            simd::store(spin, at, spun(simd::load(spin, at), of_first, f, kick.per_inertia(big)));
+            simd::store(spin, index4,
+                        spun(simd::load(spin, index4), of_first, f, kick.per_inertia(big)));
           }
           speeds(r, fma(time_step, r.vy, r.y));
         });
@@ -158,6 +170,16 @@ struct BlockStep<L, R, S> {
     for (std::uint32_t k = 0; k < active.count(b); ++k)
       active.is_active(block.first + list[k] / 4u) = 0;
     return {simd::largest(speeds.fastest2), 0, 0, simd::sum(speeds.nan_flag)};
+  }
+
+  /// Sums of the configuration where the step began, and powers of the drive. Leaves the forces of
+  /// observe() to the second half.
+  BlockReport measure(BlockSystem const& s, std::uint32_t b, StepAt const& at, Force* force) const {
+    Real const rate = at.box.strain_rate;
+    at.sums[b] = measure_block(*this, s, b, rate, force);
+    if (drive)
+      at.drive_powers[b] = drive->power(s, s.blocks.block(b), rate, force + s.blocks.most_local);
+    return {};
   }
 
   /// Shows the pairs that touch to an observer, with both stages together, between the two halves
@@ -171,12 +193,6 @@ struct BlockStep<L, R, S> {
     add_stage<true>(
         s, block, force, [] {}, observer);
     if (drive) drive->add_second(s, block, force + s.blocks.most_local);
-  }
-
-  /// Powers of the drive, after observe().
-  DrivePower drive_power(BlockSystem const& s, Block const& block, Real strain_rate,
-                         Force const* force) const {
-    return drive->power(s, block, strain_rate, force + s.blocks.most_local);
   }
 
   /// Powers of a pack of disks from i on, after observe(), as in ChangeForces. spin: of these

@@ -19,11 +19,11 @@ bool BatchIslands::run(BlockDisks const& disks, Lookahead& lookahead, LookaheadS
   lookahead.work.batches += static_cast<Real>(count);
   add_units(scratch);
   outcome_.assign(count, {});
+  sums_.resize(count);
   if (scratch.contacts)
     scratch.contacts.list_batches(system.blocks,
                                   [&](auto b, auto local) { return slot(b, local); });
-  auto const room = system.blocks.most_local * static_cast<std::size_t>(needs.observed_forces) *
-                    needs.force_bytes;
+  auto const room = system.blocks.most_local * needs.scratch;
   disks.loop->with_scratch<std::byte>(count, room, [&](std::uint32_t b, std::byte* force) {
     run_batch(b, disks, lookahead, scratch, force);
   });
@@ -60,14 +60,13 @@ void BatchIslands::add_units(LookaheadScratch& scratch) {
 void BatchIslands::run_batch(std::uint32_t b, BlockDisks const& disks, Lookahead const& lookahead,
                              LookaheadScratch& scratch, void* force) {
   auto const& system = batches_.system;
-  auto const& stepper = *disks.stepper;
   auto const& clock = disks.clock;
   auto const& times = scratch.times;
   auto& contacts = scratch.contacts;
   auto const unit = first_unit_ + b;
   auto const slot_of = [&](std::uint32_t batch, std::uint32_t local) { return slot(batch, local); };
-  ShearedBox box = scratch.start;  // islands are unfolded: no image is asked for
-  box.offset = 0;
+  StepAt at{.box = scratch.start, .next_box = scratch.start};
+  at.box.offset = at.next_box.offset = 0;  // islands are unfolded: no image is asked for
   auto const& flights = scratch.flights;
   FlightDeviation flight{batches_.origin.data(), batches_.flight_deviation2.data(), 0,
                          clock.time_step};
@@ -87,20 +86,20 @@ void BatchIslands::run_batch(std::uint32_t b, BlockDisks const& disks, Lookahead
       if (s == lookahead.steps()) break;
       if (contacts) contacts.detect(system, b, unit, s, slot_of);
     }
-    auto report = stepper.predict(system, b, box, force);
     bool const sampled = sample < times.size() && s == times.step(sample);
-    if (sampled) {
-      auto const bin = times.bin(sample);
-      scratch.results.sums[scratch.results.units[unit].sums + bin] +=
-          stepper.measure(system, b, flights.scale(s) * clock.strain_rate, force);
-      if (contacts) contacts.sample(system, b, unit, bin, s, slot_of);
-      ++sample;
-    }
+    auto const bin = sampled ? times.bin(sample++) : 0;
+    if (sampled && contacts) contacts.sample(system, b, unit, bin, s, slot_of);
+    at.box.strain_rate = flights.scale(s) * clock.strain_rate;
     auto const factor = flights.scale(s, s + 1);
     flight.time = flights.time(s + 1);
     flight.time_step = factor * clock.time_step;
     flight.scale = flights.scale(s);
-    report += stepper.correct(system, b, box, force, sampled, &flight);
+    at.sums = sampled ? sums_.data() : nullptr;
+    BlockReport report;
+    for (auto const& pass : disks.stepper->many)
+      if (sampled || !pass->sampled) report += pass->run(system, b, at, force);
+    if (sampled) scratch.results.sums[scratch.results.units[unit].sums + bin] += sums_[b];
+    flight.all_of(system.blocks.block(b), system.now.record.data());
     if (factor != 1) scale_motion(system.blocks.block(b), system.now, factor);
     idle = report.touching == 0;
     outcome_[b].touching += report.touching;

@@ -35,6 +35,7 @@ class BatchIslands {
   Batches batches_;
   std::size_t first_unit_ = 0;
   std::vector<Outcome> outcome_;  ///< by batch
+  std::vector<BlockSums> sums_;   ///< by batch, of the step that it does
 };
 
 }  // namespace bagnold

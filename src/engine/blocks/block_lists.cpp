@@ -151,7 +151,8 @@ Real BlockLists::room_at(std::int64_t step, Clock const& later, Real farthest) c
 
 void BlockLists::give_back_scratch() {
   disks_.system.trial = {};
-  disks_.system.implicit = {};
+  for (auto& more : disks_.system.more_records) more = {};
+  disks_.system.of_pairs = {};
   for (auto& near : disks_.system.blocks.near) near = {};
 }
 
@@ -171,13 +172,13 @@ void BlockLists::make_trial() {
   system.trial.record = disks_.loop->zeros<simd::Record>("dynamics::trial_record", blocks.slots);
   if (needs.trial_spins)
     system.trial.spin = disks_.loop->zeros<double>("dynamics::trial_spin", blocks.slots);
-  if (needs.terms > 0) {
-    for (auto& iterate : system.implicit.iterate)
-      iterate = disks_.loop->zeros<simd::Record>("dynamics::iterate", blocks.slots);
-    if (needs.rotates)
-      system.implicit.separation =
-          Blocks::room<double>("dynamics::separation", 2 * blocks.outer.extent(0));
-  }
+  for (int k = 0; k < needs.more_records; ++k)
+    system.more_records[k] =
+        disks_.loop->zeros<simd::Record>("dynamics::more_records", blocks.slots);
+  if (needs.numbers_per_pair > 0)
+    system.of_pairs = Blocks::room<double>(
+        "dynamics::of_pairs",
+        static_cast<std::size_t>(needs.numbers_per_pair) * blocks.outer.extent(0));
   for (std::uint32_t b = 0; b < blocks.count; ++b) make_inert(blocks.block(b));
 }
 

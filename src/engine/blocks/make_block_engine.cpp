@@ -9,9 +9,9 @@ namespace bagnold {
 
 namespace {
 
-Stepping stepping(EngineInput const& input, bool iterates) {
+Stepping stepping(EngineInput const& input, BlockStepper const& stepper) {
   auto const& engine = input.engine;
-  return input.drive || iterates         ? Stepping::many_contacts
+  return stepper.few.empty()             ? Stepping::many_contacts
          : engine == "many-contacts"     ? Stepping::many_contacts
          : engine == "few-contacts"      ? Stepping::few_contacts
          : !input.rates.scales_motions() ? Stepping::many_contacts
@@ -26,7 +26,7 @@ std::unique_ptr<Simulation> make_block_engine(EngineInput const& input, Snapshot
   auto loop = make_block_loop(backend);
   if (!loop) return nullptr;
   auto stepper = make(input);
-  auto const steps = stepping(input, stepper->needs.terms > 0);
+  auto const steps = stepping(input, *stepper);
   return std::make_unique<BlockEngine>(std::move(loop), std::move(stepper), steps, input.species,
                                        input.rates, input.time_step, input.skin, snapshot);
 }

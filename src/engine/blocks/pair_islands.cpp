@@ -54,9 +54,9 @@ bool PairIslands::run(BlockDisks const& disks, Islands const& islands, Lookahead
     }
     auto* const sums = results.sums.data() + results.units[first_unit + begin].sums;
     auto const collide = [&](LaneDetector* detector) {
-      outcome_[g] = disks.stepper->collide(a, b, static_cast<int>(end - begin), lookahead.steps(),
-                                           disks.clock.strain_rate, scratch.flights, scratch.times,
-                                           sums, detector);
+      outcome_[g] = disks.stepper->lone_pairs->collide(
+          a, b, static_cast<int>(end - begin), lookahead.steps(), disks.clock.strain_rate,
+          scratch.flights, scratch.times, sums, detector);
     };
     if (scratch.contacts) {
       auto detector = detector_of(begin, end);

@@ -14,20 +14,28 @@ void SingleSteps::advance(Sampling const& sampling, OpenWindows& windows) {
   make_room();
   auto const step = disks_.system.step;
   bool const sampled = sampling.sampled(step);
-  bool const iterates = disks_.stepper->needs.terms > 0;
-  if (windows.contacts || iterates) {  // in all blocks, between the halves of the step
-    auto const count = disks_.system.blocks.count;
-    first_half(0, count);
-    if (iterates) iterate(sampled);
-    if (windows.contacts)
-      detector_.detect(*disks_.loop, disks_.system, disks_.box_at(step), step, sampling, windows);
-    second_half(0, count, sampled);
-  } else {
-    Wavefront::Stage from{0, 0};
-    for (auto const& to : lists_.wavefront().stages) {
-      first_half(from.first_half, to.first_half);
-      second_half(from.second_half, to.second_half, sampled);
-      from = to;
+  StepAt at{.box = disks_.box_at(step), .next_box = disks_.box_at(step + 1)};
+  at.active = &active_;
+  if (sampled) {
+    at.sums = sums_.data();
+    at.drive_powers = drive_powers_.data();
+  }
+  auto const& rounds = rounds_[few][sampled];
+  auto const count = disks_.system.blocks.count;
+  for (std::size_t k = 0; k < rounds.size(); ++k) {
+    bool const first = k == 0, last = k + 1 == rounds.size();
+    if (last && windows.contacts)
+      detector_.detect(*disks_.loop, disks_.system, at.box, step, sampling, windows);
+    if (!last && rounds[k + 1].awaits == Awaits::neighbours &&
+        !(windows.contacts && k + 2 == rounds.size())) {
+      go_through_both(rounds[k], rounds[k + 1], at);
+      ++k;
+    } else {
+      go_through(rounds[k],
+                 first  ? Route{&lists_.wavefront().first_half, first_half_of_step}
+                 : last ? Route{&lists_.wavefront().second_half, second_half_of_step}
+                        : Route{},
+                 0, count, at);
     }
   }
   if (sampled) {
@@ -101,56 +109,53 @@ void SingleSteps::make_room() {
   listing_ = system.listing;
 }
 
-/// First half of the step for some blocks, in the order of the wavefront. It changes nothing that
-/// is visible outside.
-void SingleSteps::first_half(std::uint32_t begin, std::uint32_t end) {
-  auto const& system = disks_.system;
-  auto const& stepper = *disks_.stepper;
-  auto const box = disks_.box_at(disks_.system.step);
-  auto const room = system.blocks.most_local * stepper.needs.force_bytes;
-  disks_.loop->with_scratch<std::byte>(end - begin, room, [&](std::uint32_t k, std::byte* force) {
-    auto const b = lists_.wavefront().first_half[begin + k];
-    reports_(b) = few ? stepper.predict_few(system, active_, b, box, force)
-                      : stepper.predict(system, b, box, force);
-  });
+SingleSteps::Rounds SingleSteps::rounds_of(BlockPasses const& passes, bool sampled) {
+  Rounds rounds;
+  auto awaits = Awaits::neighbours;  // a pass that is left out leaves it to the next one
+  for (int k = 0; k < static_cast<int>(passes.size()); ++k) {
+    awaits = std::max(awaits, passes[k]->awaits);
+    if (passes[k]->sampled && !sampled) continue;
+    if (awaits != Awaits::own) rounds.push_back({awaits, k, k});
+    rounds.back().end = k + 1;
+    awaits = Awaits::own;
+  }
+  return rounds;
 }
 
-/// Iterations of the scheme. The last one belongs to the second half, unless the step is sampled.
-void SingleSteps::iterate(bool sampled) {
-  auto& system = disks_.system;
-  auto const& stepper = *disks_.stepper;
-  BlockReport total;
-  for (std::uint32_t b = 0; b < system.blocks.count; ++b) total += reports_(b);
-  system.implicit.iterations = {total.coupling, stepper.needs.terms};
-  auto const room = system.blocks.most_local * stepper.needs.force_bytes;
-  for (int k = 0; k < system.implicit.passes() - (sampled ? 0 : 1); ++k)
-    disks_.loop->with_scratch<std::byte>(
-        system.blocks.count, room,
-        [&](std::uint32_t b, std::byte* force) { stepper.iterate(system, b, k, force); });
+/// Two rounds in one way through memory: the second one follows behind the first.
+void SingleSteps::go_through_both(Round const& first, Round const& second, StepAt const& at) {
+  auto const& wavefront = lists_.wavefront();
+  Wavefront::Stage from{0, 0};
+  for (auto const& to : wavefront.stages) {
+    go_through(first, {&wavefront.first_half, first_half_of_step}, from.first_half, to.first_half,
+               at);
+    go_through(second, {&wavefront.second_half, second_half_of_step}, from.second_half,
+               to.second_half, at);
+    from = to;
+  }
 }
 
-/// Second half, and before it the sums of the configuration at which the step began.
-void SingleSteps::second_half(std::uint32_t begin, std::uint32_t end, bool sampled) {
+/// A round through some blocks, by their place on a route.
+void SingleSteps::go_through(Round const& round, Route const& route, std::uint32_t begin,
+                             std::uint32_t end, StepAt at) {
   if (begin == end) return;
   auto const& system = disks_.system;
-  auto const& stepper = *disks_.stepper;
-  auto const box = disks_.box_at(disks_.system.step + 1);
-  auto const rate = disks_.clock.strain_rate;
-  std::size_t const most = system.blocks.most_local;
-  std::size_t const moved = few ? most * sizeof(simd::Record) : 0;
-  auto const room =
-      most * static_cast<std::size_t>(stepper.needs.observed_forces) * stepper.needs.force_bytes;
-  disks_.loop->with_scratch<std::byte>(
-      end - begin, moved + room, [&](std::uint32_t k, std::byte* scratch) {
-        auto const b = lists_.wavefront().second_half[begin + k];
-        auto* const force = scratch + moved;
-        if (sampled) sums_(b) = stepper.measure(system, b, rate, force);
-        if (sampled && stepper.needs.driven)
-          drive_powers_(b) = stepper.drive_power(system, b, rate, force);
-        reports_(b) += few ? stepper.correct_few(system, active_, b, box, force, sampled,
-                                                 reinterpret_cast<simd::Record*>(scratch))
-                           : stepper.correct(system, b, box, force, sampled, nullptr);
-      });
+  auto const& passes = few ? disks_.stepper->few : disks_.stepper->many;
+  if (route.order != nullptr && system.blocks.beyond_cache())
+    at.next = system.blocks.next[route.half].data();
+  if (round.awaits == Awaits::all)
+    for (std::uint32_t b = 0; b < system.blocks.count; ++b) at.total += reports_(b);
+  auto const room = system.blocks.most_local * disks_.stepper->needs.scratch;
+  disks_.loop->with_scratch<std::byte>(end - begin, room, [&](std::uint32_t k, std::byte* scratch) {
+    auto const b = route.order != nullptr ? (*route.order)[begin + k] : begin + k;
+    auto here = at;
+    auto& report = reports_(b);
+    if (round.begin == 0) report = {};
+    for (here.pass = round.begin; here.pass < round.end; ++here.pass) {
+      auto const& pass = *passes[here.pass];
+      if (at.sums != nullptr || !pass.sampled) report += pass.run(system, b, here, scratch);
+    }
+  });
 }
 
 void SingleSteps::count_step() {

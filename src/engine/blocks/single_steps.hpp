@@ -27,7 +27,12 @@ class SingleSteps {
   bool few = false;            ///< steps for few contacts, until the next pruning
 
   SingleSteps(BlockDisks& disks, BlockLists& lists, ContactDetector& detector, Stepping stepping)
-      : disks_(disks), lists_(lists), detector_(detector), stepping_(stepping) {}
+      : disks_(disks), lists_(lists), detector_(detector), stepping_(stepping) {
+    for (bool const sampled : {false, true}) {
+      rounds_[false][sampled] = rounds_of(disks.stepper->many, sampled);
+      rounds_[true][sampled] = rounds_of(disks.stepper->few, sampled);
+    }
+  }
 
   /// One step of all disks.
   void advance(Sampling const& sampling, OpenWindows& windows);
@@ -50,11 +55,26 @@ class SingleSteps {
   void rebuild();
 
  private:
+  /// Passes of a step that a block goes through one after the other, but for those that are left
+  /// out.
+  struct Round {
+    Awaits awaits;   ///< of the first one
+    int begin, end;  ///< places in the step
+  };
+  using Rounds = std::vector<Round>;
+
+  /// Order of the blocks: as a wavefront takes them in a half of the step, or by their numbers.
+  struct Route {
+    std::vector<std::uint32_t> const* order = nullptr;
+    HalfOfStep half = first_half_of_step;
+  };
+
+  static Rounds rounds_of(BlockPasses const& passes, bool sampled);
   void keep_lists();
   void make_room();
-  void first_half(std::uint32_t begin, std::uint32_t end);
-  void iterate(bool sampled);
-  void second_half(std::uint32_t begin, std::uint32_t end, bool sampled);
+  void go_through_both(Round const& first, Round const& second, StepAt const& at);
+  void go_through(Round const& round, Route const& route, std::uint32_t begin, std::uint32_t end,
+                  StepAt at);
   void count_step();
   ListUse use_of_inner() const;
   void make_room_for_drive();
@@ -64,6 +84,7 @@ class SingleSteps {
   BlockLists& lists_;
   ContactDetector& detector_;
   Stepping stepping_;
+  Rounds rounds_[2][2];  ///< [for few contacts][of a step that is sampled]
   ActiveDisks active_;
   std::int64_t arrangement_ = 0, listing_ = 0;  ///< of the system, that there is room for
   Blocks::Array<BlockReport> reports_;          ///< by block
