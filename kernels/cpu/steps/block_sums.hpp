@@ -39,9 +39,8 @@ struct PackSums {
   }
 };
 
-/// Sums of one block over its pairs and its own disks (inert ones add zero), after it and its
-/// neighbours have been through the first half of a step, and before its second half. force:
-/// scratch, [Step::observed_forces][most_local].
+/// Sums of one block over its pairs and its own disks (inert ones add zero), before the last pass
+/// of a step. force: scratch, as Step::observe() needs it.
 template <class Step>
 BlockSums measure_block(Step const& step, BlockSystem const& s, std::uint32_t b, Real strain_rate,
                         typename Step::Force* force) {

@@ -127,7 +127,7 @@ struct BlockSystem {
   Blocks::Array<Species> species;  ///< by slot
   SpeciesTable table;
   BlockState now;
-  BlockState trial;  ///< result of the first half of a step for the second
+  BlockState trial;  ///< what the first pass of a step leaves to the later ones
   Blocks::Array<simd::Record> more_records[2];  ///< by slot, of a scheme that needs them
   Blocks::Array<double> of_pairs;               ///< numbers of each pair, in packs, likewise
   bool rotates = false;                         ///< spins are there
