@@ -3,7 +3,7 @@
 """count.py OBJECT: instructions and packed operations of each law's pair loop, for eight pairs.
 
 OBJECT is what pairs.cpp compiles to (target bagnold_kernel_operations), for x86-64 or AArch64. The loop is
-the innermost one of BlockForces::add_class, as objdump shows it: what runs once for a pack of pairs, eight
+the innermost one of BlockForces::add, as objdump shows it: what runs once for a pack of pairs, eight
 of AVX-512, four of AVX2, two of 128 bits; numbers are those of as many packs as eight pairs are. Loads and
 stores of the disks are in it, force scatter too. Packed operations are arithmetic on whole packs. On the
 stack: what finds no register.
@@ -63,7 +63,7 @@ def main():
     loops = {}
     for name, code in functions(sys.argv[1]).items():
         # In the caller, where the compiler has put it there.
-        law = re.search(r"BlockForces<bagnold::(\w+),.*add_class|PairLoop<bagnold::(\w+)>::run", name)
+        law = re.search(r"BlockForces<bagnold::(\w+),.*::add<|PairLoop<bagnold::(\w+)>::run", name)
         if law:
             loops.setdefault(law[1] or law[2], []).append(largest_loop(code))
     print(f"{'law':<8} {'instructions':>12} {'packed operations':>18} {'on the stack':>13}")
