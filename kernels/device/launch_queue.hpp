@@ -60,7 +60,7 @@ class LaunchQueue {
     Kokkos::deep_copy(space_, results_, Real(0));
   }
 
-  /// Of the reductions that are queued from now on.
+  /// Sets the limit of the reductions that are queued from now on.
   void set_limit(QueuedLimit const& limit) { limit_ = limit; }
 
   template <class Body>
@@ -81,7 +81,7 @@ class LaunchQueue {
     QueuedLimit limit;
   };
 
-  /// Of all that was queued, in order. Waits for it.
+  /// Results of all that was queued, in order. Waits for them.
   std::vector<Result> results() {
     Kokkos::deep_copy(space_, on_host_, results_);
     space_.fence();

@@ -34,7 +34,7 @@ struct Launches {
   }
 };
 
-/// The same loops by the threads of one team, from inside a kernel, with a barrier after each.
+/// Loops by the threads of one team, from inside a kernel, with a barrier after each.
 template <class Team>
 struct TeamLoops {
   Team const& team;

@@ -32,7 +32,7 @@ std::string with_bias(Run const& run, std::string_view name) {
   return bias ? fmt::format(", method {}%", rounded_bias(bias->value, bias->error)) : "";
 }
 
-/// Of a name, where observables and their estimates stand side by side.
+/// Estimate of a name with its error, where observables and estimates stand side by side.
 template <class Averages>
 std::string with_error(Averages const& of, std::string_view name) {
   auto const at = std::ranges::find(of.observables, name, &Observable::name);

@@ -14,7 +14,7 @@ namespace bagnold {
 /// name; "{}" stands for the value in the scene. Empty: the engine can.
 using WhyNot = std::string_view;
 
-/// What an engine can run (integration.engine).
+/// Abilities of an engine (integration.engine).
 struct Abilities {
   std::string_view engine;
   std::string_view scheme = {};  ///< the one it steps by; empty: any of kernels/physics/schemes
@@ -49,7 +49,7 @@ bool is_scheme_of_an_engine(std::string_view scheme);
 /// Refusals of what a scene asks for and an engine with these abilities cannot run.
 std::vector<Refusal> why_not(Scene const& scene, Abilities const& abilities);
 
-/// The same for the engine of the scene; and of a scheme that belongs to another engine.
+/// Refusals by the engine of the scene, and of a scheme that belongs to another engine.
 std::vector<Refusal> why_not(Scene const& scene);
 
 }  // namespace bagnold

@@ -76,7 +76,7 @@ void refuse_many_windows(double windows, std::string const& key, double value, d
                                  key, value, windows, most_windows, least));
 }
 
-/// Whether the engine adds up all contacts, and looks at no single configuration.
+/// True if the engine adds up all contacts, and looks at no single configuration.
 bool knows_all_contacts(Scene const& scene) {
   return abilities_of(scene).own_scheme && !scene.measure.correlations;
 }

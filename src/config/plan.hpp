@@ -33,7 +33,7 @@ struct Plan {
   std::int64_t trajectory_steps = 0;   ///< between frames of the trajectory; 0: none
   double strain_rate = 0;              ///< gammadot, where there is one, [1/tau_e]
   std::optional<Ramp> ramp{};          ///< how it changes, where it does
-  /// The same, where motions keep their excess over the flow; null: there is none.
+  /// Pieces in which motions keep their excess over the flow; null: there are none.
   std::shared_ptr<PieceTable const> pieces{};
   std::vector<WindowRow> rows{};  ///< windows, where they are not alike
   /// Steps of a piece after which a controller decides on the rate or the box; 0: there is none.

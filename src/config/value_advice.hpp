@@ -6,7 +6,7 @@
 
 namespace bagnold {
 
-/// What a key takes: true or false, an integer, any number, or any of them.
+/// Kind of value that a key takes: true or false, an integer, any number, or any of them.
 enum class Wanted { anything, choice, whole, number };
 
 /// Correction of a value written as in other languages: for 40,0 "a number has its decimals behind

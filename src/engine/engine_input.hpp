@@ -13,7 +13,7 @@ namespace bagnold {
 
 struct Scene;
 
-/// What choose the types of a scene's physics, and the constants of its law.
+/// Keys that choose the types of a scene's physics, and the constants of its law.
 struct PhysicsInput {
   DampingInput damping;
   double force_exponent = 2;  ///< alpha

@@ -74,7 +74,7 @@ std::size_t read_some(Descriptor const& file, std::filesystem::path const& path,
   }
 }
 
-/// Whether a file holds content and then tail, and nothing else.
+/// True if a file holds content and then tail, and nothing else.
 bool holds(std::filesystem::path const& path, std::span<std::byte const> content,
            std::span<std::byte const> tail) {
   bool same = true;

@@ -38,7 +38,7 @@ struct Checkpoint {
 /// The sealed file in memory.
 std::vector<std::byte> checkpoint_image(Checkpoint checkpoint);
 
-/// Its inverse. InputError where the bytes are not a checkpoint, whole and unchanged; `name` is for
+/// Reads a checkpoint. InputError where the bytes are not one, whole and unchanged; `name` is for
 /// messages.
 Checkpoint parse_checkpoint(std::string const& name, std::vector<std::byte> image);
 

@@ -12,7 +12,7 @@
 namespace bagnold::io {
 namespace {
 
-/// Of the run that a file belongs to; parts of a trajectory lie in a folder within it.
+/// Folder of the run that a file belongs to; parts of a trajectory lie in a folder within it.
 std::filesystem::path folder_of(std::filesystem::path const& path) {
   auto const folder = path.parent_path();
   auto const of_run = folder.extension() == ".parts" ? folder.parent_path() : folder;

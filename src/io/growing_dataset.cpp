@@ -15,7 +15,7 @@ namespace {
   throw FileError(fmt::format("{} cannot be read: {}", path, hdf5_reason()));
 }
 
-/// Of an open dataset; none: it is none, or a single number.
+/// Shape of an open dataset; empty: it is no dataset, or a single number.
 Shape shape_of_set(Handle const& set) {
   Handle const space(H5Dget_space(set.get()), H5Sclose);
   Shape shape(static_cast<std::size_t>(std::max(0, H5Sget_simple_extent_ndims(space.get()))));

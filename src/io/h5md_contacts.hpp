@@ -22,7 +22,7 @@ class H5mdContacts {
 
 bool has_contacts(Handle const& file);
 
-/// Those of the frames of a file, one after the other, bit for bit.
+/// Reads the contacts of the frames of a file, one after the other, bit for bit.
 class H5mdContactsReader {
  public:
   explicit H5mdContactsReader(Handle const& file) : file_(file) {}

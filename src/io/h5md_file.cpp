@@ -209,7 +209,7 @@ Images images_in(std::vector<std::int32_t> const& rows) {
   return out;
 }
 
-/// What is told of a frame by numbers, and of its state what is among them.
+/// Reads the numbers of a frame, and sets those that are part of its state.
 FrameNumbers numbers_of(Handle const& file, hsize_t frame, State& state) {
   auto const scalar = [&](char const* name) {
     return read_rows<double>(file, fmt::format("{}/{}/value", scalars, name), H5T_NATIVE_DOUBLE,

@@ -14,7 +14,7 @@
 
 namespace bagnold::io {
 
-/// What all frames of a trajectory have in common.
+/// Data that all frames of a trajectory share.
 struct TrajectoryHeader {
   std::string version;           ///< of Bagnold
   std::vector<double> diameter;  ///< [N], [d_s]
@@ -29,7 +29,7 @@ struct TrajectoryHeader {
 /// [N]: how many cell vectors along x and y to add to a position to follow a disk.
 using Images = std::vector<std::array<std::int32_t, 2>>;
 
-/// What a frame is, beside its state.
+/// Numbers of a frame, beside its state.
 struct FrameNumbers {
   std::int64_t step = 0;
   double strain = 0;   ///< since step 0
@@ -75,7 +75,7 @@ class H5mdFile {
 void for_each_frame(Handle const& file,
                     std::function<void(State const&, FrameNumbers const&)> const& visit);
 
-/// Whether the frames of an open file have strain, rate, offset and images.
+/// True if the frames of an open file have strain, rate, offset and images.
 bool has_numbers(Handle const& file);
 
 }  // namespace bagnold::io

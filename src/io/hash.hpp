@@ -12,7 +12,7 @@ namespace bagnold::io {
 /// xxh3, 64 bits, of the bytes.
 std::uint64_t xxh3(std::span<std::byte const> bytes);
 
-/// The same as 16 hexadecimal digits, as files hold it.
+/// XXH3 hash as 16 hexadecimal digits, as files hold it.
 std::string xxh3_hex(std::span<std::byte const> bytes);
 
 /// The xxh3 of bytes that come piece by piece.

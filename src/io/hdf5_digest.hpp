@@ -9,7 +9,7 @@
 
 namespace bagnold::io {
 
-/// What is in HDF5 files, as a reader sees it: a hash of every attribute and every dataset. Of
+/// Content of HDF5 files, as a reader sees it: a hash of every attribute and every dataset. Of
 /// several files: datasets that grow (of unlimited length) count as one behind the other, all else
 /// as the first file has it.
 class Hdf5Digest {

@@ -46,7 +46,7 @@ class Hdf5Reader {
   std::vector<std::string> texts(std::string const& path, hsize_t count) const;
   /// Does a dataset hold texts?
   bool holds_text(std::string const& path) const;
-  /// What lies in a group, by name; at most 10000.
+  /// Names of the members of a group; at most 10000.
   std::vector<std::string> members(std::string const& group) const;
 
   /// Attributes of a group, a dataset or the root "/".

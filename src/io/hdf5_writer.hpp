@@ -14,7 +14,7 @@
 
 namespace bagnold::io {
 
-/// What an attribute holds: one value, or several of one kind, at most 64 KiB of them.
+/// Value of an attribute: one, or several of one kind, at most 64 KiB of them.
 using Value =
     std::variant<std::string, double, std::int64_t, std::vector<double>, std::vector<std::int64_t>>;
 using Attributes = std::vector<std::pair<std::string, Value>>;
@@ -24,7 +24,7 @@ inline std::span<double const> flat(std::span<std::array<double, 2> const> rows)
   return rows.empty() ? std::span<double const>() : std::span(rows.front().data(), 2 * rows.size());
 }
 
-/// Whether every dataset carries the attribute `xxh3`: the hash of its raw little-endian content.
+/// Says if every dataset carries the attribute `xxh3`: the hash of its raw little-endian content.
 enum class Hashed { no, yes };
 
 /// Builds an HDF5 file in memory, so that a full disk shows only where the bytes are written

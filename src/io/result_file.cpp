@@ -10,7 +10,7 @@
 namespace bagnold::io {
 namespace {
 
-/// Of numbers that are n for each of some frames.
+/// Shape of a dataset of n numbers for each of some frames.
 Shape shape_of(std::vector<std::size_t> const& frames, std::size_t n) {
   Shape shape(frames.begin(), frames.end());
   shape.push_back(n);

@@ -19,7 +19,7 @@ struct Series {
   std::vector<double> value;  ///< [R][n]
 };
 
-/// What `result.h5` holds, see docs/files.md.
+/// Content of `result.h5`, see docs/files.md.
 struct Result {
   Attributes attributes;  ///< of the file root: provenance and the resolved scene
   std::vector<Series> series;

@@ -35,7 +35,7 @@ bool write_all(int pipe, std::span<std::byte const> bytes) {
   return true;
 }
 
-/// What the child does. Its death is expected: it leaves no core, and no words of libc.
+/// Work of the child. Its death is expected: it leaves no core, and no words of libc.
 [[noreturn]] void work_and_exit(std::function<std::vector<std::byte>()> const& work, int pipe) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // it has the run's lock open
   struct rlimit const none{};

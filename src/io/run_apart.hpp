@@ -8,8 +8,8 @@
 
 namespace bagnold::io {
 
-/// What `work` returns, found out in a child process: HDF5 can crash on a damaged file. Nothing
-/// where the child died or `work` threw. FileError where no process can be had.
+/// Runs `work` in a child process, as HDF5 can crash on a damaged file, and returns its result.
+/// Nothing where the child died or `work` threw. FileError where no process can be had.
 std::optional<std::vector<std::byte>> run_apart(
     std::function<std::vector<std::byte>()> const& work);
 

@@ -27,7 +27,7 @@ namespace {
 /// refuse the folder because somebody looks at it.
 constexpr std::chrono::milliseconds a_look{500};
 
-/// What the holder wrote, fit for a terminal.
+/// Text that the holder wrote, fit for a terminal.
 std::string holder(Descriptor const& file) {
   std::array<char, 256> text{};
   auto const got = ::pread(file.get(), text.data(), text.size(), 0);
@@ -54,7 +54,7 @@ bool locks_wanted() {
       fmt::format("BAGNOLD_LOCKS = {} in the environment (must be \"on\" or \"off\")", word));
 }
 
-/// What file systems and kernels say of a call that they do not have. 515 and 524 are of the
+/// Errors of file systems and kernels for a call that they do not have. 515 and 524 are of the
 /// kernel's own, which no header names (linux/errno.h: ENOIOCTLCMD, ENOTSUPP), and which DVS and
 /// some Lustre let through.
 bool has_no_locks(int error) {

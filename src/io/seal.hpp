@@ -15,7 +15,7 @@ namespace bagnold::io {
 
 inline constexpr std::size_t seal_bytes = 64;
 
-/// What belongs behind a content.
+/// Seal that belongs behind a content.
 std::string seal_of(std::span<std::byte const> content);
 
 /// Appends it.
@@ -24,14 +24,14 @@ void add_seal(std::vector<std::byte>& content);
 /// Replaces a file as a whole (replace_file) by a content and its seal. Throws FileError.
 void replace_sealed(std::filesystem::path const& path, std::span<std::byte const> content);
 
-/// Whether a seal, true or not, stands behind a content.
+/// True if a seal, right or wrong, stands behind a content.
 bool has_seal(std::span<std::byte const> content);
 
 /// Takes the seal off a sealed content. Returns an empty text, or why the seal is not true (the
 /// content is then left as it was): the file was cut short, changed or never finished.
 std::string remove_seal(std::vector<std::byte>& content);
 
-/// Whether a file is there and its seal is true. Throws FileError where it cannot be read.
+/// True if a file is there and its seal is right. Throws FileError where it cannot be read.
 bool is_sealed(std::filesystem::path const& path);
 
 }  // namespace bagnold::io

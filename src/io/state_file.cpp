@@ -92,7 +92,7 @@ void deal_out(std::vector<Row> values, std::span<State> states, std::vector<Row>
   }
 }
 
-/// What states in one file have in common.
+/// True if two states agree in what states in one file share.
 bool are_alike(State const& a, State const& b) {
   return a.box_aspect == b.box_aspect && a.time == b.time &&
          a.strain_rate.has_value() == b.strain_rate.has_value() && a.count() == b.count() &&
@@ -207,7 +207,7 @@ std::vector<State> sealed_states(std::string const& name, std::vector<std::byte>
   return states_in(name, std::move(image), expected_count);
 }
 
-/// What a child answers: first whether states follow, written anew, or a refusal.
+/// First word of a child's answer: states follow, written anew, or a refusal.
 enum class Answer : std::uint8_t { states, refusal };
 
 std::vector<std::byte> answer(Answer kind, std::span<std::byte const> content) {

@@ -35,7 +35,7 @@ void write_states(std::filesystem::path const& path, std::vector<State> states);
 /// Throws std::logic_error for states that cannot share a file.
 void put_states(Hdf5Writer& file, std::vector<State> states, std::string const& at = "");
 
-/// Its inverse, bit for bit; checks types and shapes but no value.
+/// Reads the states that put_states() wrote, bit for bit; checks types and shapes but no value.
 std::vector<State> get_states(Hdf5Reader const& file, std::string const& at = "",
                               std::optional<std::size_t> expected_count = std::nullopt);
 

@@ -7,7 +7,7 @@
 
 namespace bagnold::io {
 
-/// What in a folder has a name that matches all of `pattern`, a regular expression; nothing where
+/// Paths in a folder whose whole name matches `pattern`, a regular expression; none where
 /// it cannot be read.
 std::vector<std::filesystem::path> entries(std::filesystem::path const& folder,
                                            std::string const& pattern);
@@ -16,7 +16,7 @@ std::vector<std::filesystem::path> entries(std::filesystem::path const& folder,
 /// stand beside a NAME.h5md have been joined.
 std::vector<std::filesystem::path> trajectory_parts(std::filesystem::path const& folder);
 
-/// Whether all results of a run are there: the summary, and each trajectory whole.
+/// True if all results of a run are there: the summary, and each trajectory whole.
 bool run_finished(std::filesystem::path const& folder);
 
 }  // namespace bagnold::io

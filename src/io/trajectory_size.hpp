@@ -6,13 +6,13 @@
 
 namespace bagnold::io {
 
-/// What the trajectories of a run come to, all replicas together.
+/// Size of the trajectories of a run, all replicas together.
 struct TrajectorySize {
   double frames = 0;  ///< of each replica, the first state included
   double bytes = 0;   ///< of the files; twice that while parts are joined
 };
 
-/// Of the plan of a run that writes frames (plan.trajectory_steps > 0).
+/// Size by the plan of a run that writes frames (plan.trajectory_steps > 0).
 TrajectorySize trajectory_size(Scene const& scene, Plan const& plan);
 
 }  // namespace bagnold::io

@@ -7,7 +7,7 @@
 
 namespace bagnold::io {
 
-/// What ParaView, VTK and pyvista need to know of an H5MD file beside it: VTKHDF 2.0, an
+/// File that lets ParaView, VTK and pyvista read an H5MD file beside it: VTKHDF 2.0, an
 /// unstructured grid of vertices over time, with velocity, spin, diameter and species of each. Its
 /// datasets are virtual: the values are those in the H5MD file. time: [frames], [tau_e]. Throws
 /// FileError.

@@ -14,7 +14,7 @@ inline constexpr double fewest_collisions = 10;
 /// two small disks.
 double collisions_per_disk(Scene const& scene, double contacts, double strain);
 
-/// The same from the integral of Z over the time, [tau_e].
+/// Collisions a disk from the integral of Z over the time, [tau_e].
 double collisions_of(Scene const& scene, double contact_time);
 
 }  // namespace bagnold

@@ -72,7 +72,7 @@ double rate_of(Run const& run, std::size_t window) {
   return run.plan.mean_rate(static_cast<std::int64_t>(window));
 }
 
-/// The same of a replica, whose controller may have chosen its own.
+/// Mean strain rate of a replica in a window; a controller may have chosen its own.
 double rate_of(Run const& run, Replica const& replica, std::size_t window) {
   if (!run.plan.by_time) return rate_of(run, window);
   auto const& windows = replica.measurement.windows;

@@ -71,7 +71,7 @@ struct Cluster {
   Real end() const { return time + step; }
   std::uint32_t slot() const { return members.front().disk; }  ///< in the queue
 
-  /// Of a cluster that has just been made, by disk.
+  /// Member index of a disk, in a cluster that has just been made.
   std::uint32_t member(std::uint32_t disk) const {
     auto const found = std::ranges::lower_bound(members, disk, {}, &Member<Rotates>::disk);
     return static_cast<std::uint32_t>(found - members.begin());

@@ -18,7 +18,7 @@ class ClusterSeries {
   ClusterSeries(Material<Rotates> const& material, ImageShifts const& shifts)
       : material_(&material), shifts_(&shifts) {}
 
-  /// Of contact n of the cluster that was asked for last.
+  /// Series of contact n of the cluster that was asked for last.
   LinkSeries<Rotates> const& operator[](std::size_t n) const { return series_[n]; }
   std::size_t size() const { return series_.size(); }
 

@@ -56,7 +56,7 @@ class ClusterSteps {
     v.x = v.x - T((*shifts_)(link.other).velocity);
     return v;
   }
-  /// Of link n at the begin of the step that was planned last.
+  /// Relative overlap of link n at the begin of the step that was planned last.
   Real relative_overlap(Cluster<Rotates> const& cluster, std::size_t n) const {
     return 1 - series_[n].u[0] * series_[n].q[0] / distance(cluster, cluster.links[n]);
   }

@@ -37,7 +37,7 @@ void add_flight(Real* to, Real mass, Vec2<Real> const& position, Motion<Rotates>
   }
 }
 
-/// The same of a flight over which the speed of time changes. mass: at speed 1.
+/// Adds a flight over which the speed of time changes. mass: at speed 1.
 template <bool Rotates>
 void add_flight(Real* to, Real mass, Vec2<Real> const& position, Motion<Rotates> const& motion,
                 Real strain_rate, Speeds::Integrals const& over, Real weight) {

@@ -8,11 +8,11 @@
 
 namespace bagnold::events {
 
-/// Of a step of a cluster, at most: the phase of a lone contact's oscillation, and the exponent by
+/// Limits of a step of a cluster: the phase of a lone contact's oscillation, and the exponent by
 /// which its damping acts. Most steps are shorter, by their error.
 inline constexpr Real longest_phase = 1.5, longest_decay = 2;
 
-/// What acts between disks, and what they are.
+/// Contact law and masses of the disks, at one speed of time.
 template <bool Rotates>
 struct Material {
   SpeciesTable table;
@@ -39,7 +39,7 @@ struct Material {
     return material;
   }
 
-  /// The same where times are `speed` times as long: masses grow with its square, the damping with
+  /// Material where times are `speed` times as long: masses grow with its square, the damping with
   /// it, and forces, energies and kinetic stresses stay what they are.
   static Material of(LinearDamping<Rotates> const& damping, SpeciesTable table, Real speed) {
     for (auto* const of_disks : {&table.inverse_mass, &table.inverse_inertia})

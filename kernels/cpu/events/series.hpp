@@ -41,7 +41,7 @@ T value(Series const& c, T const& s) {
   return sum;
 }
 
-/// Its time derivative.
+/// Time derivative of the series at s.
 template <class T>
 T rate(Series const& c, T const& s) {
   T sum(series_order * c[series_order]);

@@ -31,7 +31,7 @@ class Speeds {
     changes_ = changes_ || speed != 1;
   }
 
-  /// Whether it has been other than 1.
+  /// True if the speed has been other than 1.
   bool change() const { return changes_; }
 
   Integrals between(Real from, Real until) const {

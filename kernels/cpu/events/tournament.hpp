@@ -63,7 +63,7 @@ class Tournament {
     std::uint32_t slot[4] = {};
   };
 
-  /// Of the child that has changed against the three others, that have met before it is known.
+  /// Plays the child that has changed against the three others, which meet before it is known.
   template <class Of>
   static void play(Winner& winner, std::uint32_t child, Of const& of) {
     Winner best = of(child == 0 ? 1 : 0);

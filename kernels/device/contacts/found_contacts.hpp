@@ -25,7 +25,7 @@ struct FoundContact {
   Real spin = 0;               ///< see contact_velocities()
 };
 
-/// What was found, in no particular order.
+/// Contacts that were found, in no particular order.
 template <class Space>
 struct FoundContacts {
   Kokkos::View<FoundContact*, Space> found;

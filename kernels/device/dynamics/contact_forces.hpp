@@ -63,7 +63,7 @@ struct ContactForces {
     return total;
   }
 
-  /// Of i, whose pairs the observer sees.
+  /// Power of the forces on disk i; the observer sees its pairs.
   template <class Observer>
   KOKKOS_FUNCTION DiskPower power(std::uint32_t i, Observer&& observe) const {
     auto const load = (*this)(i, observe);
@@ -108,7 +108,7 @@ struct ContactForces {
     }
   }
 
-  /// The same for disks that i is known to touch: touching(k), k < count.
+  /// Visits the disks that i is known to touch: touching(k), k < count.
   template <class Touching, class Visit>
   KOKKOS_FUNCTION void each_of(std::uint32_t i, int count, Touching const& touching,
                                Visit const& visit) const {

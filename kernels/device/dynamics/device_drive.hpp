@@ -30,7 +30,7 @@ struct DrivenViews {
     return disk;
   }
 
-  /// Of what a step changes.
+  /// Disk i as a drive sees it, with what a step changes.
   KOKKOS_FUNCTION DrivenDisk<Real> of(Motion<Rotates> const& change, std::int64_t i) const {
     DrivenDisk<Real> disk = sized(i);
     disk.velocity = change.velocity;
@@ -70,7 +70,7 @@ class DeviceDrive {
                            Motions const& change) const = 0;
 };
 
-/// Of one drive.
+/// One kind of drive on a device.
 template <OneBodyDrive Drive, bool Rotates, class Space>
 class DriveOnDevice final : public DeviceDrive<Rotates, Space> {
  public:

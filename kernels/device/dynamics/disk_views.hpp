@@ -7,7 +7,7 @@
 
 namespace bagnold {
 
-/// What a step of a scheme keeps of one system's disks beside trial positions and motions: nothing,
+/// Views that a step of a scheme needs for one system beside trial positions and motions: none,
 /// unless the header of its form says otherwise.
 template <bool Rotates, class Scheme, class Space>
 struct StepViews {
@@ -15,7 +15,7 @@ struct StepViews {
   void allocate(Law const&, SpeciesTable const&, Real, std::size_t) {}
 };
 
-/// Likewise of many systems.
+/// Views that a step of a scheme needs for many systems; none unless its form says otherwise.
 template <bool Rotates, class Scheme, class Space>
 struct StepTables {
   KOKKOS_FUNCTION StepViews<Rotates, Scheme, Space> of(std::size_t) const { return {}; }

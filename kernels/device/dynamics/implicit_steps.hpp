@@ -13,7 +13,7 @@
 
 namespace bagnold {
 
-/// What the forces change, a of an ImplicitScheme. Reduces (Max) the rate of damping that the
+/// Change by the forces, a of an ImplicitScheme. Reduces (Max) the rate of damping that the
 /// contacts of one disk bound; infinity where disks overlap too much.
 template <ContactLaw Law, class Repulsion, class Space, ImplicitScheme Scheme>
 struct ImplicitStart {
@@ -192,7 +192,7 @@ Kokkos::View<DampingBound*, Space> bound_on_device(Law const& law, SpeciesTable 
   return bound;
 }
 
-/// What iterations go to, in turns, the bound, and the roots.
+/// Views of implicit steps: two targets of iterations, in turns, the bound, and the roots.
 template <bool Rotates, ImplicitScheme Scheme, class Space>
 struct StepViews<Rotates, Scheme, Space> {
   Kokkos::View<Motion<Rotates>*, Space> iterate[2];  ///< [N]
@@ -236,7 +236,7 @@ struct DeviceStep<Scheme> {
   /// Through the contacts.
   template <class Law>
   static constexpr int passes = Scheme::terms(Law::rotates) - 1;
-  /// Which iterate is w.
+  /// Index of the iterate that is w.
   template <class Law>
   static constexpr int solution = (passes<Law> - 1) % 2;
 

@@ -34,12 +34,12 @@ struct SteppedSystem {
     return {position, motion, disks.species, disks.neighbors, table, box, law, Repulsion{}};
   }
 
-  /// What sums are taken of, after begin_step().
+  /// Forces of the configuration that sums are taken of, after begin_step().
   KOKKOS_FUNCTION auto measured_forces(ShearedBox const& box) const {
     return Step::measured_forces(*this, box);
   }
 
-  /// What a step does before its configuration is measured. Whether it can go on.
+  /// Part of a step before its configuration is measured. Returns false if it cannot go on.
   template <class Loops>
   KOKKOS_FUNCTION bool begin_step(Loops const& loops, ShearedBox const& box) const {
     return Step::begin(*this, loops, box);

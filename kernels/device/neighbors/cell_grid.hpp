@@ -160,7 +160,7 @@ CellGrid<Space> make_cell_grid_in(CellGridRoom<Space>& room, Space const& space,
   return grid;
 }
 
-/// The same, in memory of its own and by index.
+/// Makes a cell grid in memory of its own, by index.
 template <class Space>
 CellGrid<Space> make_cell_grid(Space const& space, Kokkos::View<Vec2<Real>*, Space> const& position,
                                ShearedBox const& box, Real reach) {

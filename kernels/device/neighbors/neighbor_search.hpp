@@ -47,7 +47,7 @@ struct NeighborSearch {
   }
 
  private:
-  /// What is the same for all candidates of a disk.
+  /// Data of a disk that all its candidates share.
   struct Query {
     std::uint32_t disk;
     Vec2<Real> point;
@@ -162,7 +162,7 @@ NeighborRows<Space> make_ranked_rows(Space const& space, NeighborSearch<Space> c
   return rows;
 }
 
-/// The same, sorted by neighbour index.
+/// Neighbour rows, sorted by neighbour index.
 template <class Space>
 NeighborRows<Space> make_neighbor_rows(Space const& space, NeighborSearch<Space> const& search,
                                        NeighborRows<Space> const& rows) {

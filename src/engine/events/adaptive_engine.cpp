@@ -167,7 +167,7 @@ void AdaptiveEngine::change() {
   work_before_ = by_events_ ? EventChoice::work(engine_->counters()) : 0;
 }
 
-/// Those of the engine at work, and the others of engines before.
+/// Counters of the engine at work, joined with those of the engines before.
 AdaptiveEngine::Counters AdaptiveEngine::all_counters(Counters const& of_engine) const {
   Counters all = of_engine;
   all.insert(counters_.begin(), counters_.end());

@@ -22,7 +22,7 @@ namespace bagnold {
 /// steps would have evaluated there. What one engine hands over to the other is the state.
 class AdaptiveEngine final : public Simulation {
  public:
-  /// What makes an engine of a scene go on from a snapshot.
+  /// Makes an engine of a scene that goes on from a snapshot.
   using Make = std::function<std::unique_ptr<Simulation>(Scene const&, Snapshot&&)>;
 
   AdaptiveEngine(Scene const& scene, Snapshot&& snapshot, Make make);

@@ -15,7 +15,7 @@ bool same_bits(DiskMotion<Rotates> const& a, DiskMotion<Rotates> const& b) {
   return std::memcmp(&a, &b, sizeof a) == 0;
 }
 
-/// Whether disk i of a and disk j of b are the same to the last bit, with what they touch. in_a(i),
+/// True if disk i of a and disk j of b are the same to the last bit, with what they touch. in_a(i),
 /// in_b(j): what both call them.
 template <bool Rotates, class InA, class InB>
 bool same_disk(EventDisks<Rotates> const& a, std::uint32_t i, InA const& in_a,

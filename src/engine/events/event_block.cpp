@@ -160,7 +160,7 @@ bool EventBlock<Rotates>::same_as_in(EventBlock const& owner, std::uint32_t k) c
       [&](std::uint32_t j) { return owner.part_.in_whole(j); });
 }
 
-/// Whether a disk of the halo, as it is here or in its own block, could come to touch an own disk
+/// True if a disk of the halo, as it is here or in its own block, could come to touch an own disk
 /// in the window that has been gone through: by where they were at its begin and by the largest
 /// speeds. The mean flow differs by less than gammadot 6 d_s between two in one list.
 template <bool Rotates>

@@ -26,13 +26,13 @@ class EventBlock {
 
   /// Step at which lists are to be built, by own disks.
   std::int64_t build_step() const { return s_.build_step; }
-  /// Whether it is known to be wrong.
+  /// True if the window is known to be wrong.
   bool failed() const { return cut_ || s_.too_deep; }
 
   /// When the first own disk leaves its reach, as far as is known.
   Real leaves() const;
 
-  /// Whether own disks have met nobody who was not as in other blocks. of(i): the block whose own
+  /// True if own disks have met nobody who was not as in other blocks. of(i): the block whose own
   /// disk i is; window: its time.
   template <class Of>
   bool agrees(Of const& of, Real window) const {

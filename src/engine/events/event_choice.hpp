@@ -8,8 +8,8 @@
 
 namespace bagnold::events {
 
-/// Whether events or steps of all disks cost less, by counts alone, so that no run depends on a
-/// clock or on threads. Measured for CD_n (docs/data/performance/tried.md).
+/// Choice of the cheaper of events and steps of all disks, by counts alone, so that no run depends
+/// on a clock or on threads. Measured for CD_n (docs/data/performance/tried.md).
 class EventChoice {
  public:
   explicit EventChoice(std::int64_t disks)
@@ -23,7 +23,7 @@ class EventChoice {
     return at_one_rate ? shortest * std::max<std::int64_t>(1, times) : shortest;
   }
 
-  /// Of steps of all disks, by the contact number of a stretch: whether events are tried.
+  /// True if events are tried after a stretch of steps with this contact number.
   bool enters(double contact_number) const { return contact_number < enter_below_; }
 
   /// Work that events have done, in collisions. counters: of the engine of events.
@@ -32,7 +32,7 @@ class EventChoice {
            cost_of_cluster_step * counters.at("cluster_steps");
   }
 
-  /// Of events: whether they are given up. work: since they were asked before; disk_time: N times
+  /// True if events are given up. work: since they were asked before; disk_time: N times
   /// the time since, [tau_e].
   bool leaves(double work, double disk_time) const { return work > most_collisions_ * disk_time; }
 

@@ -34,7 +34,7 @@ struct Spins<true> {
   void reorder(std::vector<std::uint32_t> const& order) { value = in_order(value, order); }
 };
 
-/// Which disks are a part's own, and not of its halo; all disks where there are no parts.
+/// Disks that are a part's own, and not of its halo; all disks where there are no parts.
 struct OwnDisks {
   std::uint32_t first = 0, count = std::numeric_limits<std::uint32_t>::max();
 };
@@ -73,7 +73,7 @@ class EventDisks {
     return class_distance(pair_class(path[i].species, n.big() ? 1 : 0));
   }
 
-  /// Whether a disk touches nobody.
+  /// True if a disk touches nobody.
   bool flies(std::uint32_t i, Real time) const {
     return path[i].manner != Manner::cluster && time >= path[i].straight;
   }
@@ -96,7 +96,7 @@ class EventDisks {
   Moving at(std::uint32_t i, Real time) const;
   Moving on_line(std::uint32_t i, Real time) const;
 
-  /// Of an image of it.
+  /// Motion of an image of a disk.
   Moving image(Moving of, Neighbor n, Real time, Real sign = 1) const {
     auto const& shift = shifts(n);
     of.position += sign * shift.at(time);
@@ -111,13 +111,13 @@ class EventDisks {
   /// Bound of |r''| from a time of its path on, before its line begins, [d_s / tau_e^2].
   Real acceleration(std::uint32_t i, Real from) const;
 
-  /// Whether both paths begin with their contact.
+  /// True if both paths begin with their contact.
   bool touch_each_other(std::uint32_t i, std::uint32_t j) const {
     return path[i].manner == Manner::contact && path[j].manner == Manner::contact &&
            member[i] == j && member[j] == i;
   }
 
-  /// Whether the contact that a path begins with may still be asked for at a time: by disks that
+  /// True if the contact that a path begins with may still be asked for at a time: by disks that
   /// came to touch others while it lasted.
   bool remembers(std::uint32_t i, Real time) const {
     return path[i].manner == Manner::contact && path[i].straight + material.remember >= time;
@@ -140,7 +140,7 @@ class EventDisks {
   /// Corridors for the disks of clusters[k] that would leave their own in its step.
   void begin_step(std::uint32_t k);
 
-  /// Of a contact that has ended: the disk flies since.
+  /// Forgets a contact that has ended: the disk flies since.
   void forget_contact(std::uint32_t i);
 
   /// Gives each disk, with its contact or cluster, another place: order[k] is the present place of

@@ -45,7 +45,7 @@ class EventEngine final : public Simulation {
     visit("carried_contacts", counts.carried_contacts);
   }
 
-  /// What the bits depend on, beside paths and lists.
+  /// Visits the memory on which bits depend, beside paths and lists.
   template <class Self, class Visit>
   static void visit_memory(Self& self, Visit const& visit) {
     self.system_.visit_memory(visit);

@@ -24,7 +24,7 @@ class EventLists {
   void build(std::vector<Vec2<Real>> const& position, std::vector<Species> const& species,
              SpeciesTable const& table, ShearedBox const& box, BlockLoop* each);
 
-  /// Those of some disks of the whole, ascending, among each other.
+  /// Takes the rows of some disks of the whole, ascending, among each other.
   void take(EventLists const& whole, std::vector<std::uint32_t> const& disks);
 
   /// Asks memory for all of them ahead.
@@ -46,7 +46,7 @@ class EventLists {
   Real strain_rate() const { return box_.strain_rate; }
   ShearedBox const& box() const { return box_; }  ///< when it was built
 
-  /// Whether a disk on a line is within its reach at a time.
+  /// True if a disk on a line is within its reach at a time.
   bool within_reach(std::uint32_t i, Vec2<Real> const& place, Vec2<Real> const& velocity,
                     Real time) const {
     Vec2<Real> const& from = at_build(i);
@@ -59,7 +59,7 @@ class EventLists {
   Real leaves(std::uint32_t i, Vec2<Real> const& place, Vec2<Real> const& velocity) const;
 
  private:
-  /// Of a disk; half a cache line.
+  /// Row of a disk; half a cache line.
   struct alignas(32) Row {
     Vec2<Real> at_build;       ///< [d_s]
     std::uint32_t begin, end;  ///< in the entries

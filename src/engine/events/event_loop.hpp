@@ -18,7 +18,7 @@ class EventLoop {
   /// Does what happens up to a time, or to the end of the step at which the lists are to be built.
   void run(Real until);
 
-  /// What happens next to a disk, or to the cluster whose event it has.
+  /// Predicts the next event of a disk, or of the cluster whose event it has.
   void predict(std::uint32_t slot);
   void predict_all();
 

@@ -11,7 +11,7 @@
 
 namespace bagnold::events {
 
-/// What has happened, for reports.
+/// Counts of events, for reports.
 struct EventCounts {
   std::int64_t collisions = 0;       ///< contacts that began
   std::int64_t busy_collisions = 0;  ///< of these, with a disk that touched another one

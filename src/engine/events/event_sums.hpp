@@ -72,7 +72,7 @@ class EventSums {
   /// Speeds in the window under way, each from a time since its begin on.
   Speeds& speeds() { return speeds_; }
 
-  /// Of disk i on its line, which ends at a time, or is left there.
+  /// Adds the flight of disk i on its line, which ends at a time, or is left there.
   void flight(std::uint32_t i, Real until) {
     Path const& p = disks_->path[i];
     Real const from = std::max(p.straight, begin_);
@@ -88,7 +88,7 @@ class EventSums {
                           inverse_step_);
   }
 
-  /// What is ahead of a contact from a time on, and the motion of both disks in it.
+  /// Adds the rest of a contact from a time on, and the motion of both disks in it.
   void contact(LoneContact<Rotates> const& of, Real from, Real sign) {
     Real const s = from - of.begun;
     Real* const columns = sums_of(of.i);

@@ -45,7 +45,7 @@ class EventSystem {
       loop_.predict_all();
   }
 
-  /// What else its bits depend on.
+  /// Visits the other memory on which its bits depend.
   template <class Visit>
   void visit_memory(Visit const& visit) {
     visit_memory_of(s_, visit);

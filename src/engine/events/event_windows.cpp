@@ -57,7 +57,7 @@ void EventWindows<Rotates>::recall_rates(std::int64_t begun, std::int64_t step) 
   }
 }
 
-/// What is yet to come of contacts, all of which is added when they begin.
+/// Adds the rest of open contacts, all of which is added when they begin.
 template <bool Rotates>
 void EventWindows<Rotates>::add_ahead(Real time, Real sign) {
   auto const& disks = s_.disks;

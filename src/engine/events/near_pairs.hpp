@@ -12,7 +12,7 @@
 
 namespace bagnold::events {
 
-/// Which neighbours the disks of clusters may touch while both keep to their corridors, or to
+/// Neighbours that the disks of clusters may touch while both keep to their corridors, or to
 /// their lines: a bit an entry of its row in the lists, the last one for all that are left.
 class NearPairs {
  public:

@@ -9,7 +9,7 @@ namespace bagnold::events {
 
 namespace {
 
-/// Whether two disks do not touch within a time: f = r^2 - d^2, and f'' is above -2 r |r''|, where
+/// True if two disks do not touch within a time: f = r^2 - d^2, and f'' is above -2 r |r''|, where
 /// r is below 2 d. acceleration: bound of |r''|.
 bool far_apart(Vec2<Real> const& r, Vec2<Real> const& v, Real d, Real acceleration, Real time) {
   Real const apart = dot(r, r) - d * d, closes = std::min<Real>(2 * dot(r, v), 0) * time;

@@ -11,11 +11,11 @@ class PairTouches {
  public:
   explicit PairTouches(EventDisks<Rotates> const& disks) : disks_(&disks) {}
 
-  /// Of two that may touch before both are on their lines. A disk of a cluster has a path to the
-  /// end of its step.
+  /// Time at which two touch that may do so before both are on their lines. A disk of a cluster has
+  /// a path to the end of its step.
   Real touch(std::uint32_t i, Neighbor n) const;
 
-  /// Whether a disk of a cluster and a mate, or one that flies, cannot touch in its step.
+  /// True if a disk of a cluster and a mate, or one that flies, cannot touch in its step.
   bool stays_apart(Cluster<Rotates> const& cluster, Member<Rotates> const& m, Neighbor n,
                    bool mate) const;
 

@@ -10,7 +10,7 @@
 
 namespace bagnold::events {
 
-/// What happens next to a disk, or to a cluster.
+/// Next event of a disk, or of a cluster.
 struct Event {
   enum class Kind : std::uint8_t {
     touch,  ///< disk touches a neighbour

@@ -20,7 +20,8 @@ Arrays save(EventState<Rotates> const& state, Real time);
 /// Names of disks in the order in which they are in memory.
 std::vector<std::uint32_t> saved_order(Arrays const& from);
 
-/// Of disks that have been placed where the lists were built; steps: of clusters.
+/// Restores the events of disks that have been placed where the lists were built; steps: of
+/// clusters.
 template <bool Rotates>
 void restore(Arrays const& from, EventState<Rotates>& state);
 

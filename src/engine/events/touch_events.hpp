@@ -7,7 +7,7 @@
 
 namespace bagnold::events {
 
-/// What happens where disks touch and part.
+/// Events of disks that touch and part.
 template <bool Rotates>
 class TouchEvents {
  public:

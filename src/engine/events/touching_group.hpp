@@ -15,7 +15,7 @@ namespace bagnold::events {
 template <bool Rotates>
 class TouchingGroup {
  public:
-  /// Of at most so many disks.
+  /// Group of at most so many disks.
   explicit TouchingGroup(std::size_t all) : place_(all) {}
 
   struct Disk {
@@ -30,7 +30,7 @@ class TouchingGroup {
 
     std::uint32_t j() const { return other.index(); }
   };
-  /// What hangs together.
+  /// Part of the group that hangs together.
   struct Part {
     std::span<Disk const> disks;
     std::span<Touch const> touches;

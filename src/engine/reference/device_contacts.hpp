@@ -154,7 +154,7 @@ class DeviceContacts {
     throw std::runtime_error("more contacts begin and end at once than there is room for");
   }
 
-  /// What was found in steps begin .. end - 1.
+  /// Contacts found in steps begin .. end - 1.
   struct Found {
     std::int64_t begin = 0, end = 0;
     double strain_rate = 0;

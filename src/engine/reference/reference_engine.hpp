@@ -351,7 +351,7 @@ class ReferenceEngine final : public Simulation {
     AddUp<Forces, Space>{forces, disk_sums_, group_sums_, order_.original()}(loops, totals_, place);
   }
 
-  /// What the drive's second stage will change.
+  /// Changes that the drive's second stage will make.
   Motions driven_changes() const {
     Motions const changes("observables::driven_changes", system_.disks.motion.extent(0));
     drive_->kick_changes(loops_.space, driven(), system_.disks.trial_motion, changes);

@@ -85,15 +85,15 @@ inline constexpr Check* all_checks[] = {
     quasi_static_inertia, contact_network, steady_state,     error_bar,        few_collisions,
     net_momentum,         box_size,        contact_durations};
 
-/// Those that hold without a steady state, of runs by pieces.
+/// Checks of runs by pieces, which hold without a steady state.
 inline constexpr Check* checks_of_pieces[] = {contact_network, stress_drift, few_collisions,
                                               net_momentum};
 
-/// Those of a flow at given stress, whose strain rate is not known before.
+/// Checks of a flow at given stress, whose strain rate is not known before.
 inline constexpr Check* checks_at_stress[] = {large_overlap, contact_network, steady_state,
                                               net_momentum, arrest};
 
-/// Those of a flow at given pressure, whose packing fraction is not known before.
+/// Checks of a flow at given pressure, whose packing fraction is not known before.
 inline constexpr Check* checks_at_pressure[] = {
     large_overlap,  energy_balance,  dissipative_pressure, rotation_balance,
     collision_loss, contact_network, steady_state,         error_bar,
