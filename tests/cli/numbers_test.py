@@ -576,13 +576,20 @@ class Pages(Shown):
 
     def test_coexistence(self):
         page, rows = "docs/results/coexistence.md", data("results/coexistence")
-        at_stress = sorted((row for row in rows if row["held"] == "stress"), key=lambda row: (-row["value"], row["way"] == "up"))
-        self.assertEqual(table_of(page, "σ | way"), [
-            [f"{1e5 * row['value']:.3g}", row["way"], f"{1e5 * row['strain_rate']:.3g}", f"{1e5 * row['p']:.3g}",
-             f"{row['mu']:.3f}", f"{row['Z']:.2f}", f"{row['R_v']:.3g}"] for row in at_stress])
+        order = lambda row: (-row["value"], row["way"] == "up")
+        of = lambda held, count: sorted((row for row in rows if (row["held"], row["disks.count"]) == (held, count)), key=order)
+        shown = lambda row: [f"{1e5 * row['value']:.3g}", row["way"], f"{1e5 * row['strain_rate']:.3g}", f"{1e5 * row['p']:.3g}",
+                             f"{row['mu']:.3f}", f"{row['Z']:.2f}", f"{row['R_v']:.3g}"]
+        at_stress = of("stress", 8192)
+        self.assertEqual(table_of(page, "σ | way"), [shown(row) for row in at_stress])
+        squares = of("stress", 65536) + of("stress", 16384)
+        self.assertEqual(table_of(page, "N | σ | way"), [[f"{row['disks.count']:.0f}", *shown(row)] for row in squares])
         self.assertEqual(table_of(page, "p, 1e-5"), [
-            [f"{1e5 * row['value']:.3g}", f"{row['packing_fraction']:.4f}", f"{1e5 * row['sigma']:.3g}", f"{row['mu']:.3f}",
-             f"{row['Z']:.2f}", f"{row['R_v']:.3g}"] for row in rows if row["held"] == "pressure"])
+            [f"{1e5 * row['value']:.3g}", row["way"], f"{row['packing_fraction']:.4f}", f"{1e5 * row['sigma']:.3g}", f"{row['mu']:.3f}",
+             f"{row['Z']:.2f}", f"{row['R_v']:.3g}"] for row in of("pressure", 8192)])
+        self.assertEqual(table_of(page, "held | seed"), [
+            [row["held"], f"{row['disks.seed']:.0f}", f"{row['strain']:.3g}", f"{row['strain_to_bands']:.2g}" if row["strain_to_bands"] else "none", f"{row['R_v']:.3g}"]
+            for row in data("results/coexistence_waiting")])
         rate = {(row["value"], row["way"]): row["strain_rate"] for row in at_stress}
         over = lambda stress: rate[stress, "down"] / rate[stress, "up"]
         self.says(page, "it is {} times that of the way up at σ = 3e-6, and {} times at 4e-5", over(3e-6), over(4e-5))
@@ -590,8 +597,21 @@ class Pages(Shown):
         self.says(page, "grows by a factor of {} (down) and {} (up)", *(rate[2e-5, way] / rate[5e-6, way] for way in ("down", "up")))
         self.says(page, "larger at 1e-5 than at 1.4e-5, by a factor of {}", rate[1e-5, "down"] / rate[1.4e-5, "down"])
         self.assertGreater(min(row["R_v"] for row in at_stress if (row["value"], row["way"]) != (4e-5, "down")), 15)
-        phi = [row["packing_fraction"] for row in rows if row["held"] == "pressure"]
+        phi = [row["packing_fraction"] for row in of("pressure", 8192) if row["way"] == "down"]
         self.says(page, "φ falls by {} while p falls by a factor of 20", phi[0] - phi[-1])
+        at = {(row["value"], row["way"]): row for row in of("pressure", 8192)}
+        up, down = at[5e-6, "up"], at[5e-6, "down"]
+        self.says(page, "R_v is {} there, {} on the way down, and σ is {} times", up["R_v"], down["R_v"], up["sigma"] / down["sigma"])
+        square = {(row["value"], row["way"], row["disks.count"]): row["strain_rate"] for row in squares}
+        beside = [square[stress, "down", 16384] / rate[stress, "down"] for stress in (4e-5, 1.4e-5, 7e-6, 3e-6)]
+        self.says(page, "16384 disks flow at {} to {} times the rate of the narrow box", min(beside), max(beside))
+        self.says(page, "Down over up is {} at 3e-6 and {} at 4e-5",
+                  *(square[stress, "down", 16384] / square[stress, "up", 16384] for stress in (3e-6, 4e-5)))
+        large = {row["value"]: row for row in of("stress", 65536)}
+        self.says(page, "With 65536 disks the rate is {} times", large[4e-5]["strain_rate"] / rate[4e-5, "down"])
+        self.says(page, "none yet at 1.4e-5 (R_v {} after a strain of about 3), and flowed at {} times the rate",
+                  large[1.4e-5]["R_v"], large[1.4e-5]["strain_rate"] / rate[1.4e-5, "down"])
+        self.says(page, "at half the stress the rate is {} times as large", large[7e-6]["strain_rate"] / large[1.4e-5]["strain_rate"])
 
     def test_what_is_held(self):
         page, rows = "docs/results/held.md", data("results/held")

@@ -79,10 +79,13 @@ void restore(Arrays const& from, EventState<Rotates>& state) {
     auto& of = disks.contacts[k];
     visit_contact<Rotates>(contact, of);
     of.solve(disks.contact_class(of));
-    for (auto const& [i, other] : {std::pair(of.i, of.j()), std::pair(of.j(), of.i)})
-      if (Path const& path = disks.path[i];
-          path.manner == Manner::contact && path.begun == of.begun && disks.member[i] == other)
+    auto const hold = [&](std::uint32_t i, std::uint32_t other) {
+      Path const& path = disks.path[i];
+      if (path.manner == Manner::contact && path.begun == of.begun && disks.member[i] == other)
         disks.hold_contact(i, k);
+    };
+    hold(of.i, of.j());
+    hold(of.j(), of.i);
   }
   while (!cluster.done()) {
     auto const k = disks.clusters.add();
