@@ -10,6 +10,7 @@
 #include "kernels/cpu/steps/block_stepper.hpp"
 #include "kernels/cpu/steps/block_sums.hpp"
 #include "kernels/cpu/steps/kick.hpp"
+#include "kernels/cpu/steps/two_halves.hpp"
 #include "kernels/physics/schemes/forms.hpp"
 #include "kernels/physics/schemes/second_stage.hpp"
 
@@ -17,7 +18,7 @@ namespace bagnold {
 
 /// Step of a PredictCorrectScheme on a block, as in device/dynamics/predict_correct.hpp.
 template <ContactLaw L, class R, PredictCorrectScheme S>
-struct BlockStep<L, R, S> {
+struct BlockStep<L, R, S> : TwoHalves<BlockStep<L, R, S>> {
   using Law = L;
   using Repulsion = R;
   using Scheme = S;
@@ -42,20 +43,6 @@ struct BlockStep<L, R, S> {
       : forces{law, repulsion}, time_step(dt), drive(std::move(one_body)) {}
 
   SecondStage const* second_stage() const { return nullptr; }
-
-  /// The halo of a pass is of what the pass before it wrote: `now`, then the trial state.
-  template <class Add>
-  static void each_pass(Add const& add) {
-    add(&BlockStep::predict, Awaits::neighbours);
-    add(&BlockStep::measure, Awaits::neighbours, true);
-    add(&BlockStep::correct, Awaits::own);
-  }
-  template <class Add>
-  static void each_pass_for_few(Add const& add) {
-    add(&BlockStep::predict_few, Awaits::neighbours);
-    add(&BlockStep::measure, Awaits::neighbours, true);
-    add(&BlockStep::correct_few, Awaits::own);
-  }
 
   /// First half: trial state at t + dt from forces at t.
   BlockReport predict(BlockSystem const& s, std::uint32_t b, StepAt const& at, Force* force) const {

@@ -11,6 +11,7 @@
 #include "kernels/cpu/steps/block_sums.hpp"
 #include "kernels/cpu/steps/contact_lister.hpp"
 #include "kernels/cpu/steps/kick.hpp"
+#include "kernels/cpu/steps/two_halves.hpp"
 #include "kernels/physics/schemes/forms.hpp"
 #include "kernels/physics/schemes/second_stage.hpp"
 
@@ -20,7 +21,7 @@ namespace bagnold {
 /// {v_x, v_y, thetadot, contacts} a disk. The first stage lists the pairs that touch for the second
 /// one.
 template <TwoStageLaw L, class R, TwoStageScheme S>
-struct BlockStep<L, R, S> {
+struct BlockStep<L, R, S> : TwoHalves<BlockStep<L, R, S>> {
   using Law = L;
   using Repulsion = R;
   using Scheme = S;
@@ -49,20 +50,6 @@ struct BlockStep<L, R, S> {
         drive(std::move(one_body)) {}
 
   SecondStage const* second_stage() const { return &shares; }
-
-  /// The halo of a pass is of what the pass before it wrote: `now`, then the changes.
-  template <class Add>
-  static void each_pass(Add const& add) {
-    add(&BlockStep::predict, Awaits::neighbours);
-    add(&BlockStep::measure, Awaits::neighbours, true);
-    add(&BlockStep::correct, Awaits::own);
-  }
-  template <class Add>
-  static void each_pass_for_few(Add const& add) {
-    add(&BlockStep::predict_few, Awaits::neighbours);
-    add(&BlockStep::measure, Awaits::neighbours, true);
-    add(&BlockStep::correct_few, Awaits::own);
-  }
 
   /// First half: the changes by the forces at t. force: scratch, [most_local].
   BlockReport predict(BlockSystem const& s, std::uint32_t b, StepAt const& at, Force* force) const {

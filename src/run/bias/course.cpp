@@ -12,7 +12,7 @@ namespace bagnold::bias {
 
 namespace {
 
-constexpr std::array<std::size_t, 5> schedule = {4, 6, 9, 13, 20};
+constexpr std::array<std::size_t, 5> schedule = {4, 6, 9, 13, most_pairs};
 constexpr std::size_t numbers_of_pair = 1 + 2 * Averages::count;
 
 double loss_error(Scene const& coarse) {

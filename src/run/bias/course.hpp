@@ -26,6 +26,9 @@ struct Findings {
   std::vector<Look> looks;
 };
 
+/// Pairs after which a method without a verdict is `open`.
+inline constexpr std::size_t most_pairs = 20;
+
 /// Pairs of all replicas, and when the next ones begin.
 ///
 /// Replicas take pairs in rounds, each one pair at the same place of a grid. After 4, 6, 9, 13 and

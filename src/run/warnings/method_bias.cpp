@@ -11,8 +11,6 @@ namespace bagnold {
 
 namespace {
 
-constexpr double most_pairs = 20;  ///< after which the judge gives up
-
 std::string in_words(std::string_view name, bias::Bias const& bias) {
   return fmt::format("{} {}%", name, rounded_bias(bias.value, bias.error));
 }
@@ -53,7 +51,8 @@ std::optional<Warning> method_bias(FinishedRun const& finished) {
   if (found.judgement.verdict != bias::Verdict::refused) {
     warning.remedy =
         "a longer run or more disks tell more; the default scheme and step need no change for it";
-    warning.command = longer_run(run, most_pairs / std::max(1.0, static_cast<double>(found.pairs)));
+    warning.command =
+        longer_run(run, bias::most_pairs / std::max(1.0, static_cast<double>(found.pairs)));
   } else if (is_implicit(run.scene.integration.scheme)) {
     warning.remedy = "take the default scheme, or a shorter step";
     warning.command = fmt::format(
