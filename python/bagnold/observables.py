@@ -50,7 +50,8 @@ def rounded(mean: float, error: float) -> str:
     power = math.floor(math.log10(max(abs(mean), error)))
     power = 0 if -3 <= power <= 3 else power
     scale = 10.0**power
-    digits = max(0, power - math.floor(math.log10(error)) + (f"{error:.1e}"[0] == "1"))
+    shown = f"{error:.1e}"  # 0.0997 is 0.10
+    digits = max(0, power - int(shown.split("e")[1]) + (shown[0] == "1"))
     last = round(error / scale * 10**digits)
     bracket = f"{error / scale:.{digits}f}" if digits and last >= 10**digits else str(last)
     return f"{mean / scale:.{digits}f}({bracket}){f'e{power:+03d}' if power else ''}"

@@ -328,7 +328,7 @@ class Steady(ProtocolTest):
 
     def test_a_missed_target_tells_the_strain_that_it_takes(self):
         """Errors fall with the root of the strain; the look before the last has two thirds of it."""
-        path, out = self.scene(**self.LONG, shear__target_error=Raw("{ B_p = 0.03, Z = 0.5 }")), self.folder / "short"
+        path, out = self.scene(**self.LONG, shear__target_error=Raw("{ B_p = 0.02, Z = 0.5 }")), self.folder / "short"
         said = self.run_scene(path, out).stdout
         found = read_summary(out)["target_error"]["B_p"]
         times = (found["reached"] / found["wanted"]) ** 2

@@ -76,7 +76,8 @@ class Results(Folder):
         from bagnold.observables import rounded
         for mean, error, text in ((18873.4, 973, "1.89(10)e+04"), (0.51234, 0.0004, "0.5123(4)"),
                                   (17.3, 1.2, "17.3(1.2)"), (17.3, 25, "17(25)"), (1.5, np.nan, "1.5"),
-                                  (np.nan, 1, "undefined"), (-2.345e-7, 3e-9, "-2.35(3)e-07"), (0, 0.5, "0.0(5)")):
+                                  (np.nan, 1, "undefined"), (2.5526, 0.0997, "2.55(10)"),
+                                  (-2.345e-7, 3e-9, "-2.35(3)e-07"), (0, 0.5, "0.0(5)")):
             self.assertEqual(rounded(mean, error), text)
         self.assertRegex(str(made()["p"]), r"^p = [\d.]+(\([\d.]+\))? m/tau_e\^2$")
 
