@@ -154,6 +154,10 @@ void look_at_others(Scene const& scene, Refusals const& refuse) {
     refuse({"measure.correlations", "measure.contacts"},
            "measure.correlations = true (looks at contacts, which are not followed); set "
            "measure.contacts = true, or measure.correlations = false");
+  if (scene.measure.clusters && !scene.measure.correlations)
+    refuse({"measure.clusters", "measure.correlations"},
+           "measure.clusters = true (sorts velocities in contact, which are not measured); set "
+           "measure.correlations = true, or measure.clusters = false");
   bool const trajectory = scene.output.trajectory_strain > 0 || scene.output.trajectory_decades > 0;
   if (scene.measure.contact_frames && !(scene.measure.contacts && trajectory))
     refuse(

@@ -270,6 +270,10 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
          Key{"measure.correlations", "",
              "relative velocities in contact, of contacts in time and once a collision", optional}),
       measure.correlations);
+  visit(of({"steady", "cascade"},
+           Key{"measure.clusters", "",
+               "with correlations: velocities in contact by the size of the cluster", optional}),
+        measure.clusters);
   visit(
       of(one_way, Key{"measure.contact_frames", "",
                       "contacts in the frames of trajectory.h5md, with forces and ages", optional}),

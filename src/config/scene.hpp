@@ -110,6 +110,7 @@ struct Scene {
     bool bias = false;  ///< of the method, by pairs of stretches
     bool contacts = false;
     bool correlations = false;
+    bool clusters = false;
     bool contact_frames = false;
     bool profiles = false;
     bool fields = false;

@@ -20,19 +20,19 @@ std::vector<double> durations() {
   return edges;
 }
 
-std::vector<double> disks() {
+}  // namespace
+
+std::vector<double> cluster_edges() {
   constexpr auto most = ContactRecord::largest_cluster;
   return even_edges(1.5, static_cast<double>(most) + 0.5, most - 1);
 }
-
-}  // namespace
 
 ContactHistograms::ContactHistograms(double time_step)
     : time_step_(time_step),
       theta_begin_(angles()),
       theta_end_(angles()),
       duration_(durations()),
-      cluster_(disks()) {}
+      cluster_(cluster_edges()) {}
 
 void ContactHistograms::begins(ContactEvent const& event, std::size_t cluster) {
   theta_begin_.add(wrapped(event.theta));

@@ -7,6 +7,10 @@
 
 namespace bagnold {
 
+/// Edges of histograms of disks in a cluster: a bin for each number, the last one for
+/// ContactRecord::largest_cluster or more.
+std::vector<double> cluster_edges();
+
 /// Histograms of contacts of one system: angles at their beginning and end, durations and clusters.
 class ContactHistograms {
  public:

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <optional>
 
+#include "src/measure/contact_clusters.hpp"
 #include "src/measure/contact_histograms.hpp"
 #include "src/measure/contact_samples.hpp"
 #include "src/measure/each_frame.hpp"
@@ -31,6 +32,7 @@ struct FoundContacts final : ContactListener {
   ContactHistograms histograms;
   SampleChoice choice;
   std::optional<FoundVelocities> velocities;
+  std::optional<ContactClusters> clusters;  ///< with measure.clusters
 
   explicit FoundContacts(double time_step) : histograms(time_step) {}
   void begins(ContactEvent const& event, std::size_t cluster) override {
@@ -41,6 +43,11 @@ struct FoundContacts final : ContactListener {
   }
   void sampled(OpenContact const& c) override {
     if (velocities) velocities->collisions.add({choice.rank(c.a, c.b, c.begin), c.velocities});
+  }
+  bool asks_for_clusters() const override { return clusters.has_value(); }
+  void sampled_in_cluster(OpenContact const& c, std::int64_t duration,
+                          std::size_t cluster) override {
+    clusters->ends(c, duration, cluster);
   }
   void evaluated(ContactMotion const& motion) override {
     if (velocities) velocities->motion += motion;
@@ -85,6 +92,10 @@ class Contacts final : public FrameObserver {
     numbers["contact_velocities"] = contacts.numbers();
     numbers["collision_velocities"] = collisions.numbers();
     numbers["contact_motion"].assign(std::begin(motion.value), std::end(motion.value));
+    if (!found_->clusters) return;
+    found_->clusters->save(numbers);
+    auto& sampled = numbers["contacts_sampled_clusters"];
+    for (auto const& c : record_->table.sorted()) sampled.push_back(c.cluster);
   }
 
   void load(ObserverState const& numbers) override {
@@ -106,6 +117,12 @@ class Contacts final : public FrameObserver {
       collisions.restore(numbers.at("collision_velocities"));
       std::ranges::copy(numbers.at("contact_motion"), motion.value);
     }
+    if (found_->clusters) {
+      found_->clusters->load(numbers);
+      auto const& sampled = numbers.at("contacts_sampled_clusters");
+      for (std::size_t k = 0; k < contacts.size(); ++k)
+        contacts[k].cluster = static_cast<std::uint32_t>(sampled.at(k));
+    }
     record_->restore(contacts);
     found_->histograms.load(numbers);
   }
@@ -113,18 +130,26 @@ class Contacts final : public FrameObserver {
   void forget_before(double /*strain*/) override {
     found_->histograms = ContactHistograms(time_step_);
     if (found_->velocities) found_->velocities.emplace();
+    if (found_->clusters) found_->clusters.emplace();
   }
 
   void report(std::vector<FrameObserver const*> const& systems,
               FrameResults& results) const override {
     ContactHistograms all(time_step_);
     auto velocities = found_->velocities;
+    auto clusters = found_->clusters;
     for (auto const* system : systems) {
       auto const& other = *dynamic_cast<Contacts const&>(*system).found_;
       all.add(other.histograms);
-      if (velocities && &other != found_.get()) velocities->add(*other.velocities);
+      if (&other == found_.get()) continue;
+      if (velocities) velocities->add(*other.velocities);
+      if (clusters) clusters->add(*other.clusters);
     }
     for (auto& histogram : all.histograms()) results.histograms.push_back(std::move(histogram));
+    if (clusters) {
+      results.histograms.push_back(clusters->at_end());
+      for (auto& table : clusters->tables(rotates_)) results.samples.push_back(std::move(table));
+    }
     if (!velocities) return;
     auto const tell = [&](VelocityTables const& tables, ContactSamples const& samples,
                           ContactMotion const& sums) {
@@ -169,6 +194,7 @@ std::shared_ptr<ContactRecord> watch_contacts(Scene const& scene, Plan const& pl
     choice = SampleChoice(seed);
     found->choice = choice;
     found->velocities.emplace();
+    if (scene.measure.clusters) found->clusters.emplace();
   }
   auto const record =
       std::make_shared<ContactRecord>(static_cast<std::size_t>(scene.disks.count), columns,

@@ -55,8 +55,8 @@ struct Place {
                0.3 * std::log10(static_cast<double>(scene.disks.count))},
         word{scene.disks.model, scene.shear.protocol, scene.integration.engine,
              scene.integration.scheme,
-             fmt::format("{} {} {}", scene.measure.contacts, scene.measure.correlations,
-                         scene.measure.profiles || scene.measure.fields)} {}
+             fmt::format("{} {} {} {}", scene.measure.contacts, scene.measure.correlations,
+                         scene.measure.clusters, scene.measure.profiles || scene.measure.fields)} {}
 
   double distance(Place const& other) const {
     double sum = 0;

@@ -7,7 +7,7 @@ import unittest
 import h5py
 import numpy as np
 
-from bagnold import LAWS, CliTest, read_summary, seconds_to_strain
+from bagnold import LAWS, STEP_STRAIN, CliTest, read_summary, seconds_to_strain
 
 SCALARS = ("tau_dur", "nu_coll", "nu_end", "v_N_rms", "v_T_rms", "v_C_T_rms", "v_R_rms",
            "contact_rotation_correlation", "cluster_binary_share")
@@ -26,6 +26,26 @@ def velocities(out):
     """{name: rows} of /samples/contact_velocities* and collision_velocities*"""
     with h5py.File(out / "result.h5", "r") as file:
         return {k: d[()] for k, d in file["samples"].items()}
+
+
+def touching(place, edges, reach):
+    """Which pairs overlap in one configuration, by the nearest of all images about."""
+    apart = place[:, None] - place
+    nearest = np.full(reach.shape, np.inf)
+    for n in (-1, 0, 1):
+        for m in (-2, -1, 0, 1, 2):
+            nearest = np.minimum(nearest, np.linalg.norm(apart + n * edges[1, :2] + m * edges[0, :2], axis=2))
+    return (nearest < reach) & ~np.eye(len(place), dtype=bool)
+
+
+def connected(touch, disk):
+    """Which disks are connected to one."""
+    found = np.arange(len(touch)) == disk
+    while True:
+        more = found | touch[found].any(axis=0)
+        if (more == found).all():
+            return found
+        found = more
 
 
 class ContactsTest(CliTest):
@@ -62,6 +82,39 @@ class ContactsTest(CliTest):
             correlation[name] = covariance[1, 2] / np.sqrt(covariance[1, 1] * covariance[2, 2])
         self.assertLess(abs(correlation["contact_velocities"]), 0.02, correlation)
         self.assertGreater(correlation["collision_velocities"], 0.05, correlation)
+
+    def test_clusters_in_which_contacts_end(self):
+        """Against all pairs of every configuration; the tables add up to velocities of all collisions."""
+        out = self.run_new("clusters", disks__packing_fraction=0.76, shear__strain=1.0, measure__clusters=True,
+                           output__trajectory_strain=STEP_STRAIN, integration__engine="many-contacts", **ON)
+        with h5py.File(out / "trajectory.h5md") as file:
+            disks = file["particles/trajectory"]
+            place, edges = disks["position/value"][:, :, :2], disks["box/edges/value"][()]
+            reach = (disks["diameter"][()][:, None] + disks["diameter"][()]) / 2
+        touch = np.array([touching(r, e, reach) for r, e in zip(place, edges)])
+        sizes = {}
+        for step in range(len(touch) // 2, len(touch)):
+            for a, b in np.argwhere(np.triu(touch[step - 1] & ~touch[step])):
+                if not touch[:step, a, b].all():
+                    size = min(connected(touch[step - 1], a).sum(), 64)
+                    sizes[size] = sizes.get(size, 0) + 1
+        total = sum(sizes.values())
+        self.assertGreater(total, 100)
+        edges, density = histograms(out)["cluster_disks_end"]
+        counts = {int(edge + 0.5): round(value * total) for edge, value in zip(edges, density) if value > 0}
+        self.assertEqual(counts, sizes)
+        self.assertGreater(len(sizes), 5)
+        found = velocities(out)
+        self.assertEqual(found["collision_clusters"][:, 1].sum(), total)
+        square = np.nan_to_num(found["collision_clusters"][:, [4, 5, 6, 3]])**2
+        rows = found["collision_velocities"]
+        self.assertEqual(len(rows), total)
+        np.testing.assert_allclose(found["collision_clusters"][:, 2] @ square, (rows**2).mean(axis=0), rtol=1e-12)
+        self.assertAlmostEqual(found["contact_clusters"][:, 2].sum(), 1.0, places=12)
+        self.assertEqual(found["contact_clusters"][:, 1].sum(), total)
+
+    def test_clusters_need_velocities(self):
+        self.refused(self.scene(measure__contacts=True, measure__clusters=True), "measure.correlations = true")
 
     def test_durations_cut_short_by_the_run_are_warned_of(self):
         """Newtonian contacts outlast a strain of 1/8; dilute ones are short beside one of 8."""
@@ -142,7 +195,7 @@ class ContactsTest(CliTest):
                     self.check_killed(engine, replicas)
 
     def check_killed(self, engine, replicas):
-        changes = {**ON, "integration__engine": engine, "disks__replicas": replicas,
+        changes = {**ON, "measure__clusters": True, "integration__engine": engine, "disks__replicas": replicas,
                    "disks__packing_fraction": 0.8, "output__checkpoint_minutes": 0.0005}
         strain = float(seconds_to_strain(self, 1.5, shear__strain=1.0, **changes))
         path = self.scene(shear__strain=strain, output__sample_strain=strain / 64, **changes)

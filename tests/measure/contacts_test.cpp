@@ -219,6 +219,55 @@ TEST_F(SyntheticVelocities, OfCollisionsAreACollisionEach) {
   EXPECT_THROW(rows(frames, "contact_velocities"), std::out_of_range);
 }
 
+/// By the cluster of the last configuration, each contact once; and by that at the sample, weighted
+/// by durations. Who leaves as another comes belongs to the cluster that was.
+TEST_F(SyntheticVelocities, AreSortedByClusters) {
+  scene.measure.clusters = true;
+  frames = Frames();
+  windows.contacts = watch_contacts(scene, plan, columns, 1, frames);
+  auto const tell_begins = [&](std::shared_ptr<ContactRecord> const& to) {
+    std::vector<ContactEvent> events{{110, true, 0, 1, 0}, {120, true, 1, 2, 0}};
+    std::vector<ContactSample> samples{{110, 0, 1, {1, 2, 3}}, {120, 1, 2, {4, 5, 6}}};
+    to->add(events, samples, sampling, windows);
+  };
+  auto const tell_ends = [&](std::shared_ptr<ContactRecord> const& to) {
+    std::vector<ContactEvent> events{
+        {150, false, 0, 1, 0}, {150, true, 2, 3, 0}, {160, false, 1, 2, 0}};
+    std::vector<ContactSample> samples{{150, 2, 3, {0, 0, 0}}};
+    to->add(events, samples, sampling, windows);
+  };
+  tell_begins(windows.contacts);
+  auto const saved = frames.save();
+  tell_ends(windows.contacts);
+  EXPECT_NEAR(share("cluster_disks_end", 3), 1, 1e-12);
+  auto const once = rows(frames, "collision_clusters");
+  auto const in_time = rows(frames, "contact_clusters");
+  constexpr std::size_t row = 7;
+  EXPECT_EQ(once[0], 2);
+  EXPECT_EQ(once[row], 3);
+  EXPECT_EQ(once[row + 1], 2);  // both ended in a cluster of three
+  EXPECT_NEAR(once[row + 3], std::sqrt((9 + 36) / 2.0), 1e-12);
+  EXPECT_NEAR(once[row + 6], std::sqrt((9 + 81) / 2.0), 1e-12);
+  EXPECT_EQ(in_time[1], 1);  // 0 with 1 was sampled alone
+  EXPECT_NEAR(in_time[2], 0.5, 1e-12);
+  EXPECT_NEAR(in_time[3], 3, 1e-12);
+  EXPECT_NEAR(in_time[row + 4], 4, 1e-12);
+
+  Frames again;
+  auto const record = watch_contacts(scene, plan, columns, 1, again);
+  again.load(saved);
+  tell_ends(record);
+  EXPECT_EQ(again.save(), frames.save());
+  Frames other;
+  auto const second = watch_contacts(scene, plan, columns, 2, other);
+  tell_begins(second);
+  tell_ends(second);
+  for (auto const& table : Frames::join({&frames, &other}).samples)
+    if (table.name == "collision_clusters") {
+      EXPECT_EQ(table.rows[row + 1], 4);
+    }
+}
+
 TEST_F(SyntheticContacts, RefuseWhatCannotHappen) {
   tell({{5, true, 0, 1, 0}});
   EXPECT_THROW(tell({{6, true, 1, 0, 0}}), std::logic_error);

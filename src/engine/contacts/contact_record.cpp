@@ -21,8 +21,12 @@ void ContactRecord::add(std::vector<ContactEvent>& events, std::vector<ContactSa
     auto const step = event->step;
     for (; sample != samples.cend() && sample->step < step; ++sample) add(*sample);
     auto const window = sampling.window(step);
-    for (; event != events.cend() && event->step == step && !event->begins; ++event)
-      end(*event, window, windows);
+    auto const ended = event;
+    while (event != events.cend() && event->step == step && !event->begins) ++event;
+    auto const clusters = clusters_of(ended, event);
+    for (auto one = ended; one != event; ++one)
+      end(*one, clusters.empty() ? 0 : clusters[static_cast<std::size_t>(one - ended)], window,
+          windows);
     auto const begun = event;
     for (; event != events.cend() && event->step == step; ++event) open(*event);
     if (step == 0 || begun == event) continue;
@@ -44,6 +48,8 @@ void ContactRecord::open(ContactEvent const& event) {
 void ContactRecord::add(ContactSample const& sample) {
   auto* const contact = table.find(sample.a, sample.b);
   contact->velocities = sample.velocities;
+  if (counts_clusters())
+    contact->cluster = static_cast<std::uint32_t>(table.cluster(sample.a, largest_cluster));
   contact->due = choice.next(sample.a, sample.b, contact->begin, sample.step);
   due_[contact->due].push_back({sample.a, sample.b});
 }
@@ -65,7 +71,17 @@ void ContactRecord::restore(std::vector<OpenContact> const& contacts) {
     if (contact.due != SampleChoice::never) due_[contact.due].push_back({contact.a, contact.b});
 }
 
-void ContactRecord::end(ContactEvent const& event, std::int64_t window, OpenWindows& windows) {
+/// Disks of the clusters of contacts that end in one configuration, in the one before it; empty
+/// where nobody asks for them.
+std::vector<std::size_t> ContactRecord::clusters_of(Events first, Events last) const {
+  std::vector<std::size_t> disks;
+  if (first == last || !counts_clusters() || first->step < first_step_) return disks;
+  for (; first != last; ++first) disks.push_back(table.cluster(first->a, largest_cluster));
+  return disks;
+}
+
+void ContactRecord::end(ContactEvent const& event, std::size_t cluster, std::int64_t window,
+                        OpenWindows& windows) {
   auto const contact = table.close(event.a, event.b);
   if (contact.begin == 0) return;
   auto const duration = event.step - contact.begin;
@@ -74,7 +90,9 @@ void ContactRecord::end(ContactEvent const& event, std::int64_t window, OpenWind
   if (contact.binary) add(ContactColumns::binary, 1, window, windows);
   if (!listener_ || event.step < first_step_) return;
   listener_->ends(event, duration);
-  if (contact.due != SampleChoice::never) listener_->sampled(contact);
+  if (contact.due == SampleChoice::never) return;
+  listener_->sampled(contact);
+  if (cluster > 0) listener_->sampled_in_cluster(contact, duration, cluster);
 }
 
 void ContactRecord::tell_begun(Events first, Events last) const {

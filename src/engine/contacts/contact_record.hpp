@@ -27,6 +27,13 @@ class ContactListener {
   /// SampleChoice.
   virtual void sampled(OpenContact const&) {}
 
+  /// Whether the record counts disks of clusters; then this is called, too, for a sampled contact
+  /// that ends. duration: of all of it, [steps]; cluster: disks of the connected cluster in its
+  /// last configuration, at most ContactRecord::largest_cluster, as that at the random step.
+  virtual bool asks_for_clusters() const { return false; }
+  virtual void sampled_in_cluster(OpenContact const&, std::int64_t /*duration*/,
+                                  std::size_t /*cluster*/) {}
+
   /// Called for contacts in evaluated configurations, in no particular order: with the sums over
   /// all of them, and with each contact whose rank is below `limit()`, see ContactPicker.
   virtual void evaluated(ContactMotion const&) {}
@@ -95,7 +102,10 @@ class ContactRecord {
     std::uint32_t a, b;
   };
   void open(ContactEvent const& event);
-  void end(ContactEvent const& event, std::int64_t window, OpenWindows& windows);
+  void end(ContactEvent const& event, std::size_t cluster, std::int64_t window,
+           OpenWindows& windows);
+  std::vector<std::size_t> clusters_of(Events first, Events last) const;
+  bool counts_clusters() const { return listener_ && listener_->asks_for_clusters(); }
   void tell_begun(Events first, Events last) const;
 
   std::size_t first_column_;

@@ -17,6 +17,7 @@ struct OpenContact {
   bool binary = true;          ///< neither disk has touched a third one since
   std::int64_t due = SampleChoice::never;  ///< the next sample of its velocities
   ContactVelocities velocities = {};       ///< at the last sample
+  std::uint32_t cluster = 0;  ///< disks of its cluster at that sample, where these are asked for
 };
 
 /// All contacts between the disks of one system, which are the edges of the contact graph. Each
