@@ -9,6 +9,7 @@ import csv
 import itertools
 import math
 import re
+import subprocess
 import sys
 import tomllib
 import unittest
@@ -504,6 +505,18 @@ class Pages(Shown):
         self.says("docs/long_steps.md", "| bands: p | {}({})e-5 |", 1e5 * narrow["p"], 1e6 * narrow["p_error"])
         self.says("docs/long_steps.md", "| bands: μ | {}({}) |", narrow["mu"], 1e3 * narrow["mu_error"])
         self.says("docs/reproduction.md", "p includes the flow of the bands; p_el is {}({})e-5", 1e5 * dense["p_el"], 1e7 * dense["p_el_error"])
+
+    def test_tangential_damping(self):
+        """Tables of the page are those of its script."""
+        subprocess.run([sys.executable, SOURCE / "scripts/tangential_page.py", "--check"], check=True)
+        page, found = "docs/results/tangential_damping.md", table_of("docs/results/tangential_damping.md", "φ | B_0")
+        ratio = {float(row[0]): float(row[3].split("(")[0]) for row in found}
+        self.says(page, "the pressure is {} times that without", ratio[0.74] / 1e-3)
+        middle = [value for phi, value in ratio.items() if 0.78 <= phi <= 0.82]
+        self.says(page, "the same pressure: {} to {} from 0.78 to 0.82", min(middle), max(middle))
+        run = where(data("results/tangential_methods"), **{"integration.scheme": DEFAULT, "disks.packing_fraction": 0.82, "disks.count": 1024.0})
+        self.assertLess(max(abs(row["p_bias"]) + row["p_bias_error"] for row in run if row["p_bias"] != ""), 1e-3)
+        self.assertEqual(len(run), 2)
 
     def test_oscillation(self):
         rows = data("results/oscillation")
