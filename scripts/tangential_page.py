@@ -83,15 +83,37 @@ def collect(name, sweeps):
     print(f"{path.name}: {len(rows)} rows")
 
 
+def collect_clusters(folder):
+    """Velocities in contact by cluster, a row a class of each run: each collision once, and in time."""
+    import h5py
+    rows = []
+    for place in sorted((folder / "points").glob("*/result.h5")):
+        with h5py.File(place) as file:
+            if "samples/collision_clusters" not in file:
+                continue
+            once, in_time = (file[f"samples/{name}_clusters"] for name in ("collision", "contact"))
+            if len(once) == 0 or not (place.parent / "summary.json").exists():
+                continue
+            scene = tomllib.loads((place.parent / "scene.toml").read_text(encoding="utf-8"))
+            for one, other in zip(once[()], in_time[()]):
+                row = [scene["disks"]["packing_fraction"], scene["shear"]["strain_rate"], scene["disks"]["seed"], one[0]]
+                rows.append([f"{value:g}" for value in row] + [number(value) for value in (*one[1:], *other[1:])])
+    names = ["contacts", "share", "V_N_rms", "V_T_rms", "V_R_rms", "V_C_T_rms"]
+    with open(DATA / "clusters.csv", "w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(["packing_fraction", "strain_rate", "seed", "least_disks", *(name + "_once" for name in names),
+                         *(name + "_in_time" for name in names)])
+        writer.writerows(rows)
+
+
 def table(name):
-    """Rows of a table, numbers as such; `eta`: p over the rate."""
+    """Rows of a table, numbers as such."""
     with open(DATA / f"{name}.csv", newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     for row in rows:
         for key, text in row.items():
             if key not in ("integration.scheme", "integration.engine", "warnings"):
                 row[key] = float(text) if text else math.nan
-        row["eta"] = row["p"] / row["shear.strain_rate"]
     return rows
 
 
@@ -244,12 +266,37 @@ def checks(rows):
     return lines(out)
 
 
+def percent(share):
+    return f"{100 * share:.0f}" if share > 0.1 else f"{100 * share:.2g}"
+
+
+def clusters(rows, rate=1e-4):
+    """A row a class of clusters, a column a density: shares and rms V_C_T, each collision once; in time."""
+    rows = [row for row in rows if row["strain_rate"] == rate]
+    least, densities = (sorted({row[name] for row in rows}) for name in ("least_disks", "packing_fraction"))
+    found = {(row["packing_fraction"], row["least_disks"]): row for row in rows}
+    out = [["disks", *(f"φ = {phi:g}" for phi in densities)], ["---"] * (1 + len(densities))]
+    for first, after in zip(least, [*least[1:], math.inf]):
+        name = f"{first:g} and more" if after == math.inf else f"{first:g}" if after == first + 1 else f"{first:g} to {after - 1:g}"
+
+        def cell(phi, first=first):
+            row = found[phi, first]
+            if row["contacts_once"] < 100:
+                return ""
+            return "; ".join(f"{percent(row['share' + how])}%, {row['V_C_T_rms' + how]:.2f}" for how in ("_once", "_in_time"))
+
+        out.append([name, *map(cell, densities)])
+    return lines(out)
+
+
 def tables():
     """{name: table of the page}"""
     found = means(table("tangential"))
     result = {"ratios": by_ratio(found), "limits": limits(found)}
     if (DATA / "tangential_methods.csv").exists():
         result["checks"] = checks(table("tangential_methods"))
+    if (DATA / "clusters.csv").exists():
+        result["clusters"] = clusters(table("clusters"))
     return result
 
 
@@ -276,6 +323,8 @@ def main():
     if given.sweeps:
         for name in SOURCES:
             collect(name, given.sweeps)
+        if (given.sweeps / "clusters/points").exists():
+            collect_clusters(given.sweeps / "clusters")
     found = means(table("tangential"))
     with plt.rc_context(STYLE):
         save(diagram(found), PAGE.parent / "tangential_diagram.svg")
