@@ -21,8 +21,10 @@ class EventRamps : public testing::TestWithParam<std::string> {
 
 /// Sums, each to a share of its scale: energies and stresses of its kind, or root mean squares.
 /// Those of contacts differ by their begins and ends within steps. disk_time: disks times steps.
+/// uncertain: of what is expected, 0 if empty.
 void expect_same_sums(std::vector<double> const& sums, std::vector<double> const& expected,
-                      double unit, double disk_time, double share) {
+                      double unit, double disk_time, double share,
+                      std::vector<double> const& uncertain = {}) {
   using C = SumColumns;
   double const elastic = expected[C::elastic_xx] + expected[C::elastic_yy],
                kinetic = expected[C::kinetic_xx] + expected[C::kinetic_yy],
@@ -38,13 +40,16 @@ void expect_same_sums(std::vector<double> const& sums, std::vector<double> const
     if (c == C::spin2) scale = expected[c];
     if (c == C::torque_power) scale = expected[C::dissipation];
     bool const of_contacts = c < C::kinetic_xx || c == C::contacts || c == C::torque_power;
-    EXPECT_NEAR(sums[c] * unit, expected[c], (of_contacts ? 5 : 1) * share * scale) << c;
+    EXPECT_NEAR(sums[c] * unit, expected[c],
+                (of_contacts ? 5 : 1) * share * scale + (uncertain.empty() ? 0 : uncertain[c]))
+        << c;
   }
 }
 
 }  // namespace
 
-/// Steps of all disks converge to the events, states and integrals over time.
+/// Steps of all disks converge to the events, states and integrals over time. A contact that grazes
+/// amplifies the error of steps: it is known from steps four times as long.
 TEST_P(EventRamps, AreTheLimitOfStepsOfAllDisks) {
   for (bool const dense : {false, true}) {
     Scene const scene = ramp_scene(dense);
@@ -54,21 +59,28 @@ TEST_P(EventRamps, AreTheLimitOfStepsOfAllDisks) {
     auto const counters = events->snapshot().counters;
     EXPECT_GT(counters.at("carried_contacts"), 5);
     EXPECT_GT(counters.at("cluster_steps"), dense ? 200 : -1);
-    std::vector<double> off;
-    for (double const dt : {0.02, 0.01, 0.005}) {
+    State last;
+    std::vector<double> last_sums;
+    for (double const dt : {0.005, 0.00125}) {
       Scene const of_steps = in_steps(scene, dt);
       auto const plain = simulate_events(of_steps, start);
-      auto const expected = advance_to(*plain, make_ramp(of_steps).steps()).sums;
+      auto expected = advance_to(*plain, make_ramp(of_steps).steps()).sums;
       EXPECT_NEAR(plain->state().time, events->state().time, 1e-9);
       EXPECT_EQ(plain->state().strain_rate, events->state().strain_rate);
       EXPECT_NEAR(plain->state().offset, events->state().offset, 1e-9);
-      off.push_back(distance_between(events->state(), plain->state()));
-      if (dt > 0.005) continue;
-      expect_same_sums(sums, expected, time_step(scene) / dt,
-                       64.0 * static_cast<double>(plain->step()), 2e-3);
+      if (!last_sums.empty()) {
+        double const off_of_steps = distance_between(plain->state(), last);
+        EXPECT_LT(off_of_steps, dense ? 1e-3 : 1e-5);
+        EXPECT_LT(distance_between(events->state(), plain->state()),
+                  (dense ? 1e-5 : 2e-6) + 0.6 * off_of_steps);
+        for (std::size_t c = 0; c < expected.size(); ++c)
+          last_sums[c] = 0.6 * std::abs(4 * last_sums[c] - expected[c]);
+        expect_same_sums(sums, expected, time_step(scene) / dt,
+                         64.0 * static_cast<double>(plain->step()), 1e-3, last_sums);
+      }
+      last = plain->state();
+      last_sums = std::move(expected);
     }
-    EXPECT_LT(off[2], dense ? 1e-4 : 2e-5);
-    EXPECT_LT(off[2], 0.6 * off[0]);
   }
 }
 

@@ -40,12 +40,22 @@ def plain_ticks(axis):
 
 def scaled_ticks(axis, symbol, unit):
     """Sets numbers and label of a linear axis, once its limits are set: "$p$  $[10^{-4} m/\\tau_e^2]$" for small ones."""
+    scale_ticks(axis, symbol, UNITS.get(unit, rf"\mathrm{{{unit}}}"))
+
+
+def scale_ticks(axis, symbol, unit):
+    """The same, for a unit as it is set in a formula."""
     largest = np.abs(axis.get_view_interval()).max()
     power = int(np.floor(np.log10(largest))) if largest > 0 else 0
     power = 0 if -3 < power < 4 else power
     axis.set_major_formatter(matplotlib.ticker.FuncFormatter(lambda value, _: f"{value / 10.0**power:.5g}"))
-    factor, known = rf"10^{{{power}}}\," if power else "", UNITS.get(unit, rf"\mathrm{{{unit}}}")
-    axis.set_label_text(f"{symbol}  $[{factor}{known}]$" if factor or known else symbol)
+    factor = rf"10^{{{power}}}\," if power else ""
+    axis.set_label_text(f"{symbol}  $[{factor}{unit}]$" if factor or unit else symbol)
+
+
+def is_plain(axis):
+    """Linear, with plain_ticks."""
+    return axis.get_scale() == "linear" and getattr(axis.get_major_formatter(), "func", None) is short_power
 
 
 def steps_of(decades, across):

@@ -4,6 +4,7 @@
 import re
 import string
 
+from .labels import is_plain, scale_ticks
 from ..errors import InputError
 
 COLUMN, PAGE = 3.375, 7.0  # inches: widths of Phys. Rev.
@@ -41,7 +42,10 @@ def lend_labels(all_axes, shown):
 
 
 def smaller(axes):
-    """Letters, lines and markers for a column."""
+    """Letters, lines and markers for a column, which has no room for a power of ten at each tick."""
+    if is_plain(axes.yaxis):
+        symbol, unit = re.fullmatch(r"(.*?)(?:  \$\[(.*)\]\$)?", axes.get_ylabel()).groups("")
+        scale_ticks(axes.yaxis, symbol, unit)
     for axis in (axes.xaxis, axes.yaxis):
         axis.label.set(text=upright(axis.label.get_text()), size=SIZES["label"])
     axes.tick_params(which="both", labelsize=SIZES["tick"], pad=2, length=2.5)
