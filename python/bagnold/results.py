@@ -30,7 +30,6 @@ if TYPE_CHECKING:
 
 
 BY_PIECES = ("sequence", "oscillate", "stress")  # protocols in which the shear may turn or stop
-CONTROLLED = ("stress", "pressure")  # protocols that choose the rate or the box as they go
 
 
 class Series(Mapping[str, Array]):
@@ -296,9 +295,6 @@ class Run:
         for path in (self.folder / f"{name}.h5md", self.folder / f"{name}.parts"):
             if path.exists():
                 return Frames(path, rate)
-        if (protocol := self.scene.get("shear.protocol")) in CONTROLLED:
-            raise FileError(f'{self.folder} has no {name}.h5md: a run with shear.protocol = "{protocol}" writes no frames; '
-                            "its last state is Run.state")
         raise FileError(f"{self.folder} has no {name}.h5md: set output.{self.frame_spacing} between frames in the scene and "
                         "run it again")
 

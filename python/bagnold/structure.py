@@ -135,22 +135,24 @@ def _unwrapped_by_image(frames: list[Frame]) -> Array:
         first = frames[0]
         assert first.image is not None
         columns, rows = first.image.T
-        shift = first.box.tilt + (frame.strain - first.strain) * frame.box.height
+        shift = first.box.tilt * frame.box.length / first.box.length + (frame.strain - first.strain) * frame.box.height
         place -= np.stack([columns * frame.box.length + rows * shift, rows * frame.box.height], axis=1)
     return np.stack(out) if out else np.zeros((0, 0, 2))
 
 
 def nonaffine_displacement(frames: Iterable[Frame]) -> tuple[Array, Array]:
     """Displacements since the first frame without the mean flow, sum of dr - dgamma y x_hat with y the
-    mean of both ends of each interval. Returns strains since the first frame, [T], and displacements,
+    mean of both ends of each interval; where the box changed (given pressure), without that change too. Returns strains since the first frame, [T], and displacements,
     [T, N, 2], d_s."""
     frames = list(frames)
     if any(np.isnan(frame.strain) for frame in frames):
         raise InputError("the strain of a frame is not known; use a trajectory, whose frames tell it")
     place = unwrapped(frames)
     strain = np.array([frame.strain for frame in frames])
-    step = np.diff(place, axis=0)
-    step[..., 0] -= np.diff(strain)[:, None] * (place[1:, :, 1] + place[:-1, :, 1]) / 2
+    length = np.array([frame.box.length for frame in frames])
+    before = place[:-1] * (length[1:] / length[:-1])[:, None, None]  # taken along by the box
+    step = place[1:] - before
+    step[..., 0] -= np.diff(strain)[:, None] * (place[1:, :, 1] + before[..., 1]) / 2
     return strain - strain[0], np.concatenate([np.zeros((1, *place.shape[1:])), np.cumsum(step, axis=0)])
 
 
@@ -162,7 +164,7 @@ def d2_min(frames: Iterable[Frame], r_max: float = 2.5) -> tuple[Array, Array]:
 
     frames: two or more; those between help to unwrap disks where frames have no `image`. r_max: d_s, neighbours are those
     nearer in the first frame, n_i of them; 2.5 takes about 18 at phi = 0.82. Returns D^2_min, [N], d_s^2, and J, [N, 2, 2],
-    with the mean flow (J_xy = dgamma); NaN where neighbours do not span the plane. OVITO states n_i D^2_min."""
+    with the mean flow (J_xy = dgamma) and the change of the box; NaN where neighbours do not span the plane. OVITO states n_i D^2_min."""
     frames = list(frames)
     if len(frames) < 2:
         raise InputError(f"d2_min: {len(frames)} frame (needs a first and a last one); take a slice of several")
@@ -172,8 +174,10 @@ def d2_min(frames: Iterable[Frame], r_max: float = 2.5) -> tuple[Array, Array]:
     if np.isnan(strain):
         raise InputError("the strain of a frame is not known; use a trajectory, whose frames tell it")
     place = unwrapped(frames)
-    moved = place[-1] - place[0]
-    moved[:, 0] -= strain * place[0][:, 1]  # beside the mean flow, which takes a disk's images along
+    scale = last.box.length / first.box.length
+    start = scale * place[0]
+    moved = place[-1] - start
+    moved[:, 0] -= strain * start[:, 1]  # beside the mean flow and the box, which take a disk's images along
     i, j, away, _ = pairs_within(first.position, first.box, np.zeros(len(first)), r_max)
     i, j, away = np.concatenate([i, j]), np.concatenate([j, i]), np.concatenate([away, -away])
     apart = moved[i] - moved[j]
@@ -190,7 +194,7 @@ def d2_min(frames: Iterable[Frame], r_max: float = 2.5) -> tuple[Array, Array]:
     left = np.trace(spread, axis1=1, axis2=2) - np.sum(fit * mixed, axis=(1, 2))
     with np.errstate(invalid="ignore", divide="ignore"):
         d2 = np.maximum(left, 0) / np.bincount(i, minlength=len(first))
-    return d2, fit + np.array([[1.0, strain], [0.0, 1.0]])
+    return d2, fit + scale * np.array([[1.0, strain], [0.0, 1.0]])
 
 
 def nonaffine_msd(frames: Iterable[Frame]) -> tuple[Array, Array]:

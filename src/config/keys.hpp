@@ -300,7 +300,7 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
                "window whose averages are recorded; at given stress at the rate of the start",
                optional, 0, many, above}),
         output.sample_strain);
-  visit(of({"steady", "cascade"},
+  visit(of({"steady", "cascade", "pressure"},
            Key{"output.trajectory_strain", "", "between the frames of trajectory.h5md; 0: none",
                optional, 0, many}),
         output.trajectory_strain);
@@ -308,7 +308,7 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
            Key{"output.trajectory_decades", "",
                "of the rate, between the frames of trajectory.h5md; 0: none", optional, 0, 100}),
         output.trajectory_decades);
-  visit(of({"sequence", "oscillate"},
+  visit(of({"sequence", "oscillate", "stress"},
            Key{"output.trajectory_time", "tau_e", "between the frames of trajectory.h5md; 0: none",
                optional, 0, many}),
         output.trajectory_time);

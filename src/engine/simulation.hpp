@@ -34,6 +34,11 @@ class Simulation {
     throw std::logic_error("this engine is in control of no pieces");  // Abilities::pieces
   }
 
+  /// Strain of a controlled run since step 0.
+  virtual double strain() const {
+    throw std::logic_error("this engine is in control of no pieces");  // Abilities::pieces
+  }
+
   virtual Snapshot snapshot() const = 0;
 
   /// Counters of the snapshot alone.

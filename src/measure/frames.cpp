@@ -27,7 +27,8 @@ void Frames::show(Simulation const& simulation, std::int64_t from) {
   auto const waits = [&](Observed const& w) { return w.waits(from, step); };
   if (std::ranges::none_of(observed_, waits)) return;
   State const state = simulation.state();
-  Frame const frame{state, step, plan_.strain(step)};
+  bool const controlled = plan_.control_steps > 0;  // strain is known as the run goes
+  Frame const frame{state, step, controlled ? simulation.strain() : plan_.strain(step)};
   for (auto const& w : observed_)
     if (waits(w)) w.observer->add(frame);
 }

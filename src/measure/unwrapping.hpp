@@ -16,7 +16,7 @@ namespace bagnold {
 ///
 ///     y += nearest image,    x += dgamma (y_before + y_after) / 2 + nearest image
 ///
-/// This is right as long as its displacement relative to the mean flow stays below half the box.
+/// Where the box changed, the position before is taken along with it. This is right as long as its displacement relative to the mean flow stays below half the box.
 class Unwrapping {
  public:
   /// Images of the next frame, zero in the first. strain: gamma of the frame.
@@ -31,7 +31,7 @@ class Unwrapping {
   bool begun_ = false;
   std::vector<std::array<double, 2>> position_;  ///< [N], of the frame before, [d_s]
   io::Images images_;                            ///< [N], of the frame before
-  double strain_ = 0, tilt_ = 0;                 ///< of the frame before
+  double strain_ = 0, length_ = 0, tilt_ = 0;    ///< of the frame before
 };
 
 }  // namespace bagnold

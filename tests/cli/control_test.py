@@ -8,6 +8,7 @@ import shutil
 import signal
 import unittest
 
+import h5py
 import numpy as np
 
 from bagnold import CliTest, box_length, read_series, read_state, read_summary
@@ -26,6 +27,15 @@ FLOWS = {  # at a rate of 0.01: a dilute one, and a dense one in which the dampi
 def apart(one, other):
     """Difference of two estimates in standard errors."""
     return abs(one["mean"] - other["mean"]) / math.hypot(one["error"], other["error"])
+
+
+def frames_of(out):
+    """Arrays of trajectory.h5md by name, one row a frame."""
+    with h5py.File(out / "trajectory.h5md", "r") as file:
+        disks, scalars = file["particles/trajectory"], file["observables/trajectory"]
+        found = {name: disks[f"{name}/value"][()] for name in ("position", "image", "box/edges")}
+        found |= {name: disks[f"position/{name}"][()] for name in ("step", "time")}
+        return found | {name: scalars[f"{name}/value"][()] for name in scalars}
 
 
 class Flows(CliTest):
@@ -173,11 +183,49 @@ class Longer(CliTest):
         self.assertEqual(self.bagnold(*shlex.split(command), "--quiet").returncode, 0, command)
 
 
+class Trajectories(CliTest):
+    """Frames tell the strain and the box that a controller has chosen."""
+
+    FLOW = {**FLOWS["dense"], "shear__strain_rate": 0.01}
+
+    def test_frames_at_given_stress(self):
+        path = {**STRESS, **self.FLOW, "shear__stress": 0.005, "shear__time": 2000.0, "output__sample_strain": 0.05}
+        out = self.run_new("stress", **path, output__trajectory_time=10.0)
+        frames, series = frames_of(out), read_series(out)
+        rate = np.interp(series["time"], frames["time"], frames["strain_rate"])
+        self.assertGreater(np.ptp(rate), 1e-3)  # it is no longer that of the start
+        window = np.diff(series["strain"], prepend=0)
+        self.assertGreater(np.ptp(window) / window.mean(), 0.1)
+        strain = np.interp(series["time"], frames["time"], frames["strain"])
+        np.testing.assert_allclose(strain[:-1], series["strain"][:-1], atol=2e-3)
+        length = box_length(64, 0.82)
+        away = (frames["strain"] * length - frames["offset"] + frames["offset"][0]) / length
+        np.testing.assert_allclose(away, np.rint(away), atol=1e-10)
+        self.assertGreater(np.rint(away).max(), 3)
+
+    def test_frames_at_given_pressure(self):
+        scene = {**PRESSURE, **self.FLOW, "shear__pressure": 0.004, "shear__strain": 6.0, "shear__response": 2.0}
+        fine = frames_of(self.run_new("fine", **scene, output__trajectory_strain=2.0**-4))
+        coarse = frames_of(self.run_new("coarse", **scene, output__trajectory_strain=0.5))
+        self.assertGreater(np.ptp(fine["box/edges"][:, 0, 0]), 0.1)
+        for edges in fine["box/edges"]:
+            self.assertEqual(edges[0, 0], edges[1, 1])
+        every = np.searchsorted(fine["step"], coarse["step"])
+        np.testing.assert_array_equal(fine["step"][every], coarse["step"])
+        for name in ("position", "strain", "box/edges"):
+            np.testing.assert_array_equal(fine[name][every], coarse[name], err_msg=name)
+        # a disk goes where its images near in time say, also over half a strain
+        np.testing.assert_array_equal(fine["image"][every], coarse["image"])
+        self.assertGreater(np.abs(fine["image"]).max(), 3)
+
+
 class Restarts(ResumeTest):
     def test_a_run_that_is_stopped_goes_on_with_its_bits(self):
         for name, protocol in (("stress", {**STRESS, "shear__stress": 0.002, "shear__time": 1.5e4}),
                                ("pressure", {**PRESSURE, "shear__pressure": 0.005, "shear__strain": 30.0})):
-            path = self.scene(**{**protocol, **FLOWS["dense"], "shear__strain_rate": 0.002, "disks__replicas": 2, **OFTEN})
+            frames = {"stress": {"output__trajectory_time": 500.0}, "pressure": {"output__trajectory_strain": 1.0}}[name]
+            path = self.scene(**{**protocol, **FLOWS["dense"], "shear__strain_rate": 0.002, "disks__replicas": 2, **OFTEN,
+                                 **frames})
             whole, out = self.folder / f"{name}_whole", self.folder / f"{name}_cut"
             self.run_scene(path, whole, "--threads", 1, "--quiet")
             process, stops = self.start("run", path, "--out", out, "--threads", 1), 0

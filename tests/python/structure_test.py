@@ -207,6 +207,20 @@ class LocalStrain(unittest.TestCase):
         np.testing.assert_allclose(d2, 0, atol=1e-12)
         np.testing.assert_allclose(gradient, np.broadcast_to([[1, 0.3], [0, 1]], (60, 2, 2)), atol=1e-9)
 
+    def test_a_box_that_changed_leaves_nothing(self):
+        first, last = self.two(0.3)
+        last = dataclasses.replace(last, position=1.1 * last.position, box=bagnold.Box(9.9, 8.8, 0.3 * 8.8))
+        d2, gradient = structure.d2_min([first, last], 2.5)
+        np.testing.assert_allclose(d2, 0, atol=1e-12)
+        np.testing.assert_allclose(gradient, np.broadcast_to(1.1 * np.array([[1, 0.3], [0, 1]]), (60, 2, 2)), atol=1e-9)
+        np.testing.assert_allclose(structure.nonaffine_displacement([first, last])[1][1], 0, atol=1e-12)
+        up = last.position[:, 1] >= 4.4
+        moved = last.position - np.where(up[:, None], [0.3 * 8.8, 8.8], 0)
+        images = np.zeros((60, 2), int)
+        images[up, 1] = 1
+        other = dataclasses.replace(last, position=moved, image=images)
+        np.testing.assert_allclose(structure.d2_min([first, other])[0], 0, atol=1e-12)
+
     def test_by_least_squares_of_each_disk(self):
         kicks = np.random.default_rng(5).normal(0, 0.1, (60, 2))
         first, last = self.two(0.2, kicks)

@@ -24,6 +24,7 @@ class BlockEngine final : public Simulation {
   std::int64_t step() const override { return disks_.system.step; }
   void advance(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) override;
   void begin_piece(double strain_rate, double scale) override;
+  double strain() const override { return disks_.clock.strain(disks_.system.step); }
   Snapshot snapshot() const override;
   State state() const override;
   void give_back_scratch() override { lists_.give_back_scratch(); }

@@ -125,6 +125,8 @@ class ReferenceEngine final : public Simulation {
       follow(clock_.begin_piece(step_, strain_rate, list_.step));
   }
 
+  double strain() const override { return clock_.strain(step_); }
+
   Snapshot snapshot() const override {
     Snapshot s;
     clock_.save_pieces(s, list_.step);
