@@ -22,7 +22,7 @@ constexpr char const* compared_names[] = {"B_p", "B_sigma", "eta_p", "eta_sigma"
 
 sweep::Sweep both_rates(Scene const& scene, LimitRequest const& request) {
   auto const origin = request.scene_file.string();
-  if (scene.shear.protocol != "steady")
+  if (!scene.shear.rate_stays() || scene.shear.run_per_rate())
     throw InputError(
         fmt::format("{}: shear.protocol = \"{}\" (must be \"steady\": a limit is checked at one "
                     "rate); make a scene of the rate in question",

@@ -57,8 +57,8 @@ Scene first_scene(std::string const& protocol) {
   scene.shear.protocol = protocol;
   scene.shear.strain_rate = 1e-4;
   scene.shear.strain = 10.0;
-  if (protocol == "cascade") scene.shear.strain_rates = {1e-2, 1e-3, 1e-4};
-  if (protocol == "ramp") {  // about the transition of CD_rot, P2 Fig. 31
+  if (scene.shear.run_per_rate()) scene.shear.strain_rates = {1e-2, 1e-3, 1e-4};
+  if (scene.shear.ramps()) {  // about the transition of CD_rot, P2 Fig. 31
     scene.disks.model = "CD_rot";
     scene.disks.packing_fraction = 0.79;
     scene.disks.elasticity = 1;
@@ -83,7 +83,7 @@ Scene first_scene(std::string const& protocol) {
     scene.shear.period = 400;
     scene.shear.stress = NumberOrList(std::vector{1e-3, 3e-4});
     scene.shear.time = 2e4;
-    scene.shear.cycles = protocol == "oscillate" ? 6 : 1;
+    scene.shear.cycles = scene.shear.oscillates() ? 6 : 1;
   }
   return scene;
 }

@@ -96,7 +96,7 @@ int plot_command(PlotOptions const& options) {
   }
   status_of(folder);  // or it holds nothing
   Scene const scene = read_kept_scene(folder / "scene.toml");
-  if (scene.shear.protocol == "cascade")
+  if (scene.shear.run_per_rate())
     plot_cascade(folder, scene, options.format);
   else
     plot_run(folder, options.format);

@@ -143,7 +143,7 @@ void print_remarks(FinishedRun const& finished, std::string const& folder) {
 void print_table(Run const& run, std::vector<NamedEstimate> const& list, std::string const& folder,
                  bool all_of_them) {
   if (run.plan.ramp) return print_loop(run);
-  if (run.scene.shear.protocol == "sequence") return print_pieces(run);
+  if (run.scene.shear.lists_pieces()) return print_pieces(run);
   if (run.plan.stages > 1) return print_stresses(run);
   int const width = run.bias ? 42 : 26;
   fmt::print("\n{:<13} {:<{}} {:<17} {:<19} {}\n", "quantity",

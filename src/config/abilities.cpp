@@ -134,7 +134,7 @@ constexpr std::array demands = {
                                 least_underdamped_elasticity(scene), scene.disks.elasticity);
            }},
     Demand{"shear.protocol", &Abilities::ramps,
-           [](Scene const& scene) { return scene.shear.protocol == "ramp"; },
+           [](Scene const& scene) { return scene.shear.ramps(); },
            [](Scene const& scene) { return scene.shear.protocol; }},
     Demand{"shear.protocol", &Abilities::pieces,
            [](Scene const& scene) { return scene.shear.by_pieces() || scene.shear.controlled(); },

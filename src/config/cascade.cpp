@@ -32,7 +32,7 @@ std::vector<std::string> stage_folders(Scene const& cascade) {
 }
 
 std::vector<Scene> runs_of(Scene const& scene) {
-  if (scene.shear.protocol != "cascade") return {scene};
+  if (!scene.shear.run_per_rate()) return {scene};
   std::vector<Scene> runs;
   for (std::size_t k = 0; k < scene.shear.strain_rates.size(); ++k)
     runs.push_back(stage_of(

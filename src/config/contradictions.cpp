@@ -55,7 +55,7 @@ void look_at_protocol(Scene const& scene, Refusals const& refuse) {
                "shear.strain = [{:g}] has {} numbers, shear.strain_rates has {} (must be as many); "
                "give one for each rate, or one number for all",
                fmt::join(shear.strain.each, ", "), shear.strain.each.size(), rates.size()));
-  if (shear.protocol == "ramp" && shear.strain_rate_high <= shear.strain_rate)
+  if (shear.ramps() && shear.strain_rate_high <= shear.strain_rate)
     refuse(
         {"shear.strain_rate_high", "shear.strain_rate"},
         fmt::format(
@@ -67,13 +67,13 @@ void look_at_protocol(Scene const& scene, Refusals const& refuse) {
            fmt::format("shear.discard = \"auto\" (seeks one steady state, which shear.protocol = "
                        "\"{}\"{} has not); give a share",
                        shear.protocol, shear.controlled() ? " with a list of stresses" : ""));
-  if (shear.protocol == "oscillate" && shear.period.has_value() == shear.peak_rate.has_value())
+  if (shear.oscillates() && shear.period.has_value() == shear.peak_rate.has_value())
     refuse({"shear.period", "shear.peak_rate"},
            fmt::format("shear.period and shear.peak_rate {} (either makes the other, by "
                        "shear.amplitude = peak_rate period/2 pi); give one of them",
                        shear.period ? "are both given" : "are missing"));
   bool const by_number = shear.inertial_number.has_value();
-  if (shear.protocol == "pressure" && !by_number && shear.strain_rate == 0)
+  if (shear.changes_box() && !by_number && shear.strain_rate == 0)
     refuse({"shear.strain_rate", "shear.inertial_number"},
            "shear.strain_rate and shear.inertial_number are missing (either makes the other, by "
            "I = strain_rate/sqrt(pressure)); give one of them");
@@ -83,7 +83,7 @@ void look_at_protocol(Scene const& scene, Refusals const& refuse) {
            fmt::format("shear.strain_rate = {} (shear.inertial_number = {} and shear.pressure = {} "
                        "make {:.6g}); give one of the two",
                        shear.strain_rate, *shear.inertial_number, shear.pressure, by_pressure));
-  if (shear.protocol == "oscillate" && shear.amplitude < smallest_amplitude(scene))
+  if (shear.oscillates() && shear.amplitude < smallest_amplitude(scene))
     refuse({"shear.amplitude", "disks.count", "disks.packing_fraction", "disks.box_aspect"},
            fmt::format(
                "shear.amplitude = {} (is lost in the rounding of positions: in this box {:.2g} "
@@ -166,7 +166,7 @@ void look_at_others(Scene const& scene, Refusals const& refuse) {
         fmt::format("measure.contact_frames = true (needs the frames of a trajectory, and "
                     "contacts that are followed for their ages); set measure.contacts = true and "
                     "output.trajectory_{}, or measure.contact_frames = false",
-                    scene.shear.protocol == "ramp" ? "decades" : "strain"));
+                    scene.shear.ramps() ? "decades" : "strain"));
   if (scene.measure.rotation && !scene.rotates())
     refuse({"measure.rotation", "disks.model"},
            fmt::format("measure.rotation = true (disks of model \"{}\" do not rotate); use model "

@@ -27,7 +27,7 @@ constexpr std::int64_t fewest_builds = 50;  ///< of a piece at given pressure, w
 
 std::int64_t control_steps(Scene const& scene) {
   double const strain_steps = most_strain / (scene.shear.strain_rate * time_step(scene));
-  if (scene.shear.protocol == "pressure")
+  if (scene.shear.changes_box())
     return std::max(fewest_builds, static_cast<std::int64_t>(std::min(strain_steps, most_steps)));
   double const steps = piece_of_oscillation * std::sqrt(box_inertia(scene)) / time_step(scene);
   return std::max(fewest_steps,
@@ -44,7 +44,7 @@ double box_inertia(Scene const& scene) {
 
 Plan plan_of_control(Scene const& scene) {
   auto const& shear = scene.shear;
-  bool const of_stress = shear.protocol == "stress";
+  bool const of_stress = shear.finds_rate();
   Plan plan;
   plan.strain_rate = shear.strain_rate;
   plan.time_step = time_step(scene);

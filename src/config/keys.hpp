@@ -115,14 +115,8 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
   visit(Key{"start.iterations", "", "most iterations of that relaxation", optional, 0, 1e8},
         start.iterations);
 
-  visit(Key{"shear.protocol",
-            "",
-            "what is done to the strain rate",
-            optional,
-            0,
-            0,
-            false,
-            {"steady", "cascade", "ramp", "sequence", "oscillate", "stress", "pressure"}},
+  visit(Key{"shear.protocol", "", "what is done to the strain rate", optional, 0, 0, false,
+            protocol_names()},
         shear.protocol);
   visit(of({"steady", "ramp", "stress", "pressure"},
            Key{"shear.strain_rate", "1/tau_e",

@@ -18,6 +18,7 @@ Names acting_drives();    ///< names of all drives but "none"
 Names drive_words();      ///< "none", and these
 Names thermal_drives();   ///< of drives that have a temperature
 Names scheme_words();     ///< "auto", the names of all schemes, and those of single engines
+Names protocol_names();   ///< of shear.protocol
 Names engine_words();     ///< of integration.engine, "auto" first
 
 /// True if a scheme solves an equation for the motions of all disks together.

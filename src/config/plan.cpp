@@ -148,7 +148,7 @@ Plan plan_of_pieces(Scene const& scene) {
   plan.time_step = time_step(scene);
   plan.every = scene.measure.every;
   plan.steps = pieces.steps();
-  if (scene.shear.protocol == "sequence") {
+  if (scene.shear.lists_pieces()) {
     plan.rows = rows_of_sequence(scene, pieces, plan.windows);
     plan.window_steps = plan.rows.front().steps;
   } else {
@@ -170,7 +170,7 @@ Plan plan_of_pieces(Scene const& scene) {
 }  // namespace
 
 Plan make_plan(Scene const& scene) {
-  if (scene.shear.protocol == "ramp") return plan_of_ramp(scene);
+  if (scene.shear.ramps()) return plan_of_ramp(scene);
   if (pieces_of(scene)) return plan_of_pieces(scene);
   if (scene.shear.controlled()) {
     Plan plan = plan_of_control(scene);
@@ -264,7 +264,7 @@ double least_box_for_fields() {
 }
 
 std::string plan_warning(Scene const& scene, Plan const& plan) {
-  if (scene.shear.protocol == "oscillate" && scene.shear.discard > 0 && plan.discarded_windows == 0)
+  if (scene.shear.oscillates() && scene.shear.discard > 0 && plan.discarded_windows == 0)
     return fmt::format(
         "shear.cycles = 1 leaves no cycle to discard, so its transient is measured; take more, or "
         "say shear.discard = 0");

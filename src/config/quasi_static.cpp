@@ -14,7 +14,7 @@ constexpr std::int64_t most_disks = 4096;
 constexpr double fastest = 1e-5;  ///< [1/tau_e]
 
 double fastest_rate(Scene::Shear const& shear) {
-  if (shear.protocol != "cascade") return shear.strain_rate;
+  if (!shear.run_per_rate()) return shear.strain_rate;
   return shear.strain_rates.empty() ? 0 : std::ranges::max(shear.strain_rates);
 }
 

@@ -76,18 +76,24 @@ struct Scene {
     std::optional<double> inertial_number;  ///< gives strain_rate at that pressure
     double response = 10;                   ///< gamma_p: how slowly the box follows the pressure
 
-    /// True if the strain rate changes, and motions keep their excess over the flow where it does.
-    bool by_pieces() const {
-      return protocol == "sequence" || protocol == "oscillate" || protocol == "stress";
-    }
+    // Properties of the protocol, from its row in protocols.cpp.
+    bool run_per_rate() const;  ///< each of a list of rates has a run and a folder of its own
+    bool ramps() const;         ///< the rate changes over decades, and motions are scaled with it
+    bool by_pieces() const;     ///< the rate changes, and motions keep their excess over the flow
+    bool lists_pieces() const;  ///< rates and amounts of pieces are listed, with results of each
+    bool oscillates() const;    ///< pieces make up cycles, with results of a mean cycle
+    bool finds_rate() const;    ///< the mean strain rate is a result
+    bool changes_box() const;   ///< the packing fraction is a result
+    bool lengthens() const;     ///< a longer shear.strain goes on from the end of the run
 
     /// True if the sums of a piece decide on the next one's strain rate or box.
-    bool controlled() const { return protocol == "stress" || protocol == "pressure"; }
+    bool controlled() const { return finds_rate() || changes_box(); }
+
+    /// True if the strain rate is given and stays, in the one run or in each.
+    bool rate_stays() const { return !ramps() && !by_pieces() && !controlled(); }
 
     /// True if one state is sought, with means of its own.
-    bool has_one_flow() const {
-      return !by_pieces() || (protocol == "stress" && !stress.is_list());
-    }
+    bool has_one_flow() const { return !by_pieces() || (finds_rate() && !stress.is_list()); }
   } shear;
 
   /// A force on each disk alone, beside contacts.

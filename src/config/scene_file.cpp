@@ -41,7 +41,7 @@ class Reader {
       bool const protocol_known = !mistakes_.about("shear.protocol");
       if (toml::node const* node = table_.at_path(key.name).node())
         mistakes_.collect(std::string(key.name), [&] {
-          if (protocol_known) refuse_other_protocol(key, *node, scene.shear.protocol);
+          if (protocol_known) refuse_other_protocol(key, *node, scene.shear);
           take(key, *node, member);
         });
       else if (key.required && !mistakes_.about(key.name) &&
@@ -52,7 +52,7 @@ class Reader {
       mistakes_.add("", fmt::format("{}: {}; every scene must give {}", origin_,
                                     fmt::join(missing, ", "), missing.size() == 1 ? "it" : "them"));
     auto& shear = scene.shear;
-    if (shear.protocol == "pressure" && shear.inertial_number && shear.strain_rate == 0)
+    if (shear.changes_box() && shear.inertial_number && shear.strain_rate == 0)
       shear.strain_rate = *shear.inertial_number * std::sqrt(shear.pressure);
     bool const has_scheme = table_.at_path("integration.scheme").node() != nullptr;
     if (abilities_of(scene).own_scheme && !has_scheme) scene.integration.scheme = automatic;
@@ -135,14 +135,14 @@ class Reader {
   }
 
   void refuse_other_protocol(Key const& key, toml::node const& node,
-                             std::string const& protocol) const {
-    if (!belongs(key, protocol))
+                             Scene::Shear const& shear) const {
+    if (!belongs(key, shear.protocol))
       throw InputError(fmt::format(
           "{}{} = {} (belongs to shear.protocol = \"{}\", not \"{}\"): {}; leave it out or change "
           "shear.protocol",
           place(key.name, node), key.name, describe(node), fmt::join(key.protocols, "\" or \""),
-          protocol, key.meaning));
-    if (key.name == "shear.strain" && node.is_array() && protocol != "cascade")
+          shear.protocol, key.meaning));
+    if (key.name == "shear.strain" && node.is_array() && !shear.run_per_rate())
       refuse(key, node, "must be a number; a list belongs to shear.protocol = \"cascade\"");
   }
 

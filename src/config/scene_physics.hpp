@@ -11,4 +11,10 @@ inline DampingInput damping_input(Scene::Disks const& disks) {
   return {disks.elasticity, disks.damping_normal, disks.damping_tangential};
 }
 
+/// The law with the constants of a scene.
+template <ContactLaw Law>
+Law make_law(Scene::Disks const& disks) {
+  return Law::make(damping_input(disks));
+}
+
 }  // namespace bagnold

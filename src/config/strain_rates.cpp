@@ -38,14 +38,13 @@ class RampSchedule final : public RateSchedule {
 StrainRates::StrainRates(Ramp const& ramp) : schedule_(std::make_shared<RampSchedule>(ramp)) {}
 
 std::optional<PieceTable> pieces_of(Scene const& scene) {
-  auto const& protocol = scene.shear.protocol;
-  if (protocol == "sequence") return make_sequence(scene);
-  if (protocol == "oscillate") return make_oscillation(scene);
+  if (scene.shear.lists_pieces()) return make_sequence(scene);
+  if (scene.shear.oscillates()) return make_oscillation(scene);
   return std::nullopt;
 }
 
 StrainRates strain_rates(Scene const& scene) {
-  if (scene.shear.protocol == "ramp") return make_ramp(scene);
+  if (scene.shear.ramps()) return make_ramp(scene);
   if (auto const pieces = pieces_of(scene)) return *pieces;
   if (scene.shear.controlled())
     return {std::make_shared<PieceHistory const>(scene.shear.strain_rate)};

@@ -63,8 +63,8 @@ double time_step(Scene const& scene) {
   };
   double const rule = longest();
   auto const divides = [&](double piece) { return piece / std::ceil(piece / rule * (1 - 1e-12)); };
-  if (scene.shear.protocol == "ramp") return divides(scene.shear.ramp_every);
-  if (scene.shear.protocol == "oscillate")
+  if (scene.shear.ramps()) return divides(scene.shear.ramp_every);
+  if (scene.shear.oscillates())
     return divides(oscillation_period(scene) / static_cast<double>(scene.shear.cycle_pieces));
   return rule;
 }
@@ -83,8 +83,7 @@ bool damps_sliding(Scene::Disks const& disks) {
 bool suits_implicit_damping(Scene const& scene) {
   auto const& engine = abilities_of(scene);
   return damps_sliding(scene.disks) && scene.integration.time_step.word != of_papers &&
-         engine.scheme.empty() && engine.implicit_schemes.empty() &&
-         scene.shear.protocol != "ramp" && !scene.shear.by_pieces() && !scene.shear.controlled() &&
+         engine.scheme.empty() && engine.implicit_schemes.empty() && scene.shear.rate_stays() &&
          !scene.driven() && !scene.measure.contacts;
 }
 
@@ -98,7 +97,7 @@ std::int64_t implicit_step_length(Scene const& scene) {
 
 Scene resolved(Scene scene) {
   bool const changes = implicit_step_length(scene) > 1;
-  if (!is_quasi_static(scene) || scene.shear.protocol != "cascade")  // else one for each rate
+  if (!is_quasi_static(scene) || !scene.shear.run_per_rate())  // else one for each rate
     scene.integration.time_step = time_step(scene);
   scene.integration.skin = skin(scene);
   if (!changes) scene.integration.scheme = scheme_of(scene);

@@ -19,8 +19,7 @@ namespace {
 
 double& last_strain(Scene& scene) {
   auto& strain = scene.shear.strain.each;
-  if (scene.shear.protocol == "cascade")
-    strain.resize(scene.shear.strain_rates.size(), strain.front());
+  if (scene.shear.run_per_rate()) strain.resize(scene.shear.strain_rates.size(), strain.front());
   return strain.back();
 }
 
@@ -48,7 +47,7 @@ std::int64_t farthest(io::Checkpoint const& from) {
 }  // namespace
 
 Scene with_strain(Scene scene, double strain, std::string const& folder) {
-  if (scene.shear.protocol == "ramp")
+  if (scene.shear.ramps())
     throw InputError(fmt::format(
         "--strain {} ({} holds a ramp, whose shear.strain is spent before it goes up): its length "
         "is shear.cycles; run it anew with more of them",
@@ -62,21 +61,19 @@ Scene with_strain(Scene scene, double strain, std::string const& folder) {
         scene.shear.controlled() ? "shear.time" : "shear.cycles", folder));
   double& last = last_strain(scene);
   if (!(strain >= last))
-    throw InputError(fmt::format(
-        "--strain {} ({} has shear.strain = {} {}: must be more); `bagnold "
-        "run {}/scene.toml --set shear.strain={} --out ...` makes a "
-        "shorter run",
-        strain, folder, last, scene.shear.protocol == "cascade" ? "at its last rate" : "already",
-        folder, strain));
+    throw InputError(
+        fmt::format("--strain {} ({} has shear.strain = {} {}: must be more); `bagnold "
+                    "run {}/scene.toml --set shear.strain={} --out ...` makes a "
+                    "shorter run",
+                    strain, folder, last,
+                    scene.shear.run_per_rate() ? "at its last rate" : "already", folder, strain));
   last = strain;
   make_plain(scene.shear.strain);
   return scene;
 }
 
 bool is_longer(Scene const& before, Scene const& after) {
-  auto const& protocol = after.shear.protocol;
-  bool const has_strain = protocol == "steady" || protocol == "pressure";
-  if (!has_strain || !(after.shear.strain > before.shear.strain)) return false;
+  if (!after.shear.lengthens() || !(after.shear.strain > before.shear.strain)) return false;
   Scene as_before = after;
   as_before.shear.strain = before.shear.strain;
   return write_scene(as_before) == write_scene(before);

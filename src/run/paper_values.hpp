@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "src/config/scene.hpp"
-#include "src/engine/observables.hpp"
+#include "src/measure/observables.hpp"
 
 namespace bagnold {
 

@@ -16,7 +16,7 @@ void draw_missing_pictures(RunFolder const& folder, Scene const& scene) {
   };
   if (missing("plot.png")) warn(draw_plot(folder.result(), folder.picture()));
   if ((scene.measure.profiles && missing("profiles.png")) ||
-      (scene.measure.fields && scene.shear.protocol != "ramp" && missing("fields.png")) ||
+      (scene.measure.fields && !scene.shear.ramps() && missing("fields.png")) ||
       (makes_histograms(scene) && missing("histograms.png")))
     warn(draw_frames(folder.result(), folder.path()));
 }

@@ -204,7 +204,7 @@ std::vector<NamedEstimate> estimates_of_cycles(Run const& run) {
 
 std::vector<NamedEstimate> estimates(Run const& run) {
   std::vector<NamedEstimate> list;
-  if (run.scene.shear.protocol == "oscillate") return estimates_of_cycles(run);
+  if (run.scene.shear.oscillates()) return estimates_of_cycles(run);
   if (!run.plan.has_one_rate() || run.plan.stages > 1) return list;  // there is no one flow
   auto const windows = windows_of(run);
   for (auto const& observable : observables(run.scene, run.box_length))
@@ -257,28 +257,29 @@ void write_result_file(RunFolder const& folder, Run const& run) {
   io::Result result;
   Provenance const made = provenance();
   auto const& disks = run.scene.disks;
-  result.attributes = {{"title", run.scene.title},
-                       {"bagnold_version", made.version},
-                       {"git", made.git},
-                       {"compiler", made.compiler},
-                       {"kokkos", made.kokkos},
-                       {"backend", run.backend},
-                       {"simd", std::string(level_of(run.scene).name)},
-                       {"scene", write_scene(run.scene)},
-                       {"model", disks.model},
-                       {"mass", disks.mass},
-                       {"count", disks.count},
-                       {"packing_fraction", disks.packing_fraction},
-                       {"elasticity", disks.elasticity},
-                       {"protocol", run.scene.shear.protocol},
-                       {"strain_rate", typical_rate(run.scene)},
-                       {"seed", disks.seed},
-                       {"box_length", run.box_length},
-                       {"box_aspect", disks.box_aspect},
-                       {"scheme", run.scene.integration.scheme},
-                       {"time_step", run.plan.time_step},
-                       {"steps", run.plan.steps},
-                       {"window_steps", run.plan.window_steps}};
+  result.attributes = {
+      {"title", run.scene.title},
+      {"bagnold_version", made.version},
+      {"git", made.git},
+      {"compiler", made.compiler},
+      {"kokkos", made.kokkos},
+      {"backend", run.backend},
+      {"simd", std::string(level_of(run.scene.disks.model, run.scene.drive.kind).name)},
+      {"scene", write_scene(run.scene)},
+      {"model", disks.model},
+      {"mass", disks.mass},
+      {"count", disks.count},
+      {"packing_fraction", disks.packing_fraction},
+      {"elasticity", disks.elasticity},
+      {"protocol", run.scene.shear.protocol},
+      {"strain_rate", typical_rate(run.scene)},
+      {"seed", disks.seed},
+      {"box_length", run.box_length},
+      {"box_aspect", disks.box_aspect},
+      {"scheme", run.scene.integration.scheme},
+      {"time_step", run.plan.time_step},
+      {"steps", run.plan.steps},
+      {"window_steps", run.plan.window_steps}};
   Replica const& first = run.replicas.front();
   if (run.replicas.size() > 1) result.attributes.push_back({"seeds", seeds(run)});
   for (auto const& [name, value] : first.start_record)
@@ -316,8 +317,8 @@ void write_result_file(RunFolder const& folder, Run const& run) {
   result.histograms = std::move(found.histograms);
   result.profiles = std::move(found.profiles);
   result.samples = std::move(found.samples);
-  if (run.scene.shear.protocol == "sequence") result.samples.push_back(piece_table(run));
-  if (run.scene.shear.protocol == "oscillate") result.samples.push_back(cycle_table(run));
+  if (run.scene.shear.lists_pieces()) result.samples.push_back(piece_table(run));
+  if (run.scene.shear.oscillates()) result.samples.push_back(cycle_table(run));
   io::write_result(folder.result(), result);
 }
 
@@ -430,11 +431,11 @@ void add_protocol(Json& summary, Run const& run) {
     summary["loop"] = {{"up", bins_json(loop.up)}, {"down", bins_json(loop.down)}};
     return;
   }
-  if (shear.protocol == "sequence") {
+  if (shear.lists_pieces()) {
     summary["pieces"] = pieces_json(piece_results(run));
     return;
   }
-  if (shear.protocol == "oscillate") {
+  if (shear.oscillates()) {
     auto const cycles = static_cast<std::int64_t>(run.plan.pieces->size());
     summary["oscillation"] = {{"amplitude", shear.amplitude},
                               {"period", oscillation_period(run.scene)},

@@ -8,7 +8,7 @@
 
 #include "src/config/plan.hpp"
 #include "src/config/scene.hpp"
-#include "src/engine/observables.hpp"
+#include "src/measure/observables.hpp"
 #include "src/run/bias/course.hpp"
 #include "src/run/run_folder.hpp"
 #include "src/run/run_measured.hpp"

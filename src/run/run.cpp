@@ -49,7 +49,7 @@ void give_strain(RunFolder const& folder, double strain, RunMonitor& monitor) {
   Scene const before = read_kept_scene(folder.scene());
   Scene const after = with_strain(before, strain, folder.path().string());
   if (write_scene(after) == write_scene(before)) return;
-  if (before.shear.protocol != "cascade") return make_longer(folder, after);
+  if (!before.shear.run_per_rate()) return make_longer(folder, after);
   auto const& rates = after.shear.strain_rates;
   monitor.status(
       fmt::format("the last rate of the cascade, {}, gets {} instead of {} of strain; those before "
@@ -91,8 +91,7 @@ RunEnd run(Scene scene, std::filesystem::path const& name, RunOptions const& opt
   }
   RunFolder const folder = RunFolder::make(name, options.replace);
   io::replace_text(folder.scene(), write_scene(scene));
-  if (scene.shear.protocol == "cascade")
-    return run_cascade(folder, scene, machine, monitor_of(options));
+  if (scene.shear.run_per_rate()) return run_cascade(folder, scene, machine, monitor_of(options));
   return run_from_start(folder, scene, machine, monitor_of(options), std::move(from_file));
 }
 

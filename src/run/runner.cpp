@@ -331,7 +331,7 @@ void Runner::write_checkpoint() {
   run_.wall_seconds = wall_before_ + stepping.count();
   io::Checkpoint c;
   c.scene = write_scene(run_.scene);
-  c.simd = level_of(run_.scene).name;
+  c.simd = level_of(run_.scene.disks.model, run_.scene.drive.kind).name;
   c.wall_seconds = run_.wall_seconds;
   for (std::size_t r = 0; r < simulations_.size(); ++r) c.systems.push_back(checkpoint_of(r));
   io::write_checkpoint(folder_.path(), std::move(c));

@@ -65,7 +65,8 @@ RunEnd run_from_checkpoint(RunFolder const& folder, io::Checkpoint checkpoint, S
     for (auto const& line : longer->remarks(checkpoint)) monitor.status(line);
   monitor.status(fmt::format("going on from step {} of {}", checkpoint.steps(),
                              plan.steps * scene.disks.replicas));
-  if (auto const now = level_of(scene).name; !checkpoint.simd.empty() && checkpoint.simd != now)
+  if (auto const now = level_of(scene.disks.model, scene.drive.kind).name;
+      !checkpoint.simd.empty() && checkpoint.simd != now)
     monitor.status(fmt::format(
         "this run was begun with the instructions {} and goes on with {}: its bits will be others "
         "than without the break, by rounding; where they must not, use BAGNOLD_SIMD={}",

@@ -121,7 +121,7 @@ RunStatus status_of(fs::path const& folder) {
   }
   Scene const scene = read_kept_scene(folder / "scene.toml");
   bool begun = false;
-  if (scene.shear.protocol != "cascade") {
+  if (!scene.shear.run_per_rate()) {
     Plan const plan = make_plan(scene);
     status.name = plan.progress_name();
     status.whole = plan.progress(plan.steps);
@@ -138,7 +138,7 @@ std::vector<RunStatus> status_of_stages(fs::path const& folder) {
   std::vector<RunStatus> stages;
   if (!fs::exists(folder / "scene.toml")) return stages;
   Scene const scene = read_kept_scene(folder / "scene.toml");
-  if (scene.shear.protocol != "cascade") return stages;
+  if (!scene.shear.run_per_rate()) return stages;
   for (std::size_t k = 0; k < scene.shear.strain_rates.size(); ++k) {
     auto const path = folder / stage_folder(scene, k);
     if (fs::exists(path / "scene.toml")) {

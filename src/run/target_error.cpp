@@ -96,9 +96,8 @@ bool met_at(Run const& run, std::int64_t windows) {
 }  // namespace
 
 std::vector<std::string_view> settling_names(Run const& run) {
-  auto const& protocol = run.scene.shear.protocol;
-  if (protocol == "stress") return {"p", "strain_rate"};
-  if (protocol == "pressure") return {"packing_fraction", "B_sigma"};
+  if (run.scene.shear.finds_rate()) return {"p", "strain_rate"};
+  if (run.scene.shear.changes_box()) return {"packing_fraction", "B_sigma"};
   return {"B_p", "B_sigma"};
 }
 

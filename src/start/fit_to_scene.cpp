@@ -44,7 +44,7 @@ void refuse_disagreement(State const& state, Scene const& scene) {
         fmt::format("box_aspect = {}, disks.box_aspect = {} (must agree to 1e-9); set "
                     "disks.box_aspect = {}",
                     state.box_aspect, aspect, state.box_aspect));
-  bool const keeps_box = scene.shear.protocol == "pressure";  // which changes it anyhow
+  bool const keeps_box = scene.shear.changes_box();  // which changes it anyhow
   if (!keeps_box && !(std::abs(state.box_length - length) <= 1e-9 * length))
     refuse(
         fmt::format("box_length = {} but disks.count = {} and disks.packing_fraction = {} give {} "

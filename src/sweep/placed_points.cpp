@@ -100,8 +100,7 @@ class Places {
     for (auto at = begin; at != end; ++at) {
       Known* const one = at->second;
       double const strain = one->read.shear.strain;
-      if (scene.shear.protocol != "steady" || one->started || one->taken ||
-          !(strain < scene.shear.strain))
+      if (!scene.shear.lengthens() || one->started || one->taken || !(strain < scene.shear.strain))
         continue;
       if (best == nullptr || strain > best->read.shear.strain) best = one;
     }

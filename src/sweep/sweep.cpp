@@ -119,7 +119,7 @@ class Expansion {
   static constexpr auto rate_key = "shear.strain_rate";
 
   void refuse_mixture(Scene const& scene) {
-    bool const is_cascade = scene.shear.protocol == "cascade";
+    bool const is_cascade = scene.shear.run_per_rate();
     if (cascade_known_ && is_cascade != cascade_)
       throw InputError(
           "shear.protocol: some points are cascades, of a row for each rate, some are not (must be "

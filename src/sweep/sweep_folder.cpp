@@ -107,8 +107,7 @@ std::vector<std::size_t> SweepFolder::shorter_on_disk(Sweep const& sweep) const 
     auto const file = point(k) / "scene.toml";
     if (!fs::exists(file)) continue;
     auto const& wanted = sweep.points[k].scene;
-    if (wanted.shear.protocol == "steady" &&
-        read_kept_scene(file).shear.strain < wanted.shear.strain)
+    if (wanted.shear.lengthens() && read_kept_scene(file).shear.strain < wanted.shear.strain)
       points.push_back(k);
   }
   return points;

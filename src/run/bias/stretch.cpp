@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "src/engine/make_simulation.hpp"
-#include "src/engine/observables.hpp"
+#include "src/measure/observables.hpp"
 
 namespace bagnold::bias {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "src/engine/control_columns.hpp"
-#include "src/engine/observables.hpp"
+#include "src/measure/observables.hpp"
 #include "src/run/protocols/pressure/pressure_controller.hpp"
 #include "src/run/protocols/stress/stress_controller.hpp"
 
@@ -61,9 +61,8 @@ void Controller::load(std::vector<double> const& memory) {
 
 std::unique_ptr<Controller> make_controller(Scene const& scene, Plan const& plan,
                                             double box_length) {
-  if (scene.shear.protocol == "stress")
-    return std::make_unique<StressController>(scene, plan, box_length);
-  if (scene.shear.protocol == "pressure")
+  if (scene.shear.finds_rate()) return std::make_unique<StressController>(scene, plan, box_length);
+  if (scene.shear.changes_box())
     return std::make_unique<PressureController>(scene, plan, box_length);
   return nullptr;
 }

@@ -40,8 +40,8 @@ double FinishedRun::in_window(std::string_view name, std::size_t window) const {
 namespace {
 
 std::span<Check* const> checks_of(Scene::Shear const& shear) {
-  if (shear.protocol == "stress") return checks_at_stress;
-  if (shear.protocol == "pressure") return checks_at_pressure;
+  if (shear.finds_rate()) return checks_at_stress;
+  if (shear.changes_box()) return checks_at_pressure;
   if (shear.by_pieces()) return checks_of_pieces;
   return all_checks;
 }

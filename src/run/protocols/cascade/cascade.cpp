@@ -88,7 +88,7 @@ void write_summary(RunFolder const& folder, Scene const& cascade) {
 std::optional<Scene> cascade_in(RunFolder const& folder) {
   if (!fs::exists(folder.scene())) return std::nullopt;
   Scene scene = read_kept_scene(folder.scene());
-  return scene.shear.protocol == "cascade" ? std::optional(scene) : std::nullopt;
+  return scene.shear.run_per_rate() ? std::optional(scene) : std::nullopt;
 }
 
 std::optional<StageFolder> stage_folder_in_cascade(fs::path const& folder) {
@@ -102,7 +102,7 @@ std::optional<StageFolder> stage_folder_in_cascade(fs::path const& folder) {
   } catch (InputError const&) {  // anyone's: what lies beside a run is no part of it
     return std::nullopt;
   }
-  if (scene.shear.protocol != "cascade") return std::nullopt;
+  if (!scene.shear.run_per_rate()) return std::nullopt;
   for (std::size_t k = 0; k < scene.shear.strain_rates.size(); ++k)
     if (stage_folder(scene, k) == absolute.filename())
       return StageFolder{folder.parent_path(), std::move(scene), k};
