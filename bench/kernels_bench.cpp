@@ -6,9 +6,9 @@
 #include "kernels/physics/laws/laws.hpp"
 #include "kernels/physics/repulsion/repulsion.hpp"
 #include "kernels/physics/schemes/modified_velocity_verlet.hpp"
+#include "src/config/scene_physics.hpp"
 #include "src/config/skin.hpp"
 #include "src/engine/device_copy.hpp"
-#include "src/engine/laws.hpp"
 #include "src/start/start.hpp"
 
 namespace bagnold::bench {

@@ -11,8 +11,8 @@
 #include "bench/accuracy/system.hpp"
 #include "kernels/physics/laws/laws.hpp"
 #include "kernels/physics/repulsion/repulsion.hpp"
+#include "src/config/scene_physics.hpp"
 #include "src/config/skin.hpp"
-#include "src/engine/laws.hpp"
 
 namespace bagnold::accuracy {
 

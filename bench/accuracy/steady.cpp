@@ -7,7 +7,7 @@
 
 #include "bench/accuracy/commands.hpp"
 #include "bench/accuracy/start.hpp"
-#include "src/engine/observables.hpp"
+#include "src/measure/observables.hpp"
 #include "src/statistics/estimate.hpp"
 
 namespace bagnold::accuracy {

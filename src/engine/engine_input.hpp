@@ -29,6 +29,9 @@ struct EngineInput {
   std::string model;   ///< name of the law
   std::string engine;  ///< integration.engine
   PhysicsInput physics;
+  bool rotates;           ///< the law
+  double normal_damping;  ///< of a law that is linear in the velocity, [m/tau_e]
+  double tangential_damping;
   SpeciesTable species;
   StrainRates rates;
   double time_step;  ///< dt, [tau_e]
@@ -37,7 +40,7 @@ struct EngineInput {
   std::optional<DriveSetup> drive = {};
 };
 
-/// initial_time: of the run, [tau_e], see drive_setup.
+/// initial_time: of the run, [tau_e], for the random numbers of its drive.
 EngineInput engine_input(Scene const& scene, double initial_time = 0);
 
 }  // namespace bagnold

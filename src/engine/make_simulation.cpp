@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "kernels/physics/schemes/schemes.hpp"
 #include "src/config/abilities.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/events.hpp"
 #include "src/config/quasi_static.hpp"
+#include "src/config/scene.hpp"
 #include "src/config/time_step.hpp"
 #include "src/engine/auto_scheme/auto_scheme.hpp"
 #include "src/engine/backends.hpp"
@@ -43,11 +45,13 @@ void require_able(Scene const& scene, std::string const& backend) {
 /// The engine of a scene on a backend of this build.
 std::unique_ptr<Simulation> make_engine(Scene const& scene, Snapshot& snapshot,
                                         std::string const& backend) {
-  if (is_quasi_static(scene)) return make_quasi_static(scene, snapshot);
-  if (has_events(scene)) return make_events(scene, snapshot, backend);
   auto const input = engine_input(scene, snapshot.initial_time);
-  if (input.engine != "reference")
-    if (auto made = level_of(scene).make(input, snapshot, backend)) return made;
+  if (is_quasi_static(scene)) return make_quasi_static(input, snapshot);
+  if (has_events(scene)) return make_events(input, snapshot, backend);
+  if (scene.integration.engine != "reference") {
+    auto const& level = level_of(scene.disks.model, scene.drive.kind);
+    if (auto made = level.make(input, snapshot, backend)) return made;
+  }
   return engines_for(input.model).reference(input, snapshot, backend);
 }
 
@@ -61,21 +65,42 @@ std::vector<std::string> names(std::tuple<Spaces...> const*) {
   return {std::string(backend_name<Spaces>)...};
 }
 
-/// Engine of a scene whose scheme may change during the run.
+/// Makes engines of a scene that go on from snapshots.
+auto maker_of(Scene const& scene, std::string const& backend) {
+  return [scene, backend](Snapshot&& from) { return make_engine(scene, from, backend); };
+}
+
+/// Engine of a scene whose scheme may change during the run. length: of an implicit step, [steps].
 std::unique_ptr<Simulation> make_choosing(Scene const& scene, std::int64_t length,
                                           Snapshot&& snapshot, std::string const& backend) {
-  return std::make_unique<AutoScheme>(scene, length, std::move(snapshot),
-                                      [backend](Scene const& of_scheme, Snapshot&& from) {
-                                        return make_engine(of_scheme, from, backend);
-                                      });
+  double const dt = time_step(scene);
+  Scene two_stages = scene, implicit = scene;
+  two_stages.integration.scheme = DefaultScheme::name;
+  two_stages.integration.time_step = dt;
+  implicit.integration.scheme = ImplicitDamping::name;
+  implicit.integration.time_step = static_cast<double>(length) * dt;
+  return std::make_unique<AutoScheme>(
+      AutoScheme::Engines{maker_of(two_stages, backend), maker_of(implicit, backend), length,
+                          scene.measure.every, scene.shear.strain_rate, dt},
+      std::move(snapshot));
 }
 
 /// Engine of a scene in which events and steps of all disks take turns.
 std::unique_ptr<Simulation> make_adaptive(Scene const& scene, Snapshot&& snapshot,
                                           std::string const& backend) {
+  double const dt = time_step(scene);
+  Scene events = scene, steps = scene;
+  events.integration.engine = event_engine;
+  events.integration.scheme = exact_contacts;
+  events.integration.skin = automatic;
+  steps.integration.engine = steps_engine;
+  steps.integration.scheme = scheme_of(scene);
+  for (auto* of : {&events, &steps}) of->integration.time_step = dt;
   return std::make_unique<AdaptiveEngine>(
-      scene, std::move(snapshot),
-      [backend](Scene const& of, Snapshot&& from) { return make_engine(of, from, backend); });
+      AdaptiveEngine::Engines{
+          maker_of(events, backend), maker_of(steps, backend), dt,
+          events::EventChoice::stretch(scene.shear.strain_rate * dt, !scene.shear.ramps())},
+      std::move(snapshot));
 }
 
 /// Throws InputError where a device cannot go on from what the host has written.

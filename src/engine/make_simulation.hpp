@@ -5,10 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "src/config/scene.hpp"
 #include "src/engine/simulation.hpp"
 
 namespace bagnold {
+
+struct Scene;
 
 /// Simulation of a scene from a snapshot, at its strain rate or at those of its ramp, on a backend
 /// by its name; "" takes the first of the build's. Throws InputError if the build does not have it;

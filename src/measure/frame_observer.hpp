@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "src/engine/contacts/contact_record.hpp"
-#include "src/engine/observables.hpp"
+#include "src/measure/observable.hpp"
 #include "src/state/state.hpp"
 #include "src/statistics/tables.hpp"
 

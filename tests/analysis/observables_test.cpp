@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "src/engine/observables.hpp"
+#include "src/measure/observables.hpp"
 
 #include <gtest/gtest.h>
 

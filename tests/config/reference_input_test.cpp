@@ -7,7 +7,7 @@
 
 #include "kernels/physics/laws/laws.hpp"
 #include "src/config/plan.hpp"
-#include "src/engine/laws.hpp"
+#include "src/config/scene_physics.hpp"
 #include "src/sweep/sweep.hpp"
 #include "tests/config/scenes.hpp"
 

@@ -181,10 +181,16 @@ struct Counting : Simulation {
 TEST(AutoScheme, AStretchThatFailsIsSteppedAgain) {
   Scene scene = scene_of("CD", 0.84);
   auto const length = implicit_step_length(scene), stretch = stretch_of(scene);
-  AutoScheme simulation(scene, length, Snapshot{}, [&](Scene const& of, Snapshot&& from) {
-    bool const implicit = of.integration.scheme == ImplicitDamping::name;
-    return std::make_unique<Counting>(std::move(from), implicit ? (3 * stretch + 80) / length : -1);
-  });
+  auto const counting = [](std::int64_t fails_at) {
+    return [=](Snapshot&& from) { return std::make_unique<Counting>(std::move(from), fails_at); };
+  };
+  AutoScheme simulation({.two_stages = counting(-1),
+                         .implicit = counting((3 * stretch + 80) / length),
+                         .length = length,
+                         .every = scene.measure.every,
+                         .strain_rate = scene.shear.strain_rate,
+                         .time_step = time_step(scene)},
+                        Snapshot{});
   Sampling const sampling{.window_steps = 40 * length, .every = 10, .last_step = 5 * stretch};
   OpenWindows windows;
   simulation.advance(5 * stretch, sampling, windows);

@@ -31,7 +31,7 @@ TEST(Levels, TheOneAskedForRuns) {
     if (!level.here) continue;
     Asked const asked(std::string(level.name).c_str());
     EXPECT_EQ(chosen_level().name, level.name);
-    EXPECT_EQ(level_of(small_scene("CD_rot")).name, level.name);
+    EXPECT_EQ(level_of("CD_rot", no_drive).name, level.name);
   }
 }
 
@@ -54,13 +54,9 @@ TEST(Levels, RegisteredLawsAndDrivesGoWithEverythingElse) {
   for (auto const& level : levels()) {
     if (!level.here) continue;
     Asked const asked(std::string(level.name).c_str());
-    Scene scene = small_scene("CD_rot");
-    scene.drive.kind = "wind";
-    EXPECT_EQ(level_of(scene).name, simd::level_name);
-    scene.drive.kind = "stokes";
-    EXPECT_EQ(level_of(scene).name, level.name);
-    scene.disks.model = "CD_x";
-    EXPECT_EQ(level_of(scene).name, simd::level_name);
+    EXPECT_EQ(level_of("CD_rot", "wind").name, simd::level_name);
+    EXPECT_EQ(level_of("CD_rot", "stokes").name, level.name);
+    EXPECT_EQ(level_of("CD_x", "stokes").name, simd::level_name);
   }
 }
 

@@ -9,9 +9,9 @@
 #include "src/config/laws.hpp"
 #include "src/config/skin.hpp"
 #include "src/engine/device_copy.hpp"
-#include "src/engine/observables.hpp"
 #include "src/engine/quasi_static/quasi_static_engine.hpp"
 #include "src/engine/wrap_state.hpp"
+#include "src/measure/observables.hpp"
 #include "tests/reference/backward_euler.hpp"
 #include "tests/support/simulations.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "kernels/physics/sums/sums.hpp"
 #include "src/config/time_step.hpp"
-#include "src/engine/observables.hpp"
+#include "src/measure/observables.hpp"
 
 namespace bagnold::test {
 

@@ -39,11 +39,14 @@ src/cli              Kokkos|hdf5|H5|toml|Eigen
 src/io               Kokkos
 src/sweep            Kokkos
 "
+# The files of src/engine that see a scene. The others take an EngineInput, and a new key compiles none of
+# them anew.
+sees_scene="src/engine/engine_input.cpp src/engine/make_simulation.cpp src/engine/register_law.hpp"
 
 mapfile -t files < <(find kernels src -type f \( -name '*.hpp' -o -name '*.cpp' \) | sort)
 
 # shellcheck disable=SC2016 # the $ are awk's
-awk -v allowed="$allowed" -v forbidden="$forbidden" '
+awk -v allowed="$allowed" -v forbidden="$forbidden" -v sees_scene=" $sees_scene " '
   function complain(text) { print FILENAME ":" FNR ": " text; wrong = 1 }
   function inside(path, folder) { return index(path, folder "/") == 1 }
   BEGIN {
@@ -76,6 +79,7 @@ awk -v allowed="$allowed" -v forbidden="$forbidden" '
   }
   /^[ \t]*#[ \t]*include[ \t]*"/ {
     split($0, part, "\""); path = part[2]
+    includes[FILENAME] = includes[FILENAME] " " path
     if (path ~ /^(git_version|[a-z_]+_script)\.hpp$/) next  # made by the build
     if (!(inside(path, "kernels") || inside(path, "src"))) {
       complain("\"" path "\" is not written from the root"); next
@@ -97,7 +101,21 @@ awk -v allowed="$allowed" -v forbidden="$forbidden" '
     launch = first ~ /^[ \t]*$/
     if (!launch && first !~ /^[ \t]*("[a-z_]+::|label,|std::string const& label,|Kokkos::TeamThreadRange\()/) complain("a kernel needs a label, \"module::What\"")
   }
+  # True if a file includes a scene, itself or through others.
+  function reaches_scene(file,   list, n, k) {
+    if (file in reaches) return reaches[file]
+    reaches[file] = 0
+    n = split(includes[file], list, " ")
+    for (k = 1; k <= n && !reaches[file]; ++k)
+      reaches[file] = list[k] == "src/config/scene.hpp" || reaches_scene(list[k])
+    return reaches[file]
+  }
   END {
+    for (file in includes)
+      if (inside(file, "src/engine") && !index(sees_scene, " " file " ") && reaches_scene(file)) {
+        print file ": must not include src/config/scene.hpp, not through others either; take an EngineInput"
+        wrong = 1
+      }
     for (header in headers) if (!(header in once)) { print header ": no #pragma once"; wrong = 1 }
     exit wrong
   }' "${files[@]}"

@@ -10,9 +10,9 @@
 
 #include "kernels/physics/laws/laws.hpp"
 #include "kernels/physics/sums/sums.hpp"
+#include "src/config/scene_physics.hpp"
 #include "src/config/skin.hpp"
 #include "src/config/time_step.hpp"
-#include "src/engine/laws.hpp"
 #include "src/engine/make_simulation.hpp"
 #include "src/start/relax_overlaps.hpp"
 #include "src/start/start.hpp"

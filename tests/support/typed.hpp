@@ -9,8 +9,8 @@
 #include <type_traits>
 
 #include "kernels/physics/laws/laws.hpp"
+#include "src/config/scene_physics.hpp"
 #include "src/engine/backends.hpp"
-#include "src/engine/laws.hpp"
 #include "tests/support/schemes.hpp"
 
 /// The program's own lists of backends, laws and schemes as the type lists of tests.

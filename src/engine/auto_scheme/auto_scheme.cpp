@@ -5,9 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "kernels/physics/schemes/schemes.hpp"
 #include "src/config/errors.hpp"
-#include "src/config/time_step.hpp"
 #include "src/engine/engine_memory.hpp"
 
 namespace bagnold {
@@ -39,24 +37,21 @@ WindowSums sum_of(OpenWindows const& windows) {
 
 }  // namespace
 
-AutoScheme::AutoScheme(Scene const& scene, std::int64_t length, Snapshot&& snapshot,
-                       MakeEngine make)
-    : two_stage_(scene), implicit_(scene), length_(length), make_(std::move(make)) {
-  two_stage_.integration.scheme = DefaultScheme::name;
-  two_stage_.integration.time_step = time_step(scene);
-  implicit_.integration.scheme = ImplicitDamping::name;
-  implicit_.integration.time_step = static_cast<double>(length) * time_step(scene);
-  stretch_ = length * std::max(least_steps, least_samples * scene.measure.every);
+AutoScheme::AutoScheme(Engines engines, Snapshot&& snapshot)
+    : engines_(std::move(engines)),
+      stretch_(engines_.length * std::max(least_steps, least_samples * engines_.every)) {
   if (!snapshot.memory.empty()) {
     for_each_memory(RestoreMemory{snapshot.memory});
     for_each_counter(RestoreCounter{snapshot.counters});
     forget_choice(snapshot);
   }
-  if (is_implicit_) snapshot.step /= length_, snapshot.list_step /= length_;
-  engine_ = make_(is_implicit_ ? implicit_ : two_stage_, std::move(snapshot));
+  if (is_implicit_) snapshot.step /= engines_.length, snapshot.list_step /= engines_.length;
+  engine_ = make(std::move(snapshot));
 }
 
-std::int64_t AutoScheme::step() const { return engine_->step() * (is_implicit_ ? length_ : 1); }
+std::int64_t AutoScheme::step() const {
+  return engine_->step() * (is_implicit_ ? engines_.length : 1);
+}
 
 void AutoScheme::advance(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) {
   auto const end = std::min(step() + steps, sampling.last_step);
@@ -107,11 +102,11 @@ void AutoScheme::try_stretch(Sampling const& sampling, OpenWindows& windows) {
 /// Steps a stretch of implicit damping. Returns whether it may be kept. It is given up after a
 /// quarter that shows that motions are not overdamped.
 bool AutoScheme::step_stretch(Sampling const& sampling, OpenWindows& held) {
-  auto const begin = engine_->step(), length = stretch_ / length_;
+  auto const begin = engine_->step(), length = stretch_ / engines_.length;
   constexpr std::int64_t parts = 4;
   try {
     for (std::int64_t part = 1; part <= parts; ++part) {
-      Sampling const scaled{.window_steps = sampling.window_steps / length_,
+      Sampling const scaled{.window_steps = sampling.window_steps / engines_.length,
                             .every = sampling.every,
                             .last_step = begin + length * part / parts};
       while (engine_->step() < scaled.last_step)
@@ -121,10 +116,10 @@ bool AutoScheme::step_stretch(Sampling const& sampling, OpenWindows& held) {
   } catch (NumericalError const&) {
     return choice_.refuse();
   }
-  double const rate = two_stage_.shear.strain_rate;
-  double const strain = rate * time_step(two_stage_) * static_cast<double>(stretch_);
+  double const rate = engines_.strain_rate;
+  double const strain = rate * engines_.time_step * static_cast<double>(stretch_);
   bool const keeps = choice_.keeps(sum_of(held), strain, rate);
-  auto const weight = static_cast<double>(length_);
+  auto const weight = static_cast<double>(engines_.length);
   for (auto& window : held.sums) {
     for (double& sum : window.sums) sum *= weight;
     window.weight *= weight;
@@ -133,15 +128,15 @@ bool AutoScheme::step_stretch(Sampling const& sampling, OpenWindows& held) {
 }
 
 void AutoScheme::change_to_implicit() {
-  auto const step = engine_->step() / length_;
-  engine_ = make_(implicit_, handed_over(engine_->snapshot(), step));
+  auto const step = engine_->step() / engines_.length;
   is_implicit_ = true;
+  engine_ = make(handed_over(engine_->snapshot(), step));
 }
 
 void AutoScheme::change_to_two_stages() {
-  auto const step = engine_->step() * length_;
-  engine_ = make_(two_stage_, handed_over(engine_->snapshot(), step));
+  auto const step = engine_->step() * engines_.length;
   is_implicit_ = false;
+  engine_ = make(handed_over(engine_->snapshot(), step));
 }
 
 /// Returns to the start of a stretch that is not kept, from where two stages continue.
@@ -150,14 +145,14 @@ void AutoScheme::go_back(Snapshot&& kept) {
   bool const was_implicit = kept.memory.at("auto_is_implicit") != 0;
   if (was_implicit) kept = handed_over(std::move(kept), kept.step);
   forget_choice(kept);
-  engine_ = make_(two_stage_, std::move(kept));
   is_implicit_ = false;
+  engine_ = make(std::move(kept));
 }
 
 Snapshot AutoScheme::snapshot() const {
   auto& self = const_cast<AutoScheme&>(*this);  // saving changes nothing
   Snapshot snapshot = engine_->snapshot();
-  if (is_implicit_) snapshot.step *= length_, snapshot.list_step *= length_;
+  if (is_implicit_) snapshot.step *= engines_.length, snapshot.list_step *= engines_.length;
   self.for_each_memory(WriteDown{snapshot.memory});
   self.for_each_counter(WriteDown{snapshot.counters});
   return snapshot;

@@ -3,16 +3,12 @@
 
 #include <functional>
 #include <memory>
-#include <string>
+#include <utility>
 
-#include "src/config/scene.hpp"
 #include "src/engine/auto_scheme/scheme_choice.hpp"
 #include "src/engine/simulation.hpp"
 
 namespace bagnold {
-
-/// Makes an engine for a scene's scheme that continues from a snapshot.
-using MakeEngine = std::function<std::unique_ptr<Simulation>(Scene const&, Snapshot&&)>;
 
 /// scheme = "auto": two stages, and implicit damping where SchemeChoice finds it as accurate.
 ///
@@ -23,7 +19,19 @@ using MakeEngine = std::function<std::unique_ptr<Simulation>(Scene const&, Snaps
 /// evaluations of two stages.
 class AutoScheme : public Simulation {
  public:
-  AutoScheme(Scene const& scene, std::int64_t length, Snapshot&& snapshot, MakeEngine make);
+  /// Makes an engine that continues from a snapshot.
+  using Make = std::function<std::unique_ptr<Simulation>(Snapshot&&)>;
+
+  /// Engines of both schemes, and facts on the run.
+  struct Engines {
+    Make two_stages, implicit;
+    std::int64_t length;  ///< of an implicit step, [steps]
+    std::int64_t every;   ///< steps between configurations that are evaluated
+    double strain_rate;   ///< [1/tau_e]
+    double time_step;     ///< of two stages, [tau_e]
+  };
+
+  AutoScheme(Engines engines, Snapshot&& snapshot);
 
   int columns() const override { return engine_->columns(); }
   std::int64_t step() const override;
@@ -49,10 +57,12 @@ class AutoScheme : public Simulation {
   template <class Visit>
   void for_each_counter(Visit const& visit);
 
-  Scene two_stage_, implicit_;
-  std::int64_t length_;   ///< of an implicit step, [steps]
+  std::unique_ptr<Simulation> make(Snapshot&& from) const {
+    return (is_implicit_ ? engines_.implicit : engines_.two_stages)(std::move(from));
+  }
+
+  Engines engines_;
   std::int64_t stretch_;  ///< [steps]
-  MakeEngine make_;
   std::unique_ptr<Simulation> engine_;
   bool is_implicit_ = false;  ///< which engine that is
   SchemeChoice choice_;

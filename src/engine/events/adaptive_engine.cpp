@@ -5,8 +5,6 @@
 #include <utility>
 
 #include "kernels/physics/sums/sums.hpp"
-#include "src/config/events.hpp"
-#include "src/config/time_step.hpp"
 #include "src/engine/engine_memory.hpp"
 
 namespace bagnold {
@@ -55,28 +53,17 @@ double evaluated(std::int64_t from, std::int64_t to, Sampling const& sampling) {
 
 }  // namespace
 
-AdaptiveEngine::AdaptiveEngine(Scene const& scene, Snapshot&& snapshot, Make make)
-    : of_events_(scene),
-      of_steps_(scene),
-      make_(std::move(make)),
+AdaptiveEngine::AdaptiveEngine(Engines engines, Snapshot&& snapshot)
+    : engines_(std::move(engines)),
       disks_(static_cast<double>(snapshot.state.count())),
-      time_step_(time_step(scene)),
-      stretch_(EventChoice::stretch(scene.shear.strain_rate * time_step_,
-                                    scene.shear.protocol != "ramp")),
       counters_(snapshot.counters),
       choice_(static_cast<std::int64_t>(snapshot.state.count())) {
-  of_events_.integration.engine = event_engine;
-  of_events_.integration.scheme = exact_contacts;
-  of_events_.integration.skin = automatic;
-  of_steps_.integration.engine = steps_engine;
-  of_steps_.integration.scheme = scheme_of(scene);
-  for (auto* of : {&of_events_, &of_steps_}) of->integration.time_step = time_step_;
   if (wrote(snapshot)) {
     for_each_memory(RestoreMemory{snapshot.memory});
     RestoreCounter{snapshot.counters}("steps_by_events", event_steps_);
     std::erase_if(snapshot.memory, [](auto const& m) { return m.first.starts_with("adaptive_"); });
   }
-  engine_ = make_(by_events_ ? of_events_ : of_steps_, std::move(snapshot));
+  engine_ = make(std::move(snapshot));
 }
 
 bool AdaptiveEngine::wrote(Snapshot const& snapshot) {
@@ -149,7 +136,7 @@ void AdaptiveEngine::choose() {
     return;
   }
   double const work = EventChoice::work(engine_->counters());
-  double const time = time_step_ * static_cast<double>(step() - chosen_step_);
+  double const time = engines_.time_step * static_cast<double>(step() - chosen_step_);
   if (choice_.leaves(work - work_before_, disks_ * time)) {
     choice_.left(number);
     return change();
@@ -162,7 +149,7 @@ void AdaptiveEngine::change() {
   by_events_ = !by_events_;
   Snapshot now = engine_->snapshot();
   now.counters = counters_ = all_counters(now.counters);
-  engine_ = make_(by_events_ ? of_events_ : of_steps_, handed_over(std::move(now)));
+  engine_ = make(handed_over(std::move(now)));
   chosen_step_ = step();
   work_before_ = by_events_ ? EventChoice::work(engine_->counters()) : 0;
 }

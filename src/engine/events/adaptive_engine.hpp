@@ -6,9 +6,8 @@
 #include <map>
 #include <memory>
 #include <string>
-#include <vector>
+#include <utility>
 
-#include "src/config/scene.hpp"
 #include "src/engine/events/event_choice.hpp"
 #include "src/engine/simulation.hpp"
 
@@ -22,10 +21,17 @@ namespace bagnold {
 /// steps would have evaluated there. What one engine hands over to the other is the state.
 class AdaptiveEngine final : public Simulation {
  public:
-  /// Makes an engine of a scene that goes on from a snapshot.
-  using Make = std::function<std::unique_ptr<Simulation>(Scene const&, Snapshot&&)>;
+  /// Makes an engine that goes on from a snapshot.
+  using Make = std::function<std::unique_ptr<Simulation>(Snapshot&&)>;
 
-  AdaptiveEngine(Scene const& scene, Snapshot&& snapshot, Make make);
+  /// Both engines, and what they share.
+  struct Engines {
+    Make events, steps;
+    double time_step;      ///< dt, [tau_e]
+    std::int64_t stretch;  ///< between choices, EventChoice::stretch, [steps]
+  };
+
+  AdaptiveEngine(Engines engines, Snapshot&& snapshot);
 
   /// True if such an engine wrote the snapshot; and if events were under way there.
   static bool wrote(Snapshot const& snapshot);
@@ -44,7 +50,9 @@ class AdaptiveEngine final : public Simulation {
   void go_by_events(std::int64_t end, Sampling const& sampling, OpenWindows& windows);
   void add_part(std::vector<double>&& sums, Sampling const& sampling, OpenWindows& windows);
   void go_by_steps(std::int64_t end, Sampling const& sampling, OpenWindows& windows);
-  std::int64_t next_choice(std::int64_t step) const { return (step / stretch_ + 1) * stretch_; }
+  std::int64_t next_choice(std::int64_t step) const {
+    return (step / engines_.stretch + 1) * engines_.stretch;
+  }
   void choose();
   void change();
   Counters all_counters(Counters const& of_engine) const;
@@ -52,11 +60,13 @@ class AdaptiveEngine final : public Simulation {
   template <class Visit>
   void for_each_memory(Visit const& visit);
 
-  Scene of_events_, of_steps_;
-  Make make_;
+  std::unique_ptr<Simulation> make(Snapshot&& from) const {
+    return (by_events_ ? engines_.events : engines_.steps)(std::move(from));
+  }
+
+  Engines engines_;
   std::unique_ptr<Simulation> engine_;
-  double disks_, time_step_;
-  std::int64_t stretch_;    ///< between choices, [steps]
+  double disks_;
   Counters counters_;       ///< of engines before
   bool by_events_ = false;  ///< which engine that is
   events::EventChoice choice_;

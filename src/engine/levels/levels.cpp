@@ -11,8 +11,8 @@
 #include "kernels/physics/drives/drives.hpp"
 #include "kernels/physics/laws/laws.hpp"
 #include "kernels/physics/type_list.hpp"
+#include "src/config/drives.hpp"
 #include "src/config/errors.hpp"
-#include "src/config/scene.hpp"
 #include "src/engine/blocks/make_block_engine.hpp"
 #include "src/engine/law_engines.hpp"
 #include "src/engine/levels/level_engine.hpp"
@@ -75,9 +75,8 @@ Level const& chosen_level() {
   return *std::ranges::find(all, asked, &Level::name);
 }
 
-Level const& level_of(Scene const& scene) {
-  bool const listed =
-      lists<Laws>(scene.disks.model) && (!scene.driven() || lists<Drives>(scene.drive.kind));
+Level const& level_of(std::string_view law, std::string_view drive) {
+  bool const listed = lists<Laws>(law) && (drive == no_drive || lists<Drives>(drive));
   static Level const plain = everything_else();
   return listed ? chosen_level() : plain;
 }

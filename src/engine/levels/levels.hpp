@@ -30,6 +30,6 @@ Level const& chosen_level();
 
 /// Level that runs a scene. Laws and drives that a program registers have the level of all other
 /// code.
-Level const& level_of(Scene const& scene);
+Level const& level_of(std::string_view law, std::string_view drive);
 
 }  // namespace bagnold

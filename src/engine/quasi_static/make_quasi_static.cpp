@@ -3,24 +3,19 @@
 
 #include <utility>
 
-#include "src/config/laws.hpp"
-#include "src/config/skin.hpp"
-#include "src/config/time_step.hpp"
 #include "src/engine/device_copy.hpp"
 #include "src/engine/quasi_static/quasi_static_engine.hpp"
 
 namespace bagnold {
 
-std::unique_ptr<Simulation> make_quasi_static(Scene const& scene, Snapshot const& snapshot) {
-  auto const constants = law_of(scene.disks).constants(scene.disks);
-  quasi_static::Material material{species_of(snapshot.state.diameter),
-                                  make_species_table(scene.mass_by_area()), constants.normal,
-                                  constants.tangential};
+std::unique_ptr<Simulation> make_quasi_static(EngineInput const& input, Snapshot const& snapshot) {
+  quasi_static::Material material{species_of(snapshot.state.diameter), input.species,
+                                  input.normal_damping, input.tangential_damping};
   auto const make = [&]<bool rotates>() -> std::unique_ptr<Simulation> {
-    return std::make_unique<QuasiStaticEngine<rotates>>(std::move(material), strain_rates(scene),
-                                                        time_step(scene), skin(scene), snapshot);
+    return std::make_unique<QuasiStaticEngine<rotates>>(std::move(material), input.rates,
+                                                        input.time_step, input.skin, snapshot);
   };
-  return scene.rotates() ? make.template operator()<true>() : make.template operator()<false>();
+  return input.rotates ? make.template operator()<true>() : make.template operator()<false>();
 }
 
 }  // namespace bagnold

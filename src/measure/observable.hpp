@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "src/config/scene.hpp"
 #include "src/statistics/windows.hpp"
 
 namespace bagnold {
@@ -26,9 +25,5 @@ struct SampledObservable {
   Observable observable;
   std::vector<statistics::Windows const*> samples;  ///< [R]
 };
-
-/// All observables of a scene in their order of output; `strain_rate` in [1/tau_e], `box_length` in
-/// [d_s]. Observables of the spin exist only where the law rotates.
-std::vector<Observable> observables(Scene const& scene, double box_length);
 
 }  // namespace bagnold

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "src/engine/observables.hpp"
+#include "src/measure/observables.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -219,13 +219,13 @@ std::vector<Observable> observables(Scene const& scene, double box_length) {
          [=](Averages a) { return a[drive + DriveColumns::push] / (shear_stress(a) * rate); }});
   }
   if (scene.measure.contacts) add_contacts(scene, list);
-  if (scene.shear.protocol == "pressure") add_box(scene, list);
+  if (scene.shear.changes_box()) add_box(scene, list);
   if (scene.shear.by_pieces()) {
     std::erase_if(list, [](Observable const& one) { return is_over_rate(one.name); });
     list.push_back({"dissipation", "m/tau_e^3", "power that contacts take, of an area of 1",
                     [=](Averages a) { return a[C::dissipation] / area; }});
   }
-  if (scene.shear.protocol == "stress") add_strain_rate(scene, area, list);
+  if (scene.shear.finds_rate()) add_strain_rate(scene, area, list);
   return list;
 }
 
