@@ -79,6 +79,14 @@ class Growing(SweepTest):
         anew = self.run_new("anew", shear__strain=0.4507, output__trajectory_strain=0.05)
         self.assert_same_results(anew, self.points(out)[0])
 
+    def test_more_strain_at_given_pressure(self):
+        after = {"grid": {"disks.seed": [1, 2]}, "shear__protocol": "pressure", "shear__pressure": 0.02,
+                 "shear__strain": 2.0}
+        out, said = self.grown({**after, "shear__strain": 1.0}, after)
+        self.assertIn("2 of those that are kept get more strain", said)
+        self.assertEqual(len(self.points(out)), 2)
+        self.assert_as_anew(out, after)
+
     def test_chains_grow_at_their_end(self):
         """A longer point has another last state: what starts from the shorter one is kept as such."""
         before = {"chain": "shear.strain_rate",

@@ -33,7 +33,7 @@ struct Flyers {
         lists(disks, skin(scene)),
         forecast(disks, skin(scene)) {
     disks.system.table = make_species_table(scene.mass_by_area());
-    disks.system.rotates = disks.stepper->needs.rotates;
+    disks.system.rotates = scene.rotates();
     lists.build(take_disks(snapshot.state));
   }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "kernels/cpu/steps/block_stepper.hpp"
 #include "src/engine/law_engines.hpp"
 #include "tests/support/simulations.hpp"
@@ -12,12 +14,17 @@ std::unique_ptr<BlockStepper> stepper(Scene const& scene) {
   return engines_for(scene.disks.model).stepper(engine_input(scene));
 }
 
-/// What passes await, of a step that is sampled or of another.
+/// Blocks that the passes of a step await, if they are more than the block itself.
 std::vector<Awaits> awaited(BlockPasses const& passes, bool sampled) {
   std::vector<Awaits> list;
   for (auto const& pass : passes)
-    if (sampled || !pass->sampled) list.push_back(pass->awaits);
+    if (pass->belongs(sampled) && pass->facts.awaits != Awaits::own)
+      list.push_back(pass->facts.awaits);
   return list;
+}
+
+std::ptrdiff_t count(BlockPasses const& passes, bool sampled) {
+  return std::ranges::count_if(passes, [=](auto const& pass) { return pass->belongs(sampled); });
 }
 
 class Passes : public testing::TestWithParam<std::string> {};
@@ -30,9 +37,11 @@ TEST_P(Passes, OfExplicitSchemesAwaitNeighboursAlone) {
     scene.integration.scheme = scheme;
     auto const of = stepper(scene);
     for (auto const* passes : {&of->many, &of->few}) {
-      EXPECT_EQ(awaited(*passes, true), (std::vector{neighbours, neighbours, own}));
-      EXPECT_EQ(awaited(*passes, false), (std::vector{neighbours, own}));
+      EXPECT_EQ(awaited(*passes, true), (std::vector{neighbours, neighbours}));
+      EXPECT_EQ(awaited(*passes, false), (std::vector{neighbours, neighbours}));
+      EXPECT_EQ((*passes)[0]->facts.awaits, neighbours);
     }
+    EXPECT_EQ(of->evaluations(), scheme == "two-stage-leapfrog" ? 1 : 2);
     EXPECT_NE(of->lone_pairs, nullptr);
   }
 }
@@ -46,9 +55,10 @@ TEST_P(Passes, OfImplicitDampingAwaitAllBlocks) {
   auto const iterations = static_cast<std::size_t>(ImplicitDamping::terms(scene.rotates()) - 1);
   std::vector<Awaits> expected(1 + iterations, all);
   expected.front() = neighbours;
-  expected.insert(expected.end(), {all, own});
+  EXPECT_EQ(awaited(of->many, false), expected);
+  expected.push_back(all);  // sums need the last iterate of neighbours
   EXPECT_EQ(awaited(of->many, true), expected);
-  EXPECT_EQ(awaited(of->many, false).size(), expected.size() - 2);
+  EXPECT_EQ(count(of->many, true) - count(of->many, false), 2);
   EXPECT_TRUE(of->few.empty());
   EXPECT_EQ(of->lone_pairs, nullptr);
 }
@@ -58,7 +68,12 @@ TEST_P(Passes, AreThoseOfAllDisksUnderADrive) {
   scene.drive.kind = "stokes";
   scene.drive.drag = 0.1;
   auto const of = stepper(scene);
-  EXPECT_EQ(of->many.size(), 3u);
+  EXPECT_TRUE(of->uses(Uses::drive));
+  scene.drive.kind = "none";
+  auto const without = stepper(scene);
+  EXPECT_FALSE(without->uses(Uses::drive));
+  for (bool const sampled : {false, true})  // the force, the second stage, and their powers
+    EXPECT_EQ(count(of->many, sampled) - count(without->many, sampled), sampled ? 3 : 2);
   EXPECT_TRUE(of->few.empty());
   EXPECT_EQ(of->lone_pairs, nullptr);
 }

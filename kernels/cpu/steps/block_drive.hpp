@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "kernels/cpu/steps/block_system.hpp"
+#include <memory>
+
 #include "kernels/cpu/steps/kick.hpp"
+#include "kernels/cpu/steps/pass_of.hpp"
 #include "kernels/physics/drives/drive_power.hpp"
 #include "kernels/physics/drives/second_drag.hpp"
 #include "kernels/physics/random.hpp"
@@ -10,56 +12,79 @@
 
 namespace bagnold {
 
-/// A one-body force on the disks of a block, behind one virtual call a block. Steps of all laws
-/// share it; a scene without a drive has none. Force: simd::Force or simd::TurningForce.
+/// Part of a one-body force in a step on blocks, each of them a pass. Passes of the scheme stand
+/// before and after it; a scene without a drive has none.
+enum class DrivePart {
+  force,          ///< adds the force at `now` to the forces in the scratch
+  trial_force,    ///< adds the force at the trial state, where the step ends
+  second,         ///< adds the second stage: the drag of the changes that `trial` holds
+  power,          ///< powers of the force, with the mean of the velocities of `now` and `trial`
+  powers_of_both  ///< powers of both stages, with the velocities halfway through the step
+};
+
+/// A one-body force on the disks of blocks. Steps of all laws share it. Force: simd::Force or
+/// simd::TurningForce.
 template <class Force, bool Rotates>
 class BlockDrive {
  public:
   virtual ~BlockDrive() = default;
 
-  /// Adds the one-body force at a state, `now` or the trial state, to force [padded].
-  virtual void add(BlockSystem const& system, Block const& block, BlockState const& state,
-                   Real strain_rate, Force* force) const = 0;
-
-  /// Adds the second stage: the drag of the changes that `trial` holds.
-  virtual void add_second(BlockSystem const& system, Block const& block, Force* force) const = 0;
-
-  /// Powers of the force at `now`, with the mean of the velocities of `now` and of the trial state.
-  virtual DrivePower power(BlockSystem const& system, Block const& block,
-                           Real strain_rate) const = 0;
-
-  /// Powers of both stages, with the velocities halfway through the step. second: all forces of the
-  /// second stage.
-  virtual DrivePower power(BlockSystem const& system, Block const& block, Real strain_rate,
-                           Force const* second) const = 0;
+  /// Pass of a part, as long as the drive lives.
+  virtual std::unique_ptr<BlockPass const> pass(DrivePart part) const = 0;
 };
 
 /// BlockDrive of one drive.
-template <OneBodyDrive Drive, class Force, bool Rotates>
-class DriveOnBlocks final : public BlockDrive<Force, Rotates> {
+template <OneBodyDrive Drive, class F, bool Rotates>
+class DriveOnBlocks final : public BlockDrive<F, Rotates> {
  public:
+  using Force = F;
+
   DriveOnBlocks(DriveInput const& input, RandomStream const& stream)
       : drive_(Drive::make(input)), second_(input), time_step_(input.time_step), stream_(stream) {}
 
-  void add(BlockSystem const& s, Block const& block, BlockState const& state, Real strain_rate,
-           Force* force) const override {
-    for (std::uint32_t i = 0; i < block.own; i += simd::width) {
-      auto const disk = disk_at(s, block, state, i, strain_rate);
-      auto push = drag_force(drive_.drag, disk);
-      push += drive_.push(disk);
-      add_to(force + i, block.own - i, push, disk);
+  std::unique_ptr<BlockPass const> pass(DrivePart part) const override {
+    auto const make = [&](typename PassOf<DriveOnBlocks>::Run run, When when) {
+      return std::make_unique<PassOf<DriveOnBlocks>>(*this, run,
+                                                     PassFacts{.when = when, .uses = Uses::drive});
+    };
+    switch (part) {
+      case DrivePart::force:
+        return make(&DriveOnBlocks::add, When::always);
+      case DrivePart::trial_force:
+        return make(&DriveOnBlocks::add_at_trial, When::always);
+      case DrivePart::second:
+        return make(&DriveOnBlocks::add_second, When::always);
+      case DrivePart::power:
+        return make(&DriveOnBlocks::power, When::sampled);
+      default:
+        return make(&DriveOnBlocks::powers_of_both, When::sampled);
     }
   }
 
-  void add_second(BlockSystem const& s, Block const& block, Force* force) const override {
+  BlockReport add(BlockSystem const& s, std::uint32_t b, StepAt const& at, Force* force) const {
+    return add_at(s.now, s, b, at.box.strain_rate, force);
+  }
+
+  BlockReport add_at_trial(BlockSystem const& s, std::uint32_t b, StepAt const& at,
+                           Force* force) const {
+    return add_at(s.trial, s, b, at.next_box.strain_rate, force);
+  }
+
+  BlockReport add_second(BlockSystem const& s, std::uint32_t b, StepAt const& at,
+                         Force* scratch) const {
+    Block const& block = s.blocks.block(b);
+    auto* const force = second_forces(s, at, scratch);
     for (std::uint32_t i = 0; i < block.own; i += simd::width) {
       auto const change = change_at(s, block, i);
       add_to(force + i, block.own - i, second_(change), change);
     }
+    return {};
   }
 
-  DrivePower power(BlockSystem const& s, Block const& block, Real strain_rate) const override {
-    return sum(block, strain_rate, [&](std::uint32_t i) {
+  BlockReport power(BlockSystem const& s, std::uint32_t b, StepAt const& at, Force*) const {
+    Block const& block = s.blocks.block(b);
+    Real const strain_rate = at.box.strain_rate;
+    at.drive_powers[b] = sum(block, strain_rate, [&](std::uint32_t i) {
       auto const disk = disk_at(s, block, s.now, i, strain_rate);
       auto const slot = block.first + i;
       auto const r = simd::load_records(s.trial.record.data() + slot);
@@ -69,12 +94,16 @@ class DriveOnBlocks final : public BlockDrive<Force, Rotates> {
       halfway.spin = 0.5 * (disk.spin + trial.spin);
       return Acting{drag_force(drive_.drag, disk), drive_.push(disk), halfway};
     });
+    return {};
   }
 
-  DrivePower power(BlockSystem const& s, Block const& block, Real strain_rate,
-                   Force const* second) const override {
+  BlockReport powers_of_both(BlockSystem const& s, std::uint32_t b, StepAt const& at,
+                             Force* scratch) const {
+    Block const& block = s.blocks.block(b);
+    Real const strain_rate = at.box.strain_rate;
+    auto const* const second = second_forces(s, at, scratch);
     Kick const half(s.table, time_step_ / 2);
-    return sum(block, strain_rate, [&](std::uint32_t i) {
+    at.drive_powers[b] = sum(block, strain_rate, [&](std::uint32_t i) {
       auto const disk = disk_at(s, block, s.now, i, strain_rate);
       auto const change = change_at(s, block, i);
       auto const f = simd::load_forces(second + i);
@@ -87,6 +116,7 @@ class DriveOnBlocks final : public BlockDrive<Force, Rotates> {
       drag += second_(change);
       return Acting{drag, drive_.push(disk), halfway};
     });
+    return {};
   }
 
  private:
@@ -96,6 +126,18 @@ class DriveOnBlocks final : public BlockDrive<Force, Rotates> {
     Push<Pack> drag, push;
     DrivenDisk<Pack> halfway;  ///< where velocities are those halfway through the step
   };
+
+  BlockReport add_at(BlockState const& state, BlockSystem const& s, std::uint32_t b,
+                     Real strain_rate, Force* force) const {
+    Block const& block = s.blocks.block(b);
+    for (std::uint32_t i = 0; i < block.own; i += simd::width) {
+      auto const disk = disk_at(s, block, state, i, strain_rate);
+      auto push = drag_force(drive_.drag, disk);
+      push += drive_.push(disk);
+      add_to(force + i, block.own - i, push, disk);
+    }
+    return {};
+  }
 
   /// Powers of the own disks of a block; inert disks stay at rest. acting: drag, push and motion of
   /// a pack.

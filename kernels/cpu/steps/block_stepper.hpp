@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -23,25 +24,35 @@ struct StepCosts {
   Real few_below;  ///< contacts per disk below which steps for few contacts cost less
 };
 
-/// Facts on a law and a scheme from which an engine allocates memory and chooses its way.
-struct StepNeeds {
-  bool rotates;              ///< the law: spins are there
-  bool lists_contacts;       ///< steps with many contacts list them too
-  bool trial_spins;          ///< `trial` holds spins, not in its records
-  bool trial_is_change;      ///< `trial` is zero where nothing acts, not another state
-  int evaluations;           ///< of all near pairs in a step
-  std::size_t scratch;       ///< of a pass, for each disk of a block, [bytes]
-  StepCosts costs;           ///< of passes for few and for many contacts
-  int more_records = 0;      ///< arrays in BlockSystem::more_records
-  int numbers_per_pair = 0;  ///< in BlockSystem::of_pairs
-  bool driven = false;       ///< by a one-body force: disks that touch nothing do not fly straight
-};
-
 /// Blocks that must be through the passes before, so that a pass may take a block.
 enum class Awaits {
   own,         ///< the block itself; the pass finds its scratch as the pass before left it
   neighbours,  ///< those that its halo copies
   all          ///< all, whose reports the pass sees
+};
+
+/// Steps that a pass belongs to: sampled ones are those whose sums are taken.
+enum class When { always, sampled, unsampled };
+
+/// Data that a pass works on beside `now` and the records of `trial`. The engine makes room for all
+/// that passes use.
+struct Uses {
+  enum : unsigned {
+    near_pairs = 1,     ///< forces of all near pairs, not of those alone that touch
+    contact_pairs = 2,  ///< the list of pairs that touch
+    changes = 4,        ///< `trial` is zero where nothing acts, not another state
+    trial_spins = 8,    ///< spins of `trial`, not in its records
+    iterates = 16,      ///< BlockSystem::more_records
+    separations = 32,   ///< BlockSystem::of_pairs, two numbers a pair
+    drive = 64          ///< BlockSystem::disk_of, and powers of a one-body force
+  };
+};
+
+/// Facts on a pass by which the engine orders it and makes room for it.
+struct PassFacts {
+  Awaits awaits = Awaits::own;
+  When when = When::always;
+  unsigned uses = 0;  ///< of Uses
 };
 
 /// Data of a step, as its passes see them.
@@ -56,18 +67,29 @@ struct StepAt {
   DrivePower* drive_powers = nullptr;   ///< [blocks], out, where sums are, if there is a drive
 };
 
+/// Forces of the second of two stages in the scratch of a pass, [most_local]: in a sampled step
+/// they stand behind those of both stages.
+template <class Force>
+Force* second_forces(BlockSystem const& s, StepAt const& at, Force* scratch) {
+  return at.sums == nullptr ? scratch : scratch + s.blocks.most_local;
+}
+
 /// A pass of a step over all blocks. Law, repulsion and scheme are behind this interface: one
 /// virtual call for a thousand disks, and engines are compiled once.
 class BlockPass {
  public:
-  BlockPass(Awaits blocks, bool in_samples) : awaits(blocks), sampled(in_samples) {}
+  explicit BlockPass(PassFacts const& what) : facts(what) {}
   virtual ~BlockPass() = default;
 
-  Awaits const awaits;
-  bool const sampled;  ///< belongs to steps whose sums are taken, and to no others
+  PassFacts const facts;
+
+  /// True if the pass belongs to a step whose sums are taken, or are not.
+  bool belongs(bool sampled) const {
+    return facts.when == When::always || (facts.when == When::sampled) == sampled;
+  }
 
   /// Works on block b and returns its part of the block's report. scratch: of the calling thread,
-  /// [blocks.most_local] of StepNeeds::scratch.
+  /// [blocks.most_local] of BlockStepper::scratch.
   virtual BlockReport run(BlockSystem const& system, std::uint32_t b, StepAt const& at,
                           void* scratch) const = 0;
 };
@@ -91,10 +113,12 @@ class LonePairs {
 /// Step of a scheme, under a law and a repulsion, as a list of passes.
 class BlockStepper {
  public:
-  explicit BlockStepper(StepNeeds const& what) : needs(what) {}
+  BlockStepper(StepCosts const& of_passes, std::size_t of_disk)
+      : costs(of_passes), scratch(of_disk) {}
   virtual ~BlockStepper() = default;
 
-  StepNeeds const needs;
+  StepCosts const costs;      ///< of passes for few and for many contacts
+  std::size_t const scratch;  ///< of a pass, for each disk of a block, [bytes]
 
   /// Passes of a step. Only the last one changes what is visible outside.
   BlockPasses many;
@@ -106,6 +130,17 @@ class BlockStepper {
   BlockPasses few;
 
   std::unique_ptr<LonePairs const> lone_pairs;  ///< null where `few` is empty
+
+  /// True if a pass of `many` uses this. Those of `few` use the contact list beside.
+  bool uses(unsigned what) const {
+    return std::ranges::any_of(many, [=](auto const& pass) { return pass->facts.uses & what; });
+  }
+
+  /// Number of evaluations of all near pairs in a step.
+  int evaluations() const {
+    return static_cast<int>(std::ranges::count_if(
+        many, [](auto const& pass) { return pass->facts.uses & Uses::near_pairs; }));
+  }
 };
 
 }  // namespace bagnold

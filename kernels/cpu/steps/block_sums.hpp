@@ -39,16 +39,29 @@ struct PackSums {
   }
 };
 
-/// Sums of one block over its pairs and its own disks (inert ones add zero), before the last pass
-/// of a step. force: scratch, as Step::observe() needs it.
+/// Sums of a block over its pairs, before the last pass of a step. force: scratch, as
+/// Step::observe() needs it.
 template <class Step>
-BlockSums measure_block(Step const& step, BlockSystem const& s, std::uint32_t b, Real strain_rate,
-                        typename Step::Force* force) {
-  using simd::Pack;
-  using C = SumColumns;
+BlockReport sum_pairs(Step const& step, BlockSystem const& s, std::uint32_t b, StepAt const& at,
+                      typename Step::Force* force) {
   Block const& block = s.blocks.block(b);
   PackSums pairs{block.padded};
   step.observe(s, block, force, pairs);
+  BlockSums& sums = at.sums[b] = {};
+  for (int c = 0; c < pair_columns; ++c) sums.value[c] = pairs.column(c);
+  sums.value[SumColumns::contacts] = pairs.contacts;
+  return {};
+}
+
+/// Adds sums over the own disks of a block (inert ones add zero), with the scratch as sum_pairs()
+/// left it.
+template <class Step>
+BlockReport sum_disks(Step const& step, BlockSystem const& s, std::uint32_t b, StepAt const& at,
+                      typename Step::Force* force) {
+  using simd::Pack;
+  using C = SumColumns;
+  Block const& block = s.blocks.block(b);
+  Real const strain_rate = at.box.strain_rate;
   Pack of_disks[C::count_rotating];
   for (auto& sum : of_disks) sum = 0.0;
   PackPower power;
@@ -67,13 +80,12 @@ BlockSums measure_block(Step const& step, BlockSystem const& s, std::uint32_t b,
     power.dissipation += of_pack.dissipation;
     power.torque += of_pack.torque;
   }
-  BlockSums sums;
-  for (int c = 0; c < C::count_rotating; ++c)
-    sums.value[c] = c < pair_columns ? pairs.column(c) : simd::sum(of_disks[c]);
-  sums.value[C::contacts] = pairs.contacts;
+  BlockSums& sums = at.sums[b];
+  for (int c = pair_columns; c < C::count_rotating; ++c)
+    if (c != C::contacts) sums.value[c] = simd::sum(of_disks[c]);
   sums.value[C::dissipation] += simd::sum(power.dissipation);
   sums.value[C::torque_power] = simd::sum(power.torque);
-  return sums;
+  return {};
 }
 
 }  // namespace bagnold

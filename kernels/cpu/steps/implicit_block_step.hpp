@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <memory>
-#include <utility>
+#include <initializer_list>
+#include <type_traits>
 
 #include "kernels/cpu/steps/ask_ahead.hpp"
 #include "kernels/cpu/steps/block_drive.hpp"
@@ -31,32 +31,30 @@ struct BlockStep<L, R, S> {
   using Force = typename Forces::Force;
 
   static constexpr int iterations = Scheme::terms(rotates) - 1;
-  static constexpr StepNeeds needs{.rotates = rotates,
-                                   .lists_contacts = true,
-                                   .trial_spins = false,
-                                   .trial_is_change = true,
-                                   .evaluations = 1,
-                                   .scratch = sizeof(Force),
-                                   .costs = {},
-                                   .more_records = 2,
-                                   .numbers_per_pair = rotates ? 2 : 0};
+  static constexpr StepCosts costs{};
+  static constexpr std::size_t scratch = sizeof(Force);
 
   Forces forces;
   Real time_step;  ///< dt, [tau_e]
   DampingBound bound;
   ChebyshevRoots roots = ChebyshevRoots::make(iterations + 1);
 
-  BlockStep(Law const& law, Repulsion const& repulsion, SpeciesTable const& table, Real dt,
-            std::unique_ptr<BlockDrive<Force, rotates> const>)
+  BlockStep(Law const& law, Repulsion const& repulsion, SpeciesTable const& table, Real dt)
       : forces{law, repulsion}, time_step(dt), bound(DampingBound::of(law, table)) {}
 
-  /// The last iteration belongs to the second half, unless sums are taken.
+  /// Sums need the last iterate of all disks; without them it is made in the scratch.
   template <class Add>
   static void each_pass(Add const& add) {
-    add(&BlockStep::predict, Awaits::neighbours);
-    for (int k = 0; k < iterations; ++k) add(&BlockStep::iterate, Awaits::all, k == iterations - 1);
-    add(&BlockStep::measure, Awaits::all, true);
-    add(&BlockStep::correct, Awaits::own);
+    unsigned const separations = rotates ? +Uses::separations : 0;
+    add(&BlockStep::predict, {.awaits = Awaits::neighbours,
+                              .uses = Uses::near_pairs | Uses::contact_pairs | Uses::changes |
+                                      Uses::iterates | separations});
+    for (int k = 0; k < iterations - 1; ++k) add(&BlockStep::iterate, {Awaits::all});
+    add(&BlockStep::iterate, {Awaits::all, When::sampled});
+    add(&BlockStep::iterate_in_place, {Awaits::all, When::unsampled});
+    add(&BlockStep::measure_pairs, {Awaits::all, When::sampled});
+    add(&BlockStep::measure_disks, {.when = When::sampled});
+    add(&BlockStep::move);
   }
 
   /// First half: the changes by the forces at t. force: scratch, [most_local].
@@ -101,18 +99,22 @@ struct BlockStep<L, R, S> {
     return {};
   }
 
-  /// Second half: the last iteration, and the state at t + dt.
-  BlockReport correct(BlockSystem const& s, std::uint32_t b, StepAt const& at, Force* force) const {
+  /// The last iteration, whose result takes the place of the forces.
+  BlockReport iterate_in_place(BlockSystem const& s, std::uint32_t b, StepAt const& at,
+                               Force* force) const {
     Block const& block = s.blocks.block(b);
-    auto const* change = solution(s).data() + block.first;
-    if (at.sums == nullptr) {
-      auto* const in_place = reinterpret_cast<simd::Record*>(force);
-      auto const body = [&](auto&& ask) {
-        iterate(s, block, at, iterations - 1, force, in_place, ask);
-      };
-      asking_ahead(s, b, at, body, contact_list, s.trial);
-      change = in_place;
-    }
+    auto const body = [&](auto&& ask) {
+      iterate(s, block, at, iterations - 1, force, reinterpret_cast<simd::Record*>(force), ask);
+    };
+    asking_ahead(s, b, at, body, contact_list, s.trial);
+    return {};
+  }
+
+  /// The state at t + dt.
+  BlockReport move(BlockSystem const& s, std::uint32_t b, StepAt const& at, Force* force) const {
+    Block const& block = s.blocks.block(b);
+    auto const* const change = at.sums == nullptr ? reinterpret_cast<simd::Record const*>(force)
+                                                  : solution(s).data() + block.first;
     SpeedBound speeds{at.next_box.strain_rate};
     for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
       auto const slot = block.first + i;
@@ -150,9 +152,13 @@ struct BlockStep<L, R, S> {
   }
 
   /// Sums of the configuration where the step began.
-  BlockReport measure(BlockSystem const& s, std::uint32_t b, StepAt const& at, Force* force) const {
-    at.sums[b] = measure_block(*this, s, b, at.box.strain_rate, force);
-    return {};
+  BlockReport measure_pairs(BlockSystem const& s, std::uint32_t b, StepAt const& at,
+                            Force* force) const {
+    return sum_pairs(*this, s, b, at, force);
+  }
+  BlockReport measure_disks(BlockSystem const& s, std::uint32_t b, StepAt const& at,
+                            Force* force) const {
+    return sum_disks(*this, s, b, at, force);
   }
 
   /// Powers of a pack of disks from i on, after observe(), as in ImplicitForces. r, spin: of these

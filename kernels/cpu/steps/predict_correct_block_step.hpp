@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <memory>
-#include <utility>
-
 #include "kernels/cpu/steps/ask_ahead.hpp"
 #include "kernels/cpu/steps/block_drive.hpp"
 #include "kernels/cpu/steps/block_forces.hpp"
 #include "kernels/cpu/steps/block_stepper.hpp"
 #include "kernels/cpu/steps/block_sums.hpp"
 #include "kernels/cpu/steps/kick.hpp"
-#include "kernels/cpu/steps/two_halves.hpp"
 #include "kernels/physics/schemes/forms.hpp"
 #include "kernels/physics/schemes/second_stage.hpp"
 
@@ -18,7 +14,7 @@ namespace bagnold {
 
 /// Step of a PredictCorrectScheme on a block, as in device/dynamics/predict_correct.hpp.
 template <ContactLaw L, class R, PredictCorrectScheme S>
-struct BlockStep<L, R, S> : TwoHalves<BlockStep<L, R, S>> {
+struct BlockStep<L, R, S> {
   using Law = L;
   using Repulsion = R;
   using Scheme = S;
@@ -26,26 +22,42 @@ struct BlockStep<L, R, S> : TwoHalves<BlockStep<L, R, S>> {
   using Forces = BlockForces<Law, Repulsion>;
   using Force = typename Forces::Force;
 
-  static constexpr StepNeeds needs{.rotates = rotates,
-                                   .lists_contacts = false,
-                                   .trial_spins = rotates,
-                                   .trial_is_change = false,
-                                   .evaluations = 2,
-                                   .scratch = sizeof(Force) + sizeof(simd::Record),
-                                   .costs = {.by_itself = 7, .contact = 39, .few_below = 0.3}};
+  static constexpr StepCosts costs{.by_itself = 7, .contact = 39, .few_below = 0.3};
+  static constexpr std::size_t scratch = sizeof(Force) + sizeof(simd::Record);
 
   Forces forces;
-  Real time_step;                                           ///< dt, [tau_e]
-  std::unique_ptr<BlockDrive<Force, rotates> const> drive;  ///< null: none
+  Real time_step;  ///< dt, [tau_e]
 
-  BlockStep(Law const& law, Repulsion const& repulsion, SpeciesTable const&, Real dt,
-            std::unique_ptr<BlockDrive<Force, rotates> const> one_body)
-      : forces{law, repulsion}, time_step(dt), drive(std::move(one_body)) {}
+  BlockStep(Law const& law, Repulsion const& repulsion, SpeciesTable const&, Real dt)
+      : forces{law, repulsion}, time_step(dt) {}
+
+  template <class Add>
+  static void each_pass(Add const& add) {
+    unsigned const spins = rotates ? +Uses::trial_spins : 0;
+    add(&BlockStep::evaluate, {.awaits = Awaits::neighbours, .uses = Uses::near_pairs | spins});
+    add(DrivePart::force);
+    add(&BlockStep::predict);
+    add(&BlockStep::measure_pairs, {.when = When::sampled});
+    add(&BlockStep::measure_disks, {.when = When::sampled});
+    add(DrivePart::power);
+    add(&BlockStep::evaluate_trial, {.awaits = Awaits::neighbours, .uses = Uses::near_pairs});
+    add(DrivePart::trial_force);
+    add(&BlockStep::correct);
+  }
+
+  template <class Add>
+  static void each_pass_for_few(Add const& add) {
+    add(&BlockStep::predict_few, {Awaits::neighbours});
+    add(&BlockStep::measure_pairs, {.when = When::sampled});
+    add(&BlockStep::measure_disks, {.when = When::sampled});
+    add(&BlockStep::correct_few, {Awaits::neighbours});
+  }
 
   SecondStage const* second_stage() const { return nullptr; }
 
-  /// First half: trial state at t + dt from forces at t.
-  BlockReport predict(BlockSystem const& s, std::uint32_t b, StepAt const& at, Force* force) const {
+  /// Forces at t. force: scratch, [most_local].
+  BlockReport evaluate(BlockSystem const& s, std::uint32_t b, StepAt const& at,
+                       Force* force) const {
     Block const& block = s.blocks.block(b);
     refresh_halo(s.blocks, block, s.now, at.box);
     bring_near(s.blocks, block, s.trial);
@@ -53,7 +65,12 @@ struct BlockStep<L, R, S> : TwoHalves<BlockStep<L, R, S>> {
       forces.evaluate(s, block, s.now, force, [&](PackOfPairs const&) { ask(); });
     };
     asking_ahead(s, b, at, evaluate, inner_list, s.now);
-    if (drive) drive->add(s, block, s.now, at.box.strain_rate, force);
+    return {};
+  }
+
+  /// First half: trial state at t + dt from forces at t.
+  BlockReport predict(BlockSystem const& s, std::uint32_t b, StepAt const&, Force* force) const {
+    Block const& block = s.blocks.block(b);
     Kick const kick(s.table, time_step);
     for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
       auto const slot = block.first + i;
@@ -70,11 +87,11 @@ struct BlockStep<L, R, S> : TwoHalves<BlockStep<L, R, S>> {
     return {};
   }
 
-  /// Second half: the state at t + dt from forces at the trial state.
-  BlockReport correct(BlockSystem const& s, std::uint32_t b, StepAt const& at, Force* force) const {
+  /// Forces at the trial state.
+  BlockReport evaluate_trial(BlockSystem const& s, std::uint32_t b, StepAt const& at,
+                             Force* force) const {
     Block const& block = s.blocks.block(b);
-    ShearedBox const& box = at.next_box;
-    refresh_halo(s.blocks, block, s.trial, box);
+    refresh_halo(s.blocks, block, s.trial, at.next_box);
     bring_near(s.blocks, block, s.now);
     OverlapBound overlaps;
     auto const evaluate = [&](auto&& ask) {
@@ -84,9 +101,14 @@ struct BlockStep<L, R, S> : TwoHalves<BlockStep<L, R, S>> {
       });
     };
     asking_ahead(s, b, at, evaluate, inner_list, s.trial);
-    if (drive) drive->add(s, block, s.trial, box.strain_rate, force);
+    return {.largest_overlap = simd::largest(overlaps.largest), .touching = overlaps.touching};
+  }
+
+  /// Second half: the state at t + dt from forces at the trial state.
+  BlockReport correct(BlockSystem const& s, std::uint32_t b, StepAt const& at, Force* force) const {
+    Block const& block = s.blocks.block(b);
     Kick const kick(s.table, time_step / 2);
-    SpeedBound speeds{box.strain_rate};
+    SpeedBound speeds{at.next_box.strain_rate};
     for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
       auto const slot = block.first + i;
       auto r = simd::load_records(s.now.record.data() + slot);
@@ -103,7 +125,7 @@ struct BlockStep<L, R, S> : TwoHalves<BlockStep<L, R, S>> {
       }
       speeds(r, r.y);
     }
-    return report(speeds, overlaps);
+    return {.fastest2 = simd::largest(speeds.fastest2), .nan_flag = simd::sum(speeds.nan_flag)};
   }
 
   /// First half where few of the near pairs touch.
@@ -172,15 +194,18 @@ struct BlockStep<L, R, S> : TwoHalves<BlockStep<L, R, S>> {
       simd::at(now, list[k]) = moved[k];
       active.is_active(block.first + list[k] / 4u) = 0;
     }
-    return report(speeds, overlaps);
+    return {simd::largest(speeds.fastest2), simd::largest(overlaps.largest), overlaps.touching,
+            simd::sum(speeds.nan_flag)};
   }
 
-  /// Sums of the configuration where the step began, and powers of the drive.
-  BlockReport measure(BlockSystem const& s, std::uint32_t b, StepAt const& at, Force* force) const {
-    Real const rate = at.box.strain_rate;
-    at.sums[b] = measure_block(*this, s, b, rate, force);
-    if (drive) at.drive_powers[b] = drive->power(s, s.blocks.block(b), rate);
-    return {};
+  /// Sums of the configuration where the step began.
+  BlockReport measure_pairs(BlockSystem const& s, std::uint32_t b, StepAt const& at,
+                            Force* force) const {
+    return sum_pairs(*this, s, b, at, force);
+  }
+  BlockReport measure_disks(BlockSystem const& s, std::uint32_t b, StepAt const& at,
+                            Force* force) const {
+    return sum_disks(*this, s, b, at, force);
   }
 
   /// Shows all pairs of the inner list to an observer, at their state between the two halves of a
@@ -212,11 +237,6 @@ struct BlockStep<L, R, S> : TwoHalves<BlockStep<L, R, S>> {
     auto const after = Scheme::velocity(r.velocity(), trial.velocity(), f.force(), k);
     auto const place = Scheme::position(r.position(), r.velocity(), after, Pack(time_step / 2));
     r = simd::make_records(place, after);
-  }
-
-  static BlockReport report(SpeedBound const& speeds, OverlapBound const& overlaps) {
-    return {simd::largest(speeds.fastest2), simd::largest(overlaps.largest), overlaps.touching,
-            simd::sum(speeds.nan_flag)};
   }
 
   static double* spins(BlockState const& state, Block const& block) {

@@ -7,6 +7,7 @@
 #include "kernels/cpu/islands/binary_collisions.hpp"
 #include "kernels/cpu/steps/block_drive.hpp"
 #include "kernels/cpu/steps/block_sums.hpp"
+#include "kernels/cpu/steps/pass_of.hpp"
 
 namespace bagnold {
 
@@ -30,26 +31,6 @@ class LonePairsOf final : public LonePairs {
   Collisions collisions_;
 };
 
-/// Pass of a BlockStep, one of its members.
-template <class Step>
-class PassOf final : public BlockPass {
- public:
-  using Run = BlockReport (Step::*)(BlockSystem const&, std::uint32_t b, StepAt const&,
-                                    typename Step::Force* scratch) const;
-
-  PassOf(Step const& step, Run run, Awaits awaits, bool sampled)
-      : BlockPass(awaits, sampled), step_(step), run_(run) {}
-
-  BlockReport run(BlockSystem const& s, std::uint32_t b, StepAt const& at,
-                  void* scratch) const override {
-    return (step_.*run_)(s, b, at, static_cast<typename Step::Force*>(scratch));
-  }
-
- private:
-  Step const& step_;
-  Run run_;
-};
-
 /// BlockStepper of one law, repulsion and scheme. Step: a BlockStep.
 template <class Step>
 class StepperOf final : public BlockStepper {
@@ -61,12 +42,13 @@ class StepperOf final : public BlockStepper {
   /// drive: null for none.
   StepperOf(Law const& law, Repulsion const& repulsion, SpeciesTable const& table, Real time_step,
             std::unique_ptr<Drive const> drive)
-      : BlockStepper(needs_of(drive != nullptr)),
-        step_(law, repulsion, table, time_step, std::move(drive)) {
-    Step::each_pass(adding_to(many));
-    if constexpr (requires { Step::each_pass_for_few(adding_to(few)); }) {
-      if (needs.driven) return;
-      Step::each_pass_for_few(adding_to(few));
+      : BlockStepper(Step::costs, Step::scratch),
+        step_(law, repulsion, table, time_step),
+        drive_(std::move(drive)) {
+    Step::each_pass(Adding{*this, many});
+    if constexpr (requires { Step::each_pass_for_few(Adding{*this, few}); }) {
+      if (drive_) return;  // disks that touch nothing do not fly straight
+      Step::each_pass_for_few(Adding{*this, few});
       using Pairs = BinaryCollisions<Law, Repulsion, typename Step::Scheme>;
       lone_pairs = std::make_unique<LonePairsOf<Pairs>>(
           Pairs{law, repulsion, table, time_step, 0, step_.second_stage()});
@@ -74,19 +56,21 @@ class StepperOf final : public BlockStepper {
   }
 
  private:
-  static StepNeeds needs_of(bool driven) {
-    StepNeeds needs = Step::needs;
-    needs.driven = driven;
-    return needs;
-  }
+  /// Adds passes of the step to a list, and those of the drive if there is one.
+  struct Adding {
+    StepperOf const& stepper;
+    BlockPasses& passes;
 
-  auto adding_to(BlockPasses& passes) {
-    return [&](typename PassOf<Step>::Run run, Awaits awaits, bool sampled = false) {
-      passes.push_back(std::make_unique<PassOf<Step>>(step_, run, awaits, sampled));
-    };
-  }
+    void operator()(typename PassOf<Step>::Run run, PassFacts const& facts = {}) const {
+      passes.push_back(std::make_unique<PassOf<Step>>(stepper.step_, run, facts));
+    }
+    void operator()(DrivePart part) const {
+      if (stepper.drive_) passes.push_back(stepper.drive_->pass(part));
+    }
+  };
 
   Step step_;
+  std::unique_ptr<Drive const> drive_;  ///< null: none
 };
 
 }  // namespace bagnold

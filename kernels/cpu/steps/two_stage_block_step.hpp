@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <memory>
-#include <utility>
+#include <type_traits>
 
 #include "kernels/cpu/steps/ask_ahead.hpp"
 #include "kernels/cpu/steps/block_drive.hpp"
@@ -11,7 +10,6 @@
 #include "kernels/cpu/steps/block_sums.hpp"
 #include "kernels/cpu/steps/contact_lister.hpp"
 #include "kernels/cpu/steps/kick.hpp"
-#include "kernels/cpu/steps/two_halves.hpp"
 #include "kernels/physics/schemes/forms.hpp"
 #include "kernels/physics/schemes/second_stage.hpp"
 
@@ -21,7 +19,7 @@ namespace bagnold {
 /// {v_x, v_y, thetadot, contacts} a disk. The first stage lists the pairs that touch for the second
 /// one.
 template <TwoStageLaw L, class R, TwoStageScheme S>
-struct BlockStep<L, R, S> : TwoHalves<BlockStep<L, R, S>> {
+struct BlockStep<L, R, S> {
   using Law = L;
   using Repulsion = R;
   using Scheme = S;
@@ -29,56 +27,76 @@ struct BlockStep<L, R, S> : TwoHalves<BlockStep<L, R, S>> {
   using Forces = BlockForces<Law, Repulsion, true>;
   using Force = typename Forces::Force;
 
-  static constexpr StepNeeds needs{.rotates = rotates,
-                                   .lists_contacts = true,
-                                   .trial_spins = false,
-                                   .trial_is_change = true,
-                                   .evaluations = 1,
-                                   .scratch = 2 * sizeof(Force),
-                                   .costs = {.by_itself = 5, .contact = 33, .few_below = 0.6}};
+  static constexpr StepCosts costs{.by_itself = 5, .contact = 33, .few_below = 0.6};
+  static constexpr std::size_t scratch = 2 * sizeof(Force);
 
   Forces forces;
   Real time_step;  ///< dt, [tau_e]
   SecondStage shares;
-  std::unique_ptr<BlockDrive<Force, rotates> const> drive;  ///< null: none
 
-  BlockStep(Law const& law, Repulsion const& repulsion, SpeciesTable const& table, Real dt,
-            std::unique_ptr<BlockDrive<Force, rotates> const> one_body)
-      : forces{law, repulsion},
-        time_step(dt),
-        shares(SecondStage::of<Scheme>(law, table, dt)),
-        drive(std::move(one_body)) {}
+  BlockStep(Law const& law, Repulsion const& repulsion, SpeciesTable const& table, Real dt)
+      : forces{law, repulsion}, time_step(dt), shares(SecondStage::of<Scheme>(law, table, dt)) {}
+
+  template <class Add>
+  static void each_pass(Add const& add) {
+    add(&BlockStep::evaluate, {.awaits = Awaits::neighbours,
+                               .uses = Uses::near_pairs | Uses::contact_pairs | Uses::changes});
+    add(DrivePart::force);
+    add(&BlockStep::change);
+    add(&BlockStep::measure_pairs, {Awaits::neighbours, When::sampled});
+    add(&BlockStep::damp, {Awaits::neighbours, When::unsampled});
+    add(DrivePart::second);
+    add(&BlockStep::measure_disks, {.when = When::sampled});
+    add(DrivePart::powers_of_both);
+    add(&BlockStep::move);
+  }
+
+  template <class Add>
+  static void each_pass_for_few(Add const& add) {
+    add(&BlockStep::evaluate_few, {Awaits::neighbours});
+    add(&BlockStep::measure_pairs, {Awaits::neighbours, When::sampled});
+    add(&BlockStep::damp_few, {Awaits::neighbours, When::unsampled});
+    add(&BlockStep::measure_disks, {.when = When::sampled});
+    add(&BlockStep::move_few);
+  }
 
   SecondStage const* second_stage() const { return &shares; }
 
-  /// First half: the changes by the forces at t. force: scratch, [most_local].
-  BlockReport predict(BlockSystem const& s, std::uint32_t b, StepAt const& at, Force* force) const {
+  /// Forces at t. force: scratch, [most_local].
+  BlockReport evaluate(BlockSystem const& s, std::uint32_t b, StepAt const& at,
+                       Force* force) const {
     Block const& block = s.blocks.block(b);
     refresh_halo(s.blocks, block, s.now, at.box);
     bring_near(s.blocks, block, s.trial);
     Forces::clear(block, force);
-    BlockReport const report = add_and_list(forces, s, b, at, force);
-    if (drive) drive->add(s, block, s.now, at.box.strain_rate, force);
+    return add_and_list(forces, s, b, at, force);
+  }
+
+  /// First stage: the changes by the forces.
+  BlockReport change(BlockSystem const& s, std::uint32_t b, StepAt const&, Force* force) const {
+    Block const& block = s.blocks.block(b);
     Kick const kick(s.table, time_step);
     for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
       auto const f = simd::load_forces(force + i);
       auto const big = simd::nonzero(s.species.data() + block.first + i);
       simd::store_records(s.trial.record.data() + block.first + i, change_of(kick, f, big));
     }
-    return report;
+    return {};
   }
 
-  /// Second half: the damping of the changes, and the state at t + dt.
-  BlockReport correct(BlockSystem const& s, std::uint32_t b, StepAt const& at, Force* force) const {
+  /// Second stage: the damping of the changes.
+  BlockReport damp(BlockSystem const& s, std::uint32_t b, StepAt const& at, Force* force) const {
     Block const& block = s.blocks.block(b);
-    if (at.sums != nullptr) {
-      force += s.blocks.most_local;
-    } else {
-      Forces::clear(block, force);
-      asking_ahead(
-          s, b, at, [&](auto&& ask) { add_second(s, block, force, ask); }, contact_list, s.trial);
-      if (drive) drive->add_second(s, block, force);
-    }
+    Forces::clear(block, force);
+    asking_ahead(
+        s, b, at, [&](auto&& ask) { add_second(s, block, force, ask); }, contact_list, s.trial);
+    return {};
+  }
+
+  /// The state at t + dt.
+  BlockReport move(BlockSystem const& s, std::uint32_t b, StepAt const& at, Force* scratch) const {
+    Block const& block = s.blocks.block(b);
+    auto const* const force = second_forces(s, at, scratch);
     Kick const kick(s.table, time_step);
     SpeedBound speeds{at.next_box.strain_rate};
     for (std::uint32_t i = 0; i < block.padded; i += simd::width) {
@@ -99,9 +117,9 @@ struct BlockStep<L, R, S> : TwoHalves<BlockStep<L, R, S>> {
     return {simd::largest(speeds.fastest2), 0, 0, simd::sum(speeds.nan_flag)};
   }
 
-  /// First half where few of the near pairs touch.
-  BlockReport predict_few(BlockSystem const& s, std::uint32_t b, StepAt const& at,
-                          Force* force) const {
+  /// Forces and first stage where few of the near pairs touch.
+  BlockReport evaluate_few(BlockSystem const& s, std::uint32_t b, StepAt const& at,
+                           Force* force) const {
     Block const& block = s.blocks.block(b);
     ActiveDisks const& active = *at.active;
     auto* const change = s.trial.record.data() + block.first;
@@ -121,19 +139,22 @@ struct BlockStep<L, R, S> : TwoHalves<BlockStep<L, R, S>> {
     return {0, simd::largest(overlaps.largest), overlaps.touching, 0};
   }
 
-  /// Second half where few of the near pairs touch.
-  BlockReport correct_few(BlockSystem const& s, std::uint32_t b, StepAt const& at,
-                          Force* force) const {
+  /// Second stage where few of the near pairs touch.
+  BlockReport damp_few(BlockSystem const& s, std::uint32_t b, StepAt const&, Force* force) const {
     Block const& block = s.blocks.block(b);
+    clear_touching(s, block, force);
+    add_second(s, block, force, [] {});
+    return {};
+  }
+
+  /// The state at t + dt where few of the near pairs touch.
+  BlockReport move_few(BlockSystem const& s, std::uint32_t b, StepAt const& at,
+                       Force* scratch) const {
+    Block const& block = s.blocks.block(b);
+    auto* const force = second_forces(s, at, scratch);
     ActiveDisks const& active = *at.active;
     auto* const now = s.now.record.data() + block.first;
     auto* const change = s.trial.record.data() + block.first;
-    if (at.sums != nullptr) {
-      force += s.blocks.most_local;
-    } else {
-      clear_touching(s, block, force);
-      add_second(s, block, force, [] {});
-    }
     Kick const kick(s.table, time_step);
     SpeedBound speeds{at.next_box.strain_rate};
     auto const* const list = active.list.data() + block.first;
@@ -159,19 +180,18 @@ struct BlockStep<L, R, S> : TwoHalves<BlockStep<L, R, S>> {
     return {simd::largest(speeds.fastest2), 0, 0, simd::sum(speeds.nan_flag)};
   }
 
-  /// Sums of the configuration where the step began, and powers of the drive. Leaves the forces of
-  /// observe() to the second half.
-  BlockReport measure(BlockSystem const& s, std::uint32_t b, StepAt const& at, Force* force) const {
-    Real const rate = at.box.strain_rate;
-    at.sums[b] = measure_block(*this, s, b, rate, force);
-    if (drive)
-      at.drive_powers[b] = drive->power(s, s.blocks.block(b), rate, force + s.blocks.most_local);
-    return {};
+  /// Sums of the configuration where the step began. Leave the forces of observe() to move().
+  BlockReport measure_pairs(BlockSystem const& s, std::uint32_t b, StepAt const& at,
+                            Force* force) const {
+    return sum_pairs(*this, s, b, at, force);
+  }
+  BlockReport measure_disks(BlockSystem const& s, std::uint32_t b, StepAt const& at,
+                            Force* force) const {
+    return sum_disks(*this, s, b, at, force);
   }
 
-  /// Shows the pairs that touch to an observer, with both stages together, between the two halves
-  /// of a step. force: [2][most_local], out: the damping of both stages, and that of the second
-  /// one.
+  /// Shows the pairs that touch to an observer, with both stages together, once changes are known.
+  /// force: [2][most_local], out: the damping of both stages, and that of the second one.
   template <class Observer>
   void observe(BlockSystem const& s, Block const& block, Force* force, Observer&& observer) const {
     copy_halo(s.blocks, block, s.trial.record);
@@ -179,7 +199,6 @@ struct BlockStep<L, R, S> : TwoHalves<BlockStep<L, R, S>> {
     Forces::clear(block, force + s.blocks.most_local);
     add_stage<true>(
         s, block, force, [] {}, observer);
-    if (drive) drive->add_second(s, block, force + s.blocks.most_local);
   }
 
   /// Powers of a pack of disks from i on, after observe(), as in ChangeForces. spin: of these

@@ -10,8 +10,9 @@ namespace bagnold {
 
 bool BatchIslands::run(BlockDisks const& disks, Lookahead& lookahead, LookaheadScratch& scratch) {
   if (islands.disks.empty()) return true;
-  auto const& needs = disks.stepper->needs;
-  if (!batches_.fill(islands, disks.system, needs.lists_contacts, scratch.start)) return false;
+  auto const& stepper = *disks.stepper;
+  if (!batches_.fill(islands, disks.system, stepper.uses(Uses::contact_pairs), scratch.start))
+    return false;
   auto& system = batches_.system;
   auto& results = scratch.results;
   auto const count = system.blocks.count;
@@ -23,7 +24,7 @@ bool BatchIslands::run(BlockDisks const& disks, Lookahead& lookahead, LookaheadS
   if (scratch.contacts)
     scratch.contacts.list_batches(system.blocks,
                                   [&](auto b, auto local) { return slot(b, local); });
-  auto const room = system.blocks.most_local * needs.scratch;
+  auto const room = system.blocks.most_local * stepper.scratch;
   disks.loop->with_scratch<std::byte>(count, room, [&](std::uint32_t b, std::byte* force) {
     run_batch(b, disks, lookahead, scratch, force);
   });
@@ -97,7 +98,7 @@ void BatchIslands::run_batch(std::uint32_t b, BlockDisks const& disks, Lookahead
     at.sums = sampled ? sums_.data() : nullptr;
     BlockReport report;
     for (auto const& pass : disks.stepper->many)
-      if (sampled || !pass->sampled) report += pass->run(system, b, at, force);
+      if (pass->belongs(sampled)) report += pass->run(system, b, at, force);
     if (sampled) scratch.results.sums[scratch.results.units[unit].sums + bin] += sums_[b];
     flight.all_of(system.blocks.block(b), system.now.record.data());
     if (factor != 1) scale_motion(system.blocks.block(b), system.now, factor);

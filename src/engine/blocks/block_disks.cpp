@@ -86,7 +86,7 @@ void BlockDisks::fail() const {
 std::pair<Real, std::size_t> BlockDisks::deepest() const {
   std::pair<Real, std::uint32_t> found{-1, 0};
   auto const& blocks = system.blocks;
-  bool const at_start = stepper->needs.trial_is_change;  // forces were those where the step began
+  bool const at_start = stepper->uses(Uses::changes);  // forces were those where the step began
   auto const place = [&](std::uint32_t slot) -> Vec2<Real> {
     auto const& r = at_start ? system.now.record(slot) : system.trial.record(slot);
     if (at_start) return {r.x - clock.time_step * r.vx, r.y - clock.time_step * r.vy};

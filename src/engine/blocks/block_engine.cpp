@@ -19,21 +19,20 @@ constexpr Real most_active = 0.6;           ///< share of the disks in a lookahe
 }  // namespace
 
 BlockEngine::BlockEngine(std::unique_ptr<BlockLoop> loop, std::unique_ptr<BlockStepper> stepper,
-                         Stepping stepping, SpeciesTable const& table, StrainRates const& rates,
-                         double time_step, double skin, Snapshot& snapshot)
+                         Stepping stepping, EngineInput const& input, Snapshot& snapshot)
     : stepping_(stepping),
       disks_{.loop = std::move(loop),
              .stepper = std::move(stepper),
-             .clock = {rates, time_step, snapshot},
+             .clock = {input.rates, input.time_step, snapshot},
              .list = {},
              .diameter = std::move(snapshot.state.diameter),
              .system = {}},
-      lists_(disks_, skin),
+      lists_(disks_, input.skin),
       single_(disks_, lists_, detector_, stepping),
-      lookahead_(disks_, detector_, skin) {
+      lookahead_(disks_, detector_, input.skin) {
   disks_.system.step = snapshot.step;
-  disks_.system.table = table;
-  disks_.system.rotates = disks_.stepper->needs.rotates;
+  disks_.system.table = input.species;
+  disks_.system.rotates = input.rotates;
   lists_.builds = snapshot.list_builds;
   auto list = take_disks(snapshot.state);
   for_each_counter(RestoreCounter{snapshot.counters});

@@ -4,6 +4,8 @@
 #include "src/engine/blocks/lookahead_steps.hpp"
 #include "src/engine/blocks/lookahead_tuning.hpp"
 #include "src/engine/blocks/single_steps.hpp"
+#include "src/engine/drive_columns.hpp"
+#include "src/engine/engine_input.hpp"
 #include "src/engine/simulation.hpp"
 
 namespace bagnold {
@@ -14,12 +16,10 @@ class BlockEngine final : public Simulation {
  public:
   /// Moves the snapshot's arrays into the engine.
   BlockEngine(std::unique_ptr<BlockLoop> loop, std::unique_ptr<BlockStepper> stepper,
-              Stepping stepping, SpeciesTable const& table, StrainRates const& rates,
-              double time_step, double skin, Snapshot& snapshot);
+              Stepping stepping, EngineInput const& input, Snapshot& snapshot);
 
   int columns() const override {
-    auto const& needs = disks_.stepper->needs;
-    return engine_columns(needs.rotates, needs.driven);
+    return engine_columns(disks_.system.rotates, disks_.stepper->uses(Uses::drive));
   }
   std::int64_t step() const override { return disks_.system.step; }
   void advance(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) override;

@@ -167,18 +167,16 @@ void BlockLists::take_scratch() {
 void BlockLists::make_trial() {
   auto& system = disks_.system;
   auto& blocks = system.blocks;
-  auto const& needs = disks_.stepper->needs;
-  if (needs.lists_contacts) blocks.make_room(contact_list, "dynamics::contacts");
+  auto const uses = [&](unsigned what) { return disks_.stepper->uses(what); };
+  if (uses(Uses::contact_pairs)) blocks.make_room(contact_list, "dynamics::contacts");
   system.trial.record = disks_.loop->zeros<simd::Record>("dynamics::trial_record", blocks.slots);
-  if (needs.trial_spins)
+  if (uses(Uses::trial_spins))
     system.trial.spin = disks_.loop->zeros<double>("dynamics::trial_spin", blocks.slots);
-  for (int k = 0; k < needs.more_records; ++k)
-    system.more_records[k] =
-        disks_.loop->zeros<simd::Record>("dynamics::more_records", blocks.slots);
-  if (needs.numbers_per_pair > 0)
-    system.of_pairs = Blocks::room<double>(
-        "dynamics::of_pairs",
-        static_cast<std::size_t>(needs.numbers_per_pair) * blocks.outer.extent(0));
+  if (uses(Uses::iterates))
+    for (auto& more : system.more_records)
+      more = disks_.loop->zeros<simd::Record>("dynamics::more_records", blocks.slots);
+  if (uses(Uses::separations))
+    system.of_pairs = Blocks::room<double>("dynamics::of_pairs", 2 * blocks.outer.extent(0));
   for (std::uint32_t b = 0; b < blocks.count; ++b) make_inert(blocks.block(b));
 }
 
@@ -190,7 +188,7 @@ void BlockLists::make_inert(Block const& block) {
     system.now.record(slot) = system.trial.record(slot) = {far, 0, 0, 0};
     system.species(slot) = 0;
     if (system.rotates) system.now.spin(slot) = 0;
-    if (disks_.stepper->needs.trial_spins) system.trial.spin(slot) = 0;
+    if (system.trial.spin.extent(0) != 0) system.trial.spin(slot) = 0;
     at_build_(slot) = {far, 0};
   }
 }

@@ -27,8 +27,7 @@ std::unique_ptr<Simulation> make_block_engine(EngineInput const& input, Snapshot
   if (!loop) return nullptr;
   auto stepper = make(input);
   auto const steps = stepping(input, *stepper);
-  return std::make_unique<BlockEngine>(std::move(loop), std::move(stepper), steps, input.species,
-                                       input.rates, input.time_step, input.skin, snapshot);
+  return std::make_unique<BlockEngine>(std::move(loop), std::move(stepper), steps, input, snapshot);
 }
 
 }  // namespace bagnold

@@ -69,7 +69,7 @@ void SingleSteps::prune() {
   if (few) lists_.fastest = disks_.fastest();
   auto const use = use_of_inner();
   if (stepping_ == Stepping::automatic)
-    few = contacts_per_disk() < disks_.stepper->needs.costs.few_below * (few ? 1.2 : 1.0);
+    few = contacts_per_disk() < disks_.stepper->costs.few_below * (few ? 1.2 : 1.0);
   else
     few = stepping_ == Stepping::few_contacts;
   lists_.prune(use);
@@ -77,12 +77,11 @@ void SingleSteps::prune() {
 }
 
 ListUse SingleSteps::use_of_inner() const {
-  int const evaluations = disks_.stepper->needs.evaluations;
   ListUse use;
   use.wanted = touching;
-  use.step_cost = 12.5 * evaluations;
+  use.step_cost = 12.5 * evaluations_;
   if (few) {  // a pair that does not touch costs less, and near pairs are few
-    use.step_cost = 3 * evaluations;
+    use.step_cost = 3 * evaluations_;
     use.fewest_steps = 12;
   }
   return use;
@@ -95,12 +94,12 @@ void SingleSteps::make_room() {
   if (arrangement_ != system.arrangement) {
     reports_ = loop.zeros<BlockReport>("dynamics::reports", system.blocks.count);
     sums_ = loop.zeros<BlockSums>("observables::block_sums", system.blocks.count);
-    if (disks_.stepper->needs.driven) make_room_for_drive();
+    if (disks_.stepper->uses(Uses::drive)) make_room_for_drive();
     arrangement_ = system.arrangement;
   }
   if (!few || listing_ == system.listing) return;
   active_.resize(loop, system.blocks);
-  if (disks_.stepper->needs.trial_is_change)  // of which nothing has changed yet
+  if (disks_.stepper->uses(Uses::changes))  // of which nothing has changed yet
     loop(system.blocks.count, [&](std::uint32_t b) {
       Block const& block = system.blocks.block(b);
       active_.count(b) = 0;
@@ -111,13 +110,11 @@ void SingleSteps::make_room() {
 
 SingleSteps::Rounds SingleSteps::rounds_of(BlockPasses const& passes, bool sampled) {
   Rounds rounds;
-  auto awaits = Awaits::neighbours;  // a pass that is left out leaves it to the next one
   for (int k = 0; k < static_cast<int>(passes.size()); ++k) {
-    awaits = std::max(awaits, passes[k]->awaits);
-    if (passes[k]->sampled && !sampled) continue;
+    if (!passes[k]->belongs(sampled)) continue;
+    auto const awaits = passes[k]->facts.awaits;
     if (awaits != Awaits::own) rounds.push_back({awaits, k, k});
     rounds.back().end = k + 1;
-    awaits = Awaits::own;
   }
   return rounds;
 }
@@ -145,7 +142,7 @@ void SingleSteps::go_through(Round const& round, Route const& route, std::uint32
     at.next = system.blocks.next[route.half].data();
   if (round.awaits == Awaits::all)
     for (std::uint32_t b = 0; b < system.blocks.count; ++b) at.total += reports_(b);
-  auto const room = system.blocks.most_local * disks_.stepper->needs.scratch;
+  auto const room = system.blocks.most_local * disks_.stepper->scratch;
   disks_.loop->with_scratch<std::byte>(end - begin, room, [&](std::uint32_t k, std::byte* scratch) {
     auto const b = route.order != nullptr ? (*route.order)[begin + k] : begin + k;
     auto here = at;
@@ -153,7 +150,7 @@ void SingleSteps::go_through(Round const& round, Route const& route, std::uint32
     if (round.begin == 0) report = {};
     for (here.pass = round.begin; here.pass < round.end; ++here.pass) {
       auto const& pass = *passes[here.pass];
-      if (at.sums != nullptr || !pass.sampled) report += pass.run(system, b, here, scratch);
+      if (pass.belongs(at.sums != nullptr)) report += pass.run(system, b, here, scratch);
     }
   });
 }
@@ -179,8 +176,7 @@ void SingleSteps::count_step() {
       disks_.clock.time_step * (before + lists_.fastest) / 2 * lists_.step_strain_factor();
   lists_.outer_nonaffine_bound += moved;
   lists_.inner.nonaffine_bound += moved;
-  counters.pairs_evaluated +=
-      disks_.stepper->needs.evaluations * static_cast<std::int64_t>(lists_.near_pairs);
+  counters.pairs_evaluated += evaluations_ * static_cast<std::int64_t>(lists_.near_pairs);
 }
 
 /// Allocates powers of the drive, and the disk of each slot.
@@ -198,7 +194,7 @@ void SingleSteps::add_up() {
   for (std::uint32_t b = 0; b < count; ++b) total += sums_(b);
   auto const sums = disks_.columns_of(total);
   columns_.assign(sums.begin(), sums.end());
-  if (!disks_.stepper->needs.driven) return;
+  if (drive_powers_.extent(0) == 0) return;
   DrivePower power;
   for (std::uint32_t b = 0; b < count; ++b) power += drive_powers_(b);
   append(columns_, power);

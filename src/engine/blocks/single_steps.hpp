@@ -27,7 +27,11 @@ class SingleSteps {
   bool few = false;            ///< steps for few contacts, until the next pruning
 
   SingleSteps(BlockDisks& disks, BlockLists& lists, ContactDetector& detector, Stepping stepping)
-      : disks_(disks), lists_(lists), detector_(detector), stepping_(stepping) {
+      : disks_(disks),
+        lists_(lists),
+        detector_(detector),
+        stepping_(stepping),
+        evaluations_(disks.stepper->evaluations()) {
     for (bool const sampled : {false, true}) {
       rounds_[false][sampled] = rounds_of(disks.stepper->many, sampled);
       rounds_[true][sampled] = rounds_of(disks.stepper->few, sampled);
@@ -44,7 +48,7 @@ class SingleSteps {
 
   /// Cost of a step, [cycles a disk-step].
   Real cost(Real contacts) const {
-    auto const& costs = disks_.stepper->needs.costs;
+    auto const& costs = disks_.stepper->costs;
     return costs.by_itself + costs.contact * contacts;
   }
 
@@ -55,8 +59,8 @@ class SingleSteps {
   void rebuild();
 
  private:
-  /// Passes of a step that a block goes through one after the other, but for those that are left
-  /// out.
+  /// Passes of a step that a block goes through one after the other, but for those that do not
+  /// belong to it.
   struct Round {
     Awaits awaits;   ///< of the first one
     int begin, end;  ///< places in the step
@@ -84,6 +88,7 @@ class SingleSteps {
   BlockLists& lists_;
   ContactDetector& detector_;
   Stepping stepping_;
+  int evaluations_;      ///< of all near pairs in a step
   Rounds rounds_[2][2];  ///< [for few contacts][of a step that is sampled]
   ActiveDisks active_;
   std::int64_t arrangement_ = 0, listing_ = 0;  ///< of the system, that there is room for
