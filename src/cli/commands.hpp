@@ -112,14 +112,14 @@ struct Command {
 using AddCommand = Command(Words program);
 
 AddCommand add_init, add_schema, add_units, add_run, add_validate, add_resume, add_status,
-    add_watch, add_plot, add_sweep, add_analyse, add_check_limit, add_figure, add_movie, add_report,
-    add_export, add_import, add_info;
+    add_watch, add_plot, add_sweep, add_analyse, add_chart, add_check_limit, add_figure, add_movie,
+    add_report, add_export, add_import, add_info;
 
 /// All commands, in the order of the help.
 inline constexpr AddCommand* all_commands[] = {
-    add_init,   add_run,    add_validate, add_resume,      add_status, add_watch,
-    add_plot,   add_sweep,  add_analyse,  add_check_limit, add_figure, add_movie,
-    add_report, add_export, add_import,   add_schema,      add_units,  add_info};
+    add_init,   add_run,     add_validate, add_resume,      add_status, add_watch, add_plot,
+    add_sweep,  add_analyse, add_chart,    add_check_limit, add_figure, add_movie, add_report,
+    add_export, add_import,  add_schema,   add_units,       add_info};
 
 struct ValidateOptions : SceneOptions {
   bool no_time = false;  ///< no trials, which are what takes long

@@ -7,7 +7,10 @@
 #include <cmath>
 #include <set>
 
+#include "src/config/ladder.hpp"
 #include "src/config/laws.hpp"
+#include "src/config/schemes.hpp"
+#include "src/config/time_step.hpp"
 #include "src/run/paper_values.hpp"
 #include "src/run/protocols/ramp/hysteresis.hpp"
 #include "src/run/protocols/sequence/piece_results.hpp"
@@ -138,6 +141,29 @@ void print_remarks(FinishedRun const& finished, std::string const& folder) {
              none, finished.found.size(), rough, why);
 }
 
+std::string method_in_words(bias::Trial const& of) {
+  return fmt::format("{}, a step of {:.6g} tau_e", of.methods.coarse.integration.scheme,
+                     time_step(of.methods.coarse));
+}
+
+/// The method of the run, its verdict, and other methods that were tried.
+void print_method(bias::Findings const& found, bool chosen) {
+  fmt::print("\n");
+  for (auto const& one : found.tried)
+    fmt::print("{}: {}: {}{}{}\n", one.taken ? "left" : "not taken", method_in_words(one),
+               one.reason, one.reason == "inertia" ? " (p_kin/p above 3e-4)" : "",
+               one.reason.empty() ? fmt::format("{} after {} pairs of stretches",
+                                                bias::name_of(one.judgement.verdict), one.pairs)
+                                  : "");
+  if (chosen) fmt::print("method: {}\n", method_in_words(found));
+  if (found.judgement.verdict == bias::Verdict::usual)
+    fmt::print("bias of the method: not measured (below {:g}% in all flows of docs/accuracy.md)\n",
+               100 * usual_accuracy);
+  else
+    fmt::print("bias of the method: {} within {:g}% after {} pairs of stretches\n",
+               bias::name_of(found.judgement.verdict), 100 * found.tolerance, found.pairs);
+}
+
 }  // namespace
 
 void print_table(Run const& run, std::vector<NamedEstimate> const& list, std::string const& folder,
@@ -145,9 +171,10 @@ void print_table(Run const& run, std::vector<NamedEstimate> const& list, std::st
   if (run.plan.ramp) return print_loop(run);
   if (run.scene.shear.lists_pieces()) return print_pieces(run);
   if (run.plan.stages > 1) return print_stresses(run);
-  int const width = run.bias ? 42 : 26;
+  bool const stated = run.bias && run.bias->pairs > 1;
+  int const width = stated ? 42 : 26;
   fmt::print("\n{:<13} {:<{}} {:<17} {:<19} {}\n", "quantity",
-             run.bias ? "mean(standard error), bias of method" : "mean(standard error)", width,
+             stated ? "mean(standard error), bias of method" : "mean(standard error)", width,
              "unit", "correlation strain", "what it is");
   std::size_t left_out = 0;
   for (auto const& named : list) {
@@ -166,10 +193,7 @@ void print_table(Run const& run, std::vector<NamedEstimate> const& list, std::st
   if (left_out > 0) fmt::print("{} more in summary.json (on the screen with --all)\n", left_out);
 
   print_ends(run, folder);
-  if (run.bias)
-    fmt::print("\nbias of the method: {} within {:g}% after {} pairs of stretches\n",
-               bias::name_of(run.bias->judgement.verdict), 100 * run.bias->tolerance,
-               run.bias->pairs);
+  if (run.bias) print_method(*run.bias, run.scene.integration.scheme == automatic);
   if (run.replicas.size() > 1)
     fmt::print("\n{} replicas, seeds {} to {}; errors: {}\n", run.replicas.size(),
                run.scene.disks.seed,

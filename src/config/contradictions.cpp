@@ -211,13 +211,9 @@ void look_at_scheme(Scene const& scene, Refusals const& refuse) {
                        scene.drive.kind, scheme));
 }
 
-/// Refuses pairs of stretches where the method changes, or where noise parts them.
+/// Refuses pairs of stretches where noise parts them.
 void look_at_bias(Scene const& scene, Refusals const& refuse) {
   if (!scene.measure.bias) return;
-  if (implicit_step_length(scene) > 1)
-    refuse({"measure.bias", "integration.scheme"},
-           "measure.bias = true (is that of one method, and integration.scheme = \"auto\" changes "
-           "between two); name a scheme, or set measure.bias = false");
   if (std::ranges::count(thermal_drives(), scene.drive.kind) > 0)
     refuse({"measure.bias", "drive.kind"},
            fmt::format("measure.bias = true (the noise of drive.kind = \"{}\" differs between two "

@@ -71,7 +71,8 @@ Plan plan_of_control(Scene const& scene) {
   double const frames = of_stress ? scene.output.trajectory_time / plan.time_step
                                   : scene.output.trajectory_strain / step_strain;
   if (frames > 0)
-    plan.trajectory_steps = static_cast<std::int64_t>(std::clamp(round_up(frames), 1.0, most_steps));
+    plan.trajectory_steps =
+        static_cast<std::int64_t>(std::clamp(round_up(frames), 1.0, most_steps));
   return plan;
 }
 

@@ -38,7 +38,7 @@ bool has_events(Scene const& scene) { return scene.integration.engine == event_e
 
 bool may_take_events(Scene const& scene) {
   if (scene.integration.engine != automatic) return false;
-  if (!can_take_turns(scene) || implicit_step_length(scene) > 1) return false;
+  if (!can_take_turns(scene)) return false;
   Scene by_rule = scene;
   by_rule.integration.time_step = automatic;
   return time_step(scene) == time_step(by_rule);

@@ -210,8 +210,9 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
         drive.temperature);
 
   visit(Key{"integration.scheme", "",
-            "how the motion is stepped, or \"auto\": two stages, and implicit damping where it "
-            "serves",
+            "how the motion is stepped, or \"auto\": the cheapest way whose bias, as the run "
+            "measures "
+            "it, is within accuracy",
             optional, 0, 0, false, scheme_words()},
         integration.scheme);
   visit(
@@ -242,10 +243,10 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
             false,
             {automatic}},
         integration.skin);
-  visit(of({"steady", "cascade"},
-           Key{"integration.accuracy", "",
-               "relative bias of p, sigma and Z that a method may have, judged by measure.bias",
-               optional, 0, 1, above}),
+  visit(of({"steady", "cascade"}, Key{"integration.accuracy", "",
+                                      "relative bias of p, sigma and Z that scheme = \"auto\" may "
+                                      "have, or measure.bias accepts",
+                                      optional, 0, 1, above}),
         integration.accuracy);
 
   visit(Key{"measure.every", "steps", "between evaluations inside a window; quasi-static: of all",

@@ -12,6 +12,7 @@
 #include "src/config/control.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/events.hpp"
+#include "src/config/ladder.hpp"
 #include "src/config/piece_table.hpp"
 #include "src/config/skin.hpp"
 #include "src/config/stability.hpp"
@@ -191,11 +192,14 @@ Plan make_plan(Scene const& scene) {
                     "= {} or lower "
                     "shear.strain",
                     scene.shear.strain.at(0), steps, most_steps, scene.shear.strain_rate));
-  auto const whole = static_cast<double>(implicit_step_length(scene));  // windows hold whole steps
-  double const window =
-      std::max(1.0, round_up(scene.output.sample_strain / step_strain / whole)) * whole;
+  auto const ladder = ladder_of(scene);
+  double const window = ladder.has_choice()
+                            ? static_cast<double>(ladder.window)
+                            : std::max(1.0, round_up(scene.output.sample_strain / step_strain));
   plan.steps = std::max<std::int64_t>(1, static_cast<std::int64_t>(steps));
   plan.window_steps = static_cast<std::int64_t>(std::min(window, most_steps));
+  if (ladder.has_choice() && plan.steps >= ladder.window)  // whole windows, each of one method
+    plan.steps = (plan.steps + ladder.window - 1) / ladder.window * ladder.window;
   plan.windows = (plan.steps + plan.window_steps - 1) / plan.window_steps;
   refuse_many_windows(static_cast<double>(plan.windows), "output.sample_strain",
                       scene.output.sample_strain, std::ceil(steps / most_windows) * step_strain);
@@ -212,7 +216,8 @@ Plan make_plan(Scene const& scene) {
 Plan shortened(Scene const& scene, Plan plan, std::int64_t windows) {
   plan.steps = plan.window_end(windows - 1);
   plan.windows = windows;
-  plan.discarded_windows = discarded_of(scene, windows);
+  auto const dropped = std::min(plan.dropped_windows, windows);
+  plan.discarded_windows = dropped + discarded_of(scene, windows - dropped);
   return plan;
 }
 
@@ -286,7 +291,9 @@ double memory_needed(Scene const& scene, Plan const& plan) {
   double const list = 4 + 1.125 * 4 * 7 * std::pow(1 + skin(scene), 2) + 3 * 4;
   double const host = (16 + 16 + spin + 8) + 32;
   double const windows = static_cast<double>(plan.windows) * 16 * 8 * 6;
-  double const systems = scene.measure.bias ? 2 : 1;  // a stretch has one of its own, of steps
+  double const systems = scene.measure.bias || may_change_method(scene)
+                             ? 2
+                             : 1;  // a stretch has one of its own, of steps
   double const events = has_events(scene) || may_take_events(scene) ? 700 : 0;
   double const system =
       static_cast<double>(scene.disks.count) * (systems * (views + list + host) + events) +

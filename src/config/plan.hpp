@@ -28,6 +28,7 @@ struct Plan {
   std::int64_t window_steps = 0;       ///< of a window, where they are alike; the last is shorter
   std::int64_t windows = 0;            ///< total
   std::int64_t discarded_windows = 0;  ///< first ones, not measured
+  std::int64_t dropped_windows = 0;    ///< first ones, of a refused method; counted among these
   std::int64_t every = 1;              ///< steps between evaluations inside a window
   std::int64_t frame_steps = 1;        ///< between frames that are measured
   std::int64_t trajectory_steps = 0;   ///< between frames of the trajectory; 0: none

@@ -9,6 +9,7 @@
 #include "kernels/physics/schemes/schemes.hpp"
 #include "src/config/abilities.hpp"
 #include "src/config/events.hpp"
+#include "src/config/ladder.hpp"
 #include "src/config/laws.hpp"
 #include "src/config/oscillation.hpp"
 #include "src/config/quasi_static.hpp"
@@ -69,34 +70,8 @@ double time_step(Scene const& scene) {
   return rule;
 }
 
-namespace {
-
-/// Least length of a step of implicit damping. Shorter ones cost more than they save: the
-/// iterations take as long as two steps of two stages.
-constexpr double least_gain = 3;
-
-bool damps_sliding(Scene::Disks const& disks) {
-  auto const constants = law_of(disks).constants(disks);
-  return constants.tangential >= ImplicitDamping::least_tangential_share * constants.normal;
-}
-
-bool suits_implicit_damping(Scene const& scene) {
-  auto const& engine = abilities_of(scene);
-  return damps_sliding(scene.disks) && scene.integration.time_step.word != of_papers &&
-         engine.scheme.empty() && engine.implicit_schemes.empty() && scene.shear.rate_stays() &&
-         !scene.driven() && !scene.measure.contacts;
-}
-
-}  // namespace
-
-std::int64_t implicit_step_length(Scene const& scene) {
-  if (scene.integration.scheme != automatic || !suits_implicit_damping(scene)) return 1;
-  double const gain = rule_time_step(scene, ImplicitDamping::name) / time_step(scene);
-  return gain < least_gain ? 1 : static_cast<std::int64_t>(gain * (1 + 1e-12));
-}
-
 Scene resolved(Scene scene) {
-  bool const changes = implicit_step_length(scene) > 1;
+  bool const changes = may_change_method(scene);
   if (!is_quasi_static(scene) || !scene.shear.run_per_rate())  // else one for each rate
     scene.integration.time_step = time_step(scene);
   scene.integration.skin = skin(scene);

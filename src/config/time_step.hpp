@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
 #include <string_view>
 
 #include "src/config/scene.hpp"
@@ -9,7 +8,7 @@
 namespace bagnold {
 
 /// Scheme of a scene: as given. For "auto" it is two stages, in whose steps a run is counted
-/// (implicit_step_length()). For quasi-static steps it is backward Euler, which is not in Schemes.
+/// (src/config/ladder.hpp). For quasi-static steps it is backward Euler, which is not in Schemes.
 std::string_view scheme_of(Scene const& scene);
 
 /// Time step of the papers for a law, [tau_e], see kernels/physics/laws/paper_time_step.hpp.
@@ -17,12 +16,6 @@ double paper_time_step(Scene::Disks const& disks);
 
 /// The time step of a scheme's own rule, [tau_e].
 double rule_time_step(Scene const& scene, std::string_view scheme);
-
-/// Length of a step of implicit damping in steps of two stages, where scheme = "auto" may change
-/// between them. 1 where it does not: with a drive, a ramp or contacts to report, a law that leaves
-/// sliding contacts undamped, the papers' step, an engine without implicit damping, or steps that
-/// gain too little.
-std::int64_t implicit_step_length(Scene const& scene);
 
 /// Largest rate at which the drag of a drive relaxes a disk alone, [1 / tau_e]; 0 without one.
 double drag_rate(Scene const& scene);
@@ -32,7 +25,7 @@ double drag_rate(Scene const& scene);
 double time_step(Scene const& scene);
 
 /// Scene with scheme and time step resolved, as kept with results. Left unresolved: the step of
-/// quasi-static cascades, and "auto" where it changes between schemes.
+/// quasi-static cascades, and "auto" where the method may change.
 Scene resolved(Scene scene);
 
 }  // namespace bagnold

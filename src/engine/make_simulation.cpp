@@ -11,6 +11,7 @@
 #include "src/config/abilities.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/events.hpp"
+#include "src/config/ladder.hpp"
 #include "src/config/quasi_static.hpp"
 #include "src/config/scene.hpp"
 #include "src/config/time_step.hpp"
@@ -70,21 +71,6 @@ auto maker_of(Scene const& scene, std::string const& backend) {
   return [scene, backend](Snapshot&& from) { return make_engine(scene, from, backend); };
 }
 
-/// Engine of a scene whose scheme may change during the run. length: of an implicit step, [steps].
-std::unique_ptr<Simulation> make_choosing(Scene const& scene, std::int64_t length,
-                                          Snapshot&& snapshot, std::string const& backend) {
-  double const dt = time_step(scene);
-  Scene two_stages = scene, implicit = scene;
-  two_stages.integration.scheme = DefaultScheme::name;
-  two_stages.integration.time_step = dt;
-  implicit.integration.scheme = ImplicitDamping::name;
-  implicit.integration.time_step = static_cast<double>(length) * dt;
-  return std::make_unique<AutoScheme>(
-      AutoScheme::Engines{maker_of(two_stages, backend), maker_of(implicit, backend), length,
-                          scene.measure.every, scene.shear.strain_rate, dt},
-      std::move(snapshot));
-}
-
 /// Engine of a scene in which events and steps of all disks take turns.
 std::unique_ptr<Simulation> make_adaptive(Scene const& scene, Snapshot&& snapshot,
                                           std::string const& backend) {
@@ -117,6 +103,24 @@ void require_steps(Snapshot const& snapshot, std::string const& backend) {
 bool goes_by_turns(Scene const& scene, Snapshot const& snapshot, std::string const& backend) {
   return !is_device_backend(backend) && may_take_events(scene) &&
          (snapshot.list_position.empty() || AdaptiveEngine::wrote(snapshot));
+}
+
+/// Engine of a scene with one method.
+std::unique_ptr<Simulation> make_of_method(Scene const& scene, Snapshot&& snapshot,
+                                           std::string const& backend) {
+  if (goes_by_turns(scene, snapshot, backend))
+    return make_adaptive(scene, std::move(snapshot), backend);
+  return make_engine(scene, snapshot, backend);
+}
+
+/// Engine of a scene whose method may change during the run.
+std::unique_ptr<Simulation> make_choosing(Scene const& scene, Snapshot&& snapshot,
+                                          std::string const& backend) {
+  return std::make_unique<AutoScheme>(ladder_of(scene), std::move(snapshot),
+                                      [scene, backend](Method const& method, Snapshot&& from) {
+                                        return make_of_method(with_method(scene, method),
+                                                              std::move(from), backend);
+                                      });
 }
 
 /// Disks up to which a team, so one multiprocessor, should be as quick as launches for each step.
@@ -163,11 +167,8 @@ std::unique_ptr<Simulation> make_simulation(Scene const& scene, Snapshot&& snaps
   if (is_device_backend(chosen) && suits_ensembles(scene) &&
       static_cast<std::int64_t>(snapshot.state.count()) <= most_disks_of_a_team)
     return std::move(make_simulations(scene, {snapshot}, chosen).front());
-  auto const length = implicit_step_length(scene);
-  if (length > 1) return make_choosing(scene, length, std::move(snapshot), chosen);
-  if (goes_by_turns(scene, snapshot, chosen))
-    return make_adaptive(scene, std::move(snapshot), chosen);
-  return make_engine(scene, snapshot, chosen);
+  if (may_change_method(scene)) return make_choosing(scene, std::move(snapshot), chosen);
+  return make_of_method(scene, std::move(snapshot), chosen);
 }
 
 bool steps_together(Scene const& scene, std::string const& backend) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <stdexcept>
@@ -38,6 +39,19 @@ class Simulation {
   virtual double strain() const {
     throw std::logic_error("this engine is in control of no pieces");  // Abilities::pieces
   }
+
+  /// False where the present engine goes without steps, from event to event.
+  virtual bool has_step() const { return true; }
+
+  /// Method of the ladder of scheme = "auto" (src/config/ladder.hpp), and another one from here on,
+  /// where the ladder's grid allows it.
+  virtual std::size_t method() const { return 0; }
+  virtual void take_method(std::size_t /*method*/) {
+    throw std::logic_error("this engine has one method");
+  }
+
+  /// Configurations that one of the present method stands for.
+  virtual double weight() const { return 1; }
 
   virtual Snapshot snapshot() const = 0;
 

@@ -16,7 +16,8 @@ io::Images Unwrapping::next(State const& state, double strain) {
     auto const [columns, rows] = images_[i];
     double const up = rows - std::round((y - y_before) / height);
     double const flow = (y_before + rows * height + y + up * height) / 2;
-    double const expected = x_before + columns * length + rows * scale * tilt_ + (strain - strain_) * flow;
+    double const expected =
+        x_before + columns * length + rows * scale * tilt_ + (strain - strain_) * flow;
     double const along = std::round((expected - x - up * tilt) / length);
     images[i] = {static_cast<std::int32_t>(along), static_cast<std::int32_t>(up)};
   }

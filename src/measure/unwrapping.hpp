@@ -16,7 +16,8 @@ namespace bagnold {
 ///
 ///     y += nearest image,    x += dgamma (y_before + y_after) / 2 + nearest image
 ///
-/// Where the box changed, the position before is taken along with it. This is right as long as its displacement relative to the mean flow stays below half the box.
+/// Where the box changed, the position before is taken along with it. This is right as long as its
+/// displacement relative to the mean flow stays below half the box.
 class Unwrapping {
  public:
   /// Images of the next frame, zero in the first. strain: gamma of the frame.

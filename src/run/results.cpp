@@ -343,28 +343,45 @@ Json with_bias(Json all, statistics::Estimate const& of, std::optional<bias::Bia
   return all;
 }
 
+Json method_json(Scene const& scene) {
+  return {{"scheme", scene.integration.scheme}, {"time_step", time_step(scene)}};
+}
+
+Json biases_json(bias::Trial const& of) {
+  Json all = Json::object();
+  for (std::size_t q = 0; of.pairs > 1 && q < bias::quantities; ++q) {
+    auto const& one = of.judgement.stated[q];
+    all[std::string(bias::quantity_names[q])] = {{"bias", number(one.value)},
+                                                 {"error", number(one.error)}};
+  }
+  return all;
+}
+
+Json trial_json(bias::Trial const& of) {
+  Json all{{"method", method_json(of.methods.coarse)},
+           {"verdict", bias::name_of(of.judgement.verdict)},
+           {"pairs", of.pairs},
+           {"relative", biases_json(of)}};
+  if (!of.reason.empty()) all["reason"] = of.reason;
+  return all;
+}
+
 Json bias_json(bias::Findings const& found) {
-  auto const method = [](Scene const& scene) {
-    return Json{{"scheme", scene.integration.scheme}, {"time_step", time_step(scene)}};
-  };
   Json all{{"verdict", bias::name_of(found.judgement.verdict)},
            {"accuracy", found.tolerance},
            {"pairs", found.pairs},
            {"stretch_strain", found.methods.strain()},
-           {"method", method(found.methods.coarse)},
-           {"finer", method(found.methods.fine)},
+           {"method", method_json(found.methods.coarse)},
+           {"finer", method_json(found.methods.fine)},
+           {"dropped_strain", found.dropped_strain},
            {"steps", found.coarse_steps},
            {"finer_steps", found.fine_steps},
            {"gas", found.judgement.gas},
-           {"relative", Json::object()},
+           {"relative", biases_json(found)},
            {"looks", Json::array()}};
-  for (std::size_t q = 0; found.pairs > 1 && q < bias::quantities; ++q) {
-    auto const& one = found.judgement.stated[q];
-    all["relative"][std::string(bias::quantity_names[q])] = {{"bias", number(one.value)},
-                                                             {"error", number(one.error)}};
-  }
   for (auto const& look : found.looks)
     all["looks"].push_back({{"pairs", look.pairs}, {"verdict", bias::name_of(look.verdict)}});
+  for (auto const& trial : found.tried) all["tried"].push_back(trial_json(trial));
   return all;
 }
 

@@ -12,6 +12,15 @@ namespace bagnold {
 
 namespace {
 
+/// Gives a window of fewer evaluations, those of a method of longer steps, the weight of others.
+void weigh_as_others(WindowSums& done, Plan const& plan, std::int64_t window) {
+  auto const steps = plan.window_end(window) - plan.window_begin(window);
+  auto const evaluations = static_cast<double>((steps + plan.every - 1) / plan.every);
+  double const factor = evaluations / done.weight;
+  for (double& sum : done.sums) sum *= factor;
+  done.weight = evaluations;
+}
+
 /// Advances one system to `stop`, or to where it can stop, and takes its measurements. Returns
 /// false if it goes no further (LegEnd::whole).
 bool advance(MeasuredSystem const& system, std::int64_t stop, Plan const& plan, LegEnd end) {
@@ -39,16 +48,22 @@ bool advance(MeasuredSystem const& system, std::int64_t stop, Plan const& plan, 
   }
   while (measurement.open.first < plan.windows &&
          plan.window_end(measurement.open.first) <= simulation.step()) {
-    WindowSums const done = measurement.open.take_first();
+    WindowSums done = measurement.open.take_first();
+    if (simulation.weight() != 1) weigh_as_others(done, plan, measurement.open.first - 1);
     measurement.windows.push_back(done.sums, done.weight);
   }
   return simulation.step() >= std::min(stop, plan.steps);
 }
 
-/// Pairs that are due at the present steps. Returns false if one is not done.
-bool take_pairs(std::span<MeasuredSystem const> systems, std::function<bool()> const& go_on) {
+/// Pairs that are due at the present steps. Returns false if one is not done. At the end of the run
+/// none is taken that could change its method.
+bool take_pairs(std::span<MeasuredSystem const> systems, Plan const& plan,
+                std::function<bool()> const& go_on) {
   for (std::size_t s = 0; s < systems.size(); ++s) try {
-      if (systems[s].pairs && !systems[s].pairs->take(systems[s].simulation, go_on)) return false;
+      if (auto const& [simulation, measurement, pairs] = systems[s];
+          pairs && !(pairs->chooses() && simulation.step() >= plan.steps) &&
+          !pairs->take(simulation, measurement.windows, go_on))
+        return false;
     } catch (NumericalError const& error) {
       throw SystemFailure(s, error);
     }
@@ -74,7 +89,7 @@ bool run_measured(std::span<MeasuredSystem const> systems, Plan const& plan,
   for (auto const& [simulation, measurement, pairs] : systems)
     if (simulation.step() == 0) measurement.frames.show(simulation, -1);
   for (auto from = step_of(systems, ended); from < plan.steps; from = step_of(systems, ended)) {
-    if (!take_pairs(systems, go_on)) return false;
+    if (!take_pairs(systems, plan, go_on)) return false;
     auto const start = std::chrono::steady_clock::now();
     auto stop = from + stretch.steps();
     for (auto const& [simulation, measurement, pairs] : systems) {
@@ -92,7 +107,7 @@ bool run_measured(std::span<MeasuredSystem const> systems, Plan const& plan,
     stretch.took(std::chrono::steady_clock::now() - start);
     if (!go_on()) return false;
   }
-  return take_pairs(systems, go_on);  // others may wait for them
+  return take_pairs(systems, plan, go_on);  // others may wait for them
 }
 
 bool run_measured(Simulation& simulation, Plan const& plan, Measurement& measurement,

@@ -7,8 +7,11 @@
 #include <utility>
 
 #include "src/config/errors.hpp"
+#include "src/config/ladder.hpp"
+#include "src/config/names.hpp"
 #include "src/config/piece_table.hpp"
 #include "src/config/scene_file.hpp"
+#include "src/config/time_step.hpp"
 #include "src/engine/control_columns.hpp"
 #include "src/engine/levels/levels.hpp"
 #include "src/engine/make_simulation.hpp"
@@ -52,7 +55,8 @@ Runner::Runner(RunFolder const& folder, Run run, Machine const& machine, RunMoni
       simulations_(run_.replicas.size()),
       steps_(run_.replicas.size()),
       wall_before_(run_.wall_seconds) {
-  if (run_.scene.measure.bias) measure_bias();
+  bool const chooses = may_change_method(run_.scene) && !is_device_backend(machine_.backend);
+  if (run_.scene.measure.bias || chooses) measure_bias();
 }
 
 void Runner::measure_bias() {
@@ -62,6 +66,25 @@ void Runner::measure_bias() {
     course_->course.load(r, run_.replicas[r].saved_pairs);
     pairs_.emplace_back(*course_, r);
   }
+  said_changes_ = course_->course.changes().size();
+  drop_refused();
+}
+
+void Runner::say_changes() {
+  if (!course_) return;
+  std::lock_guard const lock(course_->mutex);
+  for (auto const& all = course_->course.changes(); said_changes_ < all.size(); ++said_changes_)
+    monitor_.status(all[said_changes_]);
+}
+
+void Runner::drop_refused() {
+  if (!course_) return;
+  std::lock_guard const lock(course_->mutex);
+  auto const dropped = course_->course.dropped() / whole_.window_steps;
+  if (dropped == whole_.dropped_windows) return;
+  whole_.dropped_windows = dropped;
+  whole_ = shortened(run_.scene, whole_, whole_.windows);
+  run_.plan = shortened(run_.scene, whole_, run_.plan.windows);
 }
 
 bool Runner::start(std::vector<std::optional<Snapshot>> snapshots) {
@@ -189,6 +212,7 @@ Plan Runner::next_leg() const {
 }
 
 bool Runner::enough() {
+  drop_refused();
   judge_errors(run_);
   return run_.plan.windows == whole_.windows || run_.target_met;
 }
@@ -200,6 +224,7 @@ RunEnd Runner::run() {
   all.systems = together_ ? 1 : run_.replicas.size();
   all.advance = [&](std::size_t r, auto const& go_on) { return step_on(r, go_on); };
   all.request = [&] {
+    say_changes();
     monitor_.progress(steps());
     return request();
   };
@@ -209,6 +234,7 @@ RunEnd Runner::run() {
     if (!run_.scene.shear.target_error.empty()) run_.plan = next_leg();
     done = work_on_leg(all) && enough();
   } while (!done && !monitor_.stop_requested());
+  say_changes();
   monitor_.end(steps());
   if (!done || !is_last_leg()) checkpoint();
   if (done)
@@ -259,8 +285,21 @@ bool Runner::step_on(std::size_t first, std::function<bool()> const& go_on) {
         leg_end_);
   } catch (SystemFailure const& failure) {
     auto const r = first + failure.system;
-    throw ReplicaFailure{r, failure.what(), simulations_[r]->state()};
+    throw ReplicaFailure{r, failure.what() + chosen_method(), simulations_[r]->state()};
   }
+}
+
+/// What to do where a step fails of a method that the run chose itself; "" if it did not.
+std::string Runner::chosen_method() const {
+  if (!course_ || !course_->course.chooses()) return "";
+  std::lock_guard const lock(course_->mutex);
+  auto const ladder = ladder_of(run_.scene);
+  auto const method = course_->course.method();
+  if (method >= ladder.usual) return "";
+  auto const chosen = with_method(run_.scene, ladder.methods[method]);
+  return fmt::format(
+      "; scheme = \"auto\" had taken {}, a step of {:.6g} tau_e: name integration.scheme = \"{}\"",
+      chosen.integration.scheme, time_step(chosen), default_scheme);
 }
 
 bool Runner::work(ReplicaScheduler& all) {
@@ -341,6 +380,7 @@ void Runner::write_checkpoint() {
 
 void Runner::checkpoint() {
   write_checkpoint();
+  drop_refused();
   discard_transient(run_);
   write_result_file(folder_, run_);
 }
@@ -373,6 +413,10 @@ void Runner::finish() {
     run_.replicas[r].end_motion = mean_motion(states.back(), run_.scene);
   }
   if (course_) run_.bias = course_->course.findings();
+  for (auto& replica : run_.replicas)
+    if (whole_.dropped_windows > 0)
+      replica.measurement.frames.forget_before(run_.plan.discarded_windows *
+                                               run_.plan.window_steps);
   write_result_file(folder_, run_);
   io::write_states(folder_.state(), std::move(states));
   auto const list = estimates(run_);

@@ -49,11 +49,14 @@ class Runner {
   void add_observers(std::size_t replica);  ///< once it has its simulation and its frames
   void control(std::size_t replica);
   std::int64_t seed(std::size_t replica) const;
+  std::string chosen_method() const;
   bool work(ReplicaScheduler& all);
   bool step_on(std::size_t replica, std::function<bool()> const& go_on);
   std::int64_t steps() const;         ///< of all replicas together
   std::int64_t steps_wanted() const;  ///< of all replicas, at the end of the leg
   void measure_bias();                ///< makes what pairs need, if the scene asks for them
+  void say_changes();                 ///< of the method, by scheme = "auto"
+  void drop_refused();                ///< leaves out windows of a method that was refused since
   bool awaits_pairs() const;          ///< true if a replica has still to take one where it is
   void note_engine(std::size_t replica, Snapshot const& at);
   ReplicaScheduler::Request request() const;
@@ -76,8 +79,9 @@ class Runner {
   bool together_;  ///< replicas share launches: for ReplicaScheduler all are one system
   std::vector<std::unique_ptr<Simulation>> simulations_;  ///< [R]
   std::vector<std::atomic<std::int64_t>> steps_;          ///< [R], read while others step
-  std::unique_ptr<bias::SharedCourse> course_;            ///< of measure.bias; null: not asked for
-  std::vector<bias::ReplicaPairs> pairs_;                 ///< [R], or empty
+  std::unique_ptr<bias::SharedCourse> course_;            ///< of the method; null: not asked for
+  std::size_t said_changes_ = 0;
+  std::vector<bias::ReplicaPairs> pairs_;  ///< [R], or empty
   double wall_before_;
   SteadyClock::time_point started_;
   SteadyClock::time_point checkpointed_;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "src/config/errors.hpp"
 #include "src/config/nearest_word.hpp"
@@ -43,9 +44,13 @@ statistics::SteadyStart steady_start(Run const& run, std::size_t windows) {
   for (auto const& observable : observables(run.scene, run.box_length)) {
     if (std::ranges::count(names, observable.name) == 0) continue;
     auto const all = window_series(run, observable);
-    auto const so_far = std::span(all).first(std::min(windows, all.size()));
+    auto so_far = std::span(all).first(std::min(windows, all.size()));
+    auto const dropped =
+        std::min(static_cast<std::size_t>(run.plan.dropped_windows), so_far.size());
+    so_far = so_far.subspan(dropped);
     auto start = statistics::steady_start(so_far);
     if (has_target(run.scene)) start.first = std::min(2 * start.first, (so_far.size() + 1) / 2);
+    start.first += dropped;
     latest = {std::max(latest.first, start.first), latest.found && start.found};
   }
   return latest;
@@ -76,6 +81,7 @@ bool met_at(Run const& run, std::int64_t windows) {
   std::vector<statistics::Windows const*> addresses;
   for (auto const& replica : so_far) addresses.push_back(&replica);
   auto const discarded = discarded_of(run, windows);
+  if (std::cmp_greater_equal(discarded, windows)) return false;
   auto const& wanted = run.scene.shear.target_error;
   for (auto const& observable : observables(run.scene, run.box_length)) {
     auto const target = wanted.find(std::string(observable.name));

@@ -193,8 +193,6 @@ class Said(Bias):
                                                       "integration__time_step": "auto"}),
                 (('integration.engine = "quasi-static"',), {**DENSE, "integration__engine": "quasi-static",
                                                             "integration__time_step": "auto"}),
-                (('integration.scheme = "auto"',), {**DENSE, "integration__scheme": "auto",
-                                                    "integration__time_step": "auto"}),
                 (('drive.kind = "thermal"',), {**DENSE, "drive__kind": "thermal", "drive__drag": 0.1,
                                                "drive__temperature": 1e-6})):
             with self.subTest(words=words):

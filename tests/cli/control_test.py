@@ -205,7 +205,7 @@ class Trajectories(CliTest):
 
     def test_frames_at_given_pressure(self):
         scene = {**PRESSURE, **self.FLOW, "shear__pressure": 0.004, "shear__strain": 6.0, "shear__response": 2.0}
-        fine = frames_of(self.run_new("fine", **scene, output__trajectory_strain=2.0**-4))
+        fine = frames_of(self.run_new("fine", **scene, output__trajectory_strain=0.05))
         coarse = frames_of(self.run_new("coarse", **scene, output__trajectory_strain=0.5))
         self.assertGreater(np.ptp(fine["box/edges"][:, 0, 0]), 0.1)
         for edges in fine["box/edges"]:

@@ -1,26 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/engine/auto_scheme/auto_scheme.hpp"
 
-#include "src/config/errors.hpp"
+#include "kernels/physics/schemes/schemes.hpp"
+#include "src/config/time_step.hpp"
 #include "tests/support/simulations.hpp"
 
 namespace bagnold::test {
 namespace {
 
-/// A flow of CD or CD_rot, dense and overdamped or dilute, at 1e-4.
-Scene scene_of(std::string const& model, double packing_fraction) {
+/// A dense flow of CD or CD_rot at 1e-4.
+Scene dense_flow(std::string const& model) {
   Scene scene;
   scene.disks.model = model;
   scene.disks.count = 128;
-  scene.disks.packing_fraction = packing_fraction;
+  scene.disks.packing_fraction = 0.84;
   scene.disks.elasticity = 1.0;
   scene.shear.strain_rate = 1e-4;
   scene.integration.scheme = automatic;
+  scene.integration.accuracy = 0.005;  // all methods, finer ones with them
   return scene;
-}
-
-std::int64_t stretch_of(Scene const& scene) {
-  return implicit_step_length(scene) * std::max<std::int64_t>(160, 16 * scene.measure.every);
 }
 
 struct Stepped {
@@ -34,73 +32,51 @@ bool same(std::vector<WindowSums> const& a, std::vector<WindowSums> const& b) {
   });
 }
 
-/// Steps on to `end` in calls of `piece` steps; `resumed`: through a snapshot after each.
-Stepped stepped(Scene const& scene, Snapshot from, std::int64_t end, std::int64_t piece,
-                bool resumed = false) {
-  auto const length = implicit_step_length(scene);
+/// Steps through methods, one for each place of the grid, in calls of `piece` steps; `resumed`:
+/// through a snapshot after each.
+Stepped stepped(Scene const& scene, Snapshot from, std::vector<std::size_t> const& methods,
+                std::int64_t piece, bool resumed = false) {
+  auto const ladder = ladder_of(scene);
+  auto const end = std::ssize(methods) * ladder.grid;
   Sampling const sampling{
-      .window_steps = 50 * length, .every = scene.measure.every, .last_step = end};
+      .window_steps = ladder.window, .every = scene.measure.every, .last_step = end};
   OpenWindows windows;
   auto simulation = make_simulation(scene, std::move(from), "serial");
-  while (simulation->step() < end) {
-    simulation->advance(piece, sampling, windows);
-    if (resumed) simulation = make_simulation(scene, simulation->snapshot(), "serial");
+  for (std::size_t k = 0; k < methods.size(); ++k) {
+    simulation->take_method(methods[k]);
+    auto const place = static_cast<std::int64_t>(k + 1) * ladder.grid;
+    while (simulation->step() < place) {
+      simulation->advance(std::min(piece, place - simulation->step()), sampling, windows);
+      if (resumed) simulation = make_simulation(scene, simulation->snapshot(), "serial");
+    }
+    EXPECT_EQ(simulation->step(), place);
   }
   return {simulation->snapshot(), windows.sums};
 }
 
-double pressure(std::vector<WindowSums> const& windows, std::size_t from) {
+double pressure(WindowSums const& window) {
   using C = SumColumns;
-  double sum = 0, weight = 0;
-  for (auto w = windows.begin() + static_cast<std::ptrdiff_t>(from); w != windows.end(); ++w) {
-    for (int const c : {C::elastic_xx, C::elastic_yy, C::dissipative_xx, C::dissipative_yy})
-      sum += w->sums[c];
-    weight += w->weight;
-  }
-  return sum / weight;
+  double sum = 0;
+  for (int const c : {C::elastic_xx, C::elastic_yy, C::dissipative_xx, C::dissipative_yy})
+    sum += window.sums[c];
+  return sum / window.weight;
 }
 
 }  // namespace
 
-TEST(AutoScheme, TakesImplicitStepsWhereTheyServe) {
-  Scene scene = scene_of("CD", 0.84);
-  EXPECT_EQ(implicit_step_length(scene), 8);
-  EXPECT_EQ(implicit_step_length(scene_of("CD_rot", 0.84)), 7);
-  EXPECT_EQ(implicit_step_length(scene_of("CD_n", 0.84)), 1);
-  Scene short_steps = scene_of("CD_n", 0.84);
-  short_steps.integration.time_step = 0.01;
-  EXPECT_EQ(implicit_step_length(short_steps), 1);
-  EXPECT_EQ(resolved(scene).integration.scheme, automatic);
-  auto const unsuited = [&](auto const& change) {
-    Scene other = scene;
-    change(other);
-    EXPECT_EQ(implicit_step_length(other), 1);
-    EXPECT_EQ(resolved(other).integration.scheme,
-              other.integration.scheme == automatic ? two_stage_scheme : other.integration.scheme);
-  };
-  unsuited([](Scene& s) { s.integration.scheme = two_stage_scheme; });
-  unsuited([](Scene& s) { s.integration.engine = "lookahead"; });
-  unsuited([](Scene& s) { s.measure.contacts = true; });
-  unsuited([](Scene& s) { s.shear.protocol = "ramp"; });
-  unsuited([](Scene& s) { s.drive.kind = "stokes"; });
-  unsuited([](Scene& s) { s.disks.elasticity = 200; });
-  unsuited([](Scene& s) { s.integration.time_step = of_papers; });
-  unsuited([](Scene& s) { s.integration.time_step = 1.0; });
-}
-
-/// A dense flow: same bits however it is cut, whichever thread and engine; means as of two stages.
+/// The same bits however it is cut, whichever methods follow each other.
 TEST(AutoScheme, GoesOnBitForBit) {
   for (auto const* model : {"CD", "CD_rot"}) {
-    Scene const scene = scene_of(model, 0.84);
-    auto const stretch = stretch_of(scene);
-    auto const end = 8 * stretch + 77;
+    Scene const scene = dense_flow(model);
+    auto const ladder = ladder_of(scene);
+    std::vector<std::size_t> const methods = {ladder.usual, 0, 0, ladder.usual, ladder.usual + 1};
     Snapshot const start = first_snapshot(random_start(scene).state);
-    auto const whole = stepped(scene, start, end, end);
-    EXPECT_GE(whole.last.counters.at("steps_by_implicit_damping"), 3 * stretch) << model;
-    EXPECT_EQ(whole.last.step, end);
+    auto const whole = stepped(scene, start, methods, 1 << 20);
+    EXPECT_EQ(whole.last.counters.at("steps_by_implicit_damping"), 2 * ladder.grid);
+    EXPECT_EQ(whole.last.counters.at("steps_in_parts"), ladder.grid);
     for (auto const& [piece, resumed] :
-         {std::pair{std::int64_t{100}, false}, {stretch / 3, true}}) {
-      auto const cut = stepped(scene, start, end, piece, resumed);
+         {std::pair{std::int64_t{100}, false}, {ladder.grid / 3, true}}) {
+      auto const cut = stepped(scene, start, methods, piece, resumed);
       EXPECT_EQ(cut.last.state.position, whole.last.state.position) << model << resumed;
       EXPECT_EQ(cut.last.state.velocity, whole.last.state.velocity) << model << resumed;
       EXPECT_EQ(cut.last.memory, whole.last.memory) << model << resumed;
@@ -109,98 +85,53 @@ TEST(AutoScheme, GoesOnBitForBit) {
   }
 }
 
-TEST(AutoScheme, MeansAreThoseOfTwoStages) {
-  Scene scene = scene_of("CD", 0.84);
-  scene.measure.every = 1;  // the stress is growing, and a sample stands for what follows it
-  auto const stretch = stretch_of(scene);
-  Snapshot const start = first_snapshot(random_start(scene).state);
-  auto const end = 2 * stretch;  // short: flows forget each other
-  auto const here = stepped(scene, start, end, end);
-  Scene two_stages = scene;
-  two_stages.integration.scheme = two_stage_scheme;
-  Sampling const sampling{.window_steps = 400, .every = 1, .last_step = end};
-  OpenWindows windows;
-  auto const plain = make_simulation(two_stages, start, "serial");
-  plain->advance(end, sampling, windows);
-  auto const first = static_cast<std::size_t>(stretch / 400) + 1;  // stepped alike
-  EXPECT_NEAR(pressure(here.windows, first) / pressure(windows.sums, first), 1, 0.005);
-  EXPECT_NEAR(here.last.state.offset, plain->snapshot().state.offset, 1e-9);
-  double weight = 0, expected = 0;
-  for (auto const& window : here.windows) weight += window.weight;
-  for (auto const& window : windows.sums) expected += window.weight;
-  EXPECT_NEAR(weight / expected, 1, 1e-12) << "each sample stands for its time";
+/// From one state all methods have the stress of two stages, window by window.
+TEST(AutoScheme, AllMethodsFollowOneFlow) {
+  for (auto const* model : {"CD", "CD_rot"}) {
+    Scene scene = dense_flow(model);
+    scene.measure.every = 1;
+    auto const ladder = ladder_of(scene);
+    ASSERT_GE(ladder.methods.size(), 3U);
+    Snapshot const start = first_snapshot(random_start(scene).state);
+    auto const usual = stepped(scene, start, {ladder.usual, ladder.usual}, 1 << 20);
+    auto const first = static_cast<std::size_t>(ladder.grid / ladder.window);
+    for (std::size_t method = 0; method < ladder.methods.size(); ++method) {
+      auto const other = stepped(scene, start, {ladder.usual, method}, 1 << 20);
+      ASSERT_EQ(other.windows.size(), usual.windows.size());
+      for (auto w = first; w < first + 3; ++w)
+        EXPECT_NEAR(pressure(other.windows[w]) / pressure(usual.windows[w]), 1, 0.01)
+            << model << " " << method << " " << w;
+      EXPECT_NEAR(other.last.state.offset, usual.last.state.offset, 1e-9);
+      auto const& [scheme, length, parts] = ladder.methods[method];
+      EXPECT_EQ(other.windows[first].weight * static_cast<double>(length),
+                usual.windows[first].weight);
+    }
+  }
 }
 
-/// In a dilute flow every trial fails, and what two stages then step has the bits of a run of them.
-TEST(AutoScheme, RefusedStretchesLeaveNoTrace) {
-  Scene scene = scene_of("CD_rot", 0.70);
+/// The usual method steps as if it were named, with events by turns in dilute flow.
+TEST(AutoScheme, BeginsAsTwoStages) {
+  Scene scene = dense_flow("CD_rot");
   scene.integration.engine = "many-contacts";
-  auto const end = 4 * stretch_of(scene) + 10;
-  Snapshot const start = first_snapshot(shaken_start(scene));
-  auto const here = stepped(scene, start, end, 1000);
-  EXPECT_GE(here.last.counters.at("implicit_stretches_refused"), 2);
-  EXPECT_EQ(here.last.counters.at("steps_by_implicit_damping"), 0);
+  auto const ladder = ladder_of(scene);
+  Snapshot const start = first_snapshot(random_start(scene).state);
+  auto const here = stepped(scene, start, {ladder.usual}, 1000);
   Sampling const sampling{
-      .window_steps = 50 * implicit_step_length(scene), .every = 10, .last_step = end};
+      .window_steps = ladder.window, .every = scene.measure.every, .last_step = ladder.grid};
   scene.integration.scheme = two_stage_scheme;
   OpenWindows windows;
   auto const plain = make_simulation(scene, start, "serial");
-  plain->advance(end, sampling, windows);
+  plain->advance(ladder.grid, sampling, windows);
   EXPECT_EQ(here.last.state.position, plain->snapshot().state.position);
   EXPECT_TRUE(same(here.windows, windows.sums));
-}
 
-namespace {
-
-/// An engine of nothing but a count: `fails` throws where it comes to that step.
-struct Counting : Simulation {
-  std::int64_t at, fails;
-  std::map<std::string, double> counters;
-  Counting(Snapshot&& s, std::int64_t f) : at(s.step), fails(f), counters(s.counters) {}
-  int columns() const override { return SumColumns::count; }
-  std::int64_t step() const override { return at; }
-  void advance(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) override {
-    for (auto const end = std::min(at + steps, sampling.last_step); at < end; ++at) {
-      if (at == fails) throw NumericalError("too fast");
-      std::vector<double> sums(SumColumns::count);
-      sums[SumColumns::elastic_xx] = sums[SumColumns::contacts] = 1;
-      if (sampling.sampled(at)) windows.add(sampling.window(at), sums, 1);
-    }
-  }
-  Snapshot snapshot() const override {
-    Snapshot s;
-    s.step = at;
-    s.counters = counters;
-    return s;
-  }
-  State state() const override { return {}; }
-};
-
-}  // namespace
-
-TEST(AutoScheme, AStretchThatFailsIsSteppedAgain) {
-  Scene scene = scene_of("CD", 0.84);
-  auto const length = implicit_step_length(scene), stretch = stretch_of(scene);
-  auto const counting = [](std::int64_t fails_at) {
-    return [=](Snapshot&& from) { return std::make_unique<Counting>(std::move(from), fails_at); };
-  };
-  AutoScheme simulation({.two_stages = counting(-1),
-                         .implicit = counting((3 * stretch + 80) / length),
-                         .length = length,
-                         .every = scene.measure.every,
-                         .strain_rate = scene.shear.strain_rate,
-                         .time_step = time_step(scene)},
-                        Snapshot{});
-  Sampling const sampling{.window_steps = 40 * length, .every = 10, .last_step = 5 * stretch};
-  OpenWindows windows;
-  simulation.advance(5 * stretch, sampling, windows);
-  EXPECT_EQ(simulation.step(), 5 * stretch);
-  auto const counters = simulation.snapshot().counters;
-  EXPECT_EQ(counters.at("implicit_stretches_refused"), 1);
-  EXPECT_EQ(counters.at("steps_by_implicit_damping"), 3 * stretch);
-  ASSERT_EQ(std::ssize(windows.sums), 5 * stretch / sampling.window_steps);
-  for (auto const& window : windows.sums)
-    EXPECT_EQ(window.weight, static_cast<double>(sampling.window_steps / 10));
+  Scene dilute = dense_flow("CD_n");
+  dilute.disks.elasticity = 50;
+  dilute.disks.packing_fraction = 0.3;
+  dilute.shear.strain_rate = 1e-3;
+  auto const by_turns = make_simulation(dilute, first_snapshot(shaken_start(dilute)), "serial");
+  by_turns->advance(16384, {.window_steps = 512, .every = 10}, windows);
+  EXPECT_GT(by_turns->snapshot().counters.at("steps_by_events"), 0);
 }
 
 }  // namespace bagnold::test

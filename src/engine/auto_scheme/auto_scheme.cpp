@@ -1,158 +1,112 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/engine/auto_scheme/auto_scheme.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "src/config/errors.hpp"
+#include "src/config/names.hpp"
 #include "src/engine/engine_memory.hpp"
 
 namespace bagnold {
 
 namespace {
 
-/// Snapshot for another engine: without lists and memory, with steps of its own.
-Snapshot handed_over(Snapshot&& snapshot, std::int64_t step) {
+constexpr char method_key[] = "auto_method", earlier_key[] = "auto_is_implicit";
+
+/// Most steps of a run, times those of a method in one of them.
+constexpr std::int64_t most = std::int64_t{1} << 62;
+
+/// Snapshot for another engine: without lists and memory.
+Snapshot handed_over(Snapshot&& snapshot) {
   Snapshot to = std::move(snapshot);
-  to.step = step;
   to.list_position.clear();
   to.list_step = 0;
   to.memory.clear();
+  to.arrays.clear();
   return to;
-}
-
-/// Keeps only the engine's own memory.
-void forget_choice(Snapshot& snapshot) {
-  std::erase_if(snapshot.memory, [](auto const& one) { return one.first.starts_with("auto_"); });
-}
-
-/// Sums of a stretch, over all its windows.
-WindowSums sum_of(OpenWindows const& windows) {
-  OpenWindows all;
-  for (auto const& window : windows.sums)
-    if (window.weight > 0) all.add(0, window.sums, window.weight);
-  return all.of(0);
 }
 
 }  // namespace
 
-AutoScheme::AutoScheme(Engines engines, Snapshot&& snapshot)
-    : engines_(std::move(engines)),
-      stretch_(engines_.length * std::max(least_steps, least_samples * engines_.every)) {
-  if (!snapshot.memory.empty()) {
+AutoScheme::AutoScheme(Ladder ladder, Snapshot&& snapshot, Make make)
+    : ladder_(std::move(ladder)), make_(std::move(make)), method_(ladder_.usual) {
+  if (snapshot.memory.contains(earlier_key))
+    throw InputError(
+        "the checkpoint is of scheme = \"auto\" of version 1.0.0, which chose in another way; "
+        "resume "
+        "with the version that wrote it, or begin from its state with start.kind = \"state\"");
+  if (snapshot.memory.contains(method_key)) {
     for_each_memory(RestoreMemory{snapshot.memory});
     for_each_counter(RestoreCounter{snapshot.counters});
-    forget_choice(snapshot);
+    snapshot.memory.erase(method_key);
+    counters_ = snapshot.counters;
   }
-  if (is_implicit_) snapshot.step /= engines_.length, snapshot.list_step /= engines_.length;
-  engine_ = make(std::move(snapshot));
-}
-
-std::int64_t AutoScheme::step() const {
-  return engine_->step() * (is_implicit_ ? engines_.length : 1);
+  if (method_ >= ladder_.methods.size())
+    throw InputError(fmt::format(
+        "the checkpoint is of method {} of scheme = \"auto\" (there are {} here); resume with the "
+        "version that wrote it",
+        method_, ladder_.methods.size()));
+  snapshot.step = own_steps(snapshot.step);
+  engine_ = make_(present(), std::move(snapshot));
 }
 
 void AutoScheme::advance(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) {
   auto const end = std::min(step() + steps, sampling.last_step);
   while (step() < end) {
-    auto const begin = step() / stretch_ * stretch_;
-    bool const whole = step() == begin && begin + stretch_ <= sampling.last_step;
-    if (whole && choice_.implicit()) {
-      try_stretch(sampling, windows);
-      continue;
-    }
-    if (sampling.whole && choice_.implicit()) return;  // a longer run would try the stretch
-    auto const from = step();
-    step_by_two_stages(begin, end, sampling, windows);
-    if (step() == from) return;
+    auto const from = step(), place = (from / ladder_.grid + 1) * ladder_.grid;
+    Sampling part = sampling;
+    part.last_step = std::min(place, sampling.last_step);
+    part.whole = sampling.whole && place > sampling.last_step;
+    step_to(std::min(end, part.last_step), part, windows);
+    auto const done = step() - from;
+    if (is_implicit(present().scheme)) implicit_steps_ += done;
+    if (present().parts > 1) finer_steps_ += done;
+    if (done == 0) return;
   }
 }
 
-/// Steps up to the next trial or, in a last piece shorter than a stretch, to its end.
-void AutoScheme::step_by_two_stages(std::int64_t begin, std::int64_t end, Sampling const& sampling,
-                                    OpenWindows& windows) {
-  if (is_implicit_) change_to_two_stages();
-  auto const next_trial = begin + std::max<std::int64_t>(1, choice_.pause_left()) * stretch_;
-  Sampling part = sampling;
-  part.last_step = std::min(next_trial, sampling.last_step);
-  part.whole = sampling.whole && next_trial > sampling.last_step;
-  engine_->advance(std::min(end, part.last_step) - step(), part, windows);
-  for (auto done = begin + stretch_; done <= step(); done += stretch_)
-    choice_.explicit_stretch_done();
+/// Steps at least to `stop`, a whole step of the run, unless the engine stops before.
+void AutoScheme::step_to(std::int64_t stop, Sampling const& sampling, OpenWindows& windows) {
+  Sampling const own{.window_steps = own_steps(sampling.window_steps),
+                     .every = std::min(sampling.every, most / present().parts) * present().parts,
+                     .last_step = own_steps(sampling.last_step),
+                     .whole = sampling.whole};
+  auto const parts = present().parts;
+  auto const target = std::max(own_steps(stop), engine_->step() + 1);
+  engine_->advance(target - engine_->step(), own, windows);
+  while (engine_->step() % parts != 0)
+    engine_->advance(parts - engine_->step() % parts, own, windows);
 }
 
-void AutoScheme::try_stretch(Sampling const& sampling, OpenWindows& windows) {
-  auto const begin = step();
-  Snapshot kept = snapshot();
-  if (!is_implicit_) change_to_implicit();
-  OpenWindows held;
-  held.first = begin / sampling.window_steps;
-  if (!step_stretch(sampling, held)) {
-    go_back(std::move(kept));
-    return;
-  }
-  implicit_steps_ += stretch_;
-  for (auto const& window : held.sums) {
-    if (window.weight > 0) windows.add(held.first, window.sums, window.weight);
-    ++held.first;
-  }
+void AutoScheme::take_method(std::size_t method) {
+  if (method == method_) return;
+  Snapshot now = handed_over(engine_->snapshot());
+  now.counters = counters_ = all_counters(now.counters);
+  auto const step = run_steps(now.step);
+  method_ = method;
+  now.step = own_steps(step);
+  engine_ = make_(present(), std::move(now));
 }
 
-/// Steps a stretch of implicit damping. Returns whether it may be kept. It is given up after a
-/// quarter that shows that motions are not overdamped.
-bool AutoScheme::step_stretch(Sampling const& sampling, OpenWindows& held) {
-  auto const begin = engine_->step(), length = stretch_ / engines_.length;
-  constexpr std::int64_t parts = 4;
-  try {
-    for (std::int64_t part = 1; part <= parts; ++part) {
-      Sampling const scaled{.window_steps = sampling.window_steps / engines_.length,
-                            .every = sampling.every,
-                            .last_step = begin + length * part / parts};
-      while (engine_->step() < scaled.last_step)
-        engine_->advance(scaled.last_step - engine_->step(), scaled, held);
-      if (!SchemeChoice::is_overdamped(sum_of(held))) return choice_.refuse();
-    }
-  } catch (NumericalError const&) {
-    return choice_.refuse();
-  }
-  double const rate = engines_.strain_rate;
-  double const strain = rate * engines_.time_step * static_cast<double>(stretch_);
-  bool const keeps = choice_.keeps(sum_of(held), strain, rate);
-  auto const weight = static_cast<double>(engines_.length);
-  for (auto& window : held.sums) {
-    for (double& sum : window.sums) sum *= weight;
-    window.weight *= weight;
-  }
-  return keeps;
+/// Counters of the engine at work, joined with those of the engines before.
+AutoScheme::Counters AutoScheme::all_counters(Counters const& of_engine) const {
+  Counters all = of_engine;
+  all.insert(counters_.begin(), counters_.end());
+  return all;
 }
 
-void AutoScheme::change_to_implicit() {
-  auto const step = engine_->step() / engines_.length;
-  is_implicit_ = true;
-  engine_ = make(handed_over(engine_->snapshot(), step));
-}
-
-void AutoScheme::change_to_two_stages() {
-  auto const step = engine_->step() * engines_.length;
-  is_implicit_ = false;
-  engine_ = make(handed_over(engine_->snapshot(), step));
-}
-
-/// Returns to the start of a stretch that is not kept, from where two stages continue.
-void AutoScheme::go_back(Snapshot&& kept) {
-  ++refused_;
-  bool const was_implicit = kept.memory.at("auto_is_implicit") != 0;
-  if (was_implicit) kept = handed_over(std::move(kept), kept.step);
-  forget_choice(kept);
-  is_implicit_ = false;
-  engine_ = make(std::move(kept));
+std::int64_t AutoScheme::own_steps(std::int64_t of_run) const {
+  return std::min(of_run, most / present().parts) * present().parts / present().length;
 }
 
 Snapshot AutoScheme::snapshot() const {
   auto& self = const_cast<AutoScheme&>(*this);  // saving changes nothing
   Snapshot snapshot = engine_->snapshot();
-  if (is_implicit_) snapshot.step *= engines_.length, snapshot.list_step *= engines_.length;
+  snapshot.counters = all_counters(snapshot.counters);
+  snapshot.step = run_steps(snapshot.step);  // that of the list is of the method's own
   self.for_each_memory(WriteDown{snapshot.memory});
   self.for_each_counter(WriteDown{snapshot.counters});
   return snapshot;
@@ -161,14 +115,13 @@ Snapshot AutoScheme::snapshot() const {
 /// Visits the numbers that a bit-for-bit restart needs besides those of the engine.
 template <class Visit>
 void AutoScheme::for_each_memory(Visit const& visit) {
-  visit("auto_is_implicit", is_implicit_);
-  choice_.for_each_memory(visit);
+  visit(method_key, method_);
 }
 
 template <class Visit>
 void AutoScheme::for_each_counter(Visit const& visit) {
   visit("steps_by_implicit_damping", implicit_steps_);
-  visit("implicit_stretches_refused", refused_);
+  visit("steps_in_parts", finer_steps_);
 }
 
 }  // namespace bagnold

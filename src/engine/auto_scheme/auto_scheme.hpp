@@ -2,72 +2,63 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
-#include <utility>
+#include <string>
 
-#include "src/engine/auto_scheme/scheme_choice.hpp"
+#include "src/config/ladder.hpp"
 #include "src/engine/simulation.hpp"
 
 namespace bagnold {
 
-/// scheme = "auto": two stages, and implicit damping where SchemeChoice finds it as accurate.
+/// scheme = "auto": steps by one of the methods of a ladder, which take_method() changes.
 ///
-/// Steps are those of two stages; a step of implicit damping is `length` of them long
-/// (implicit_step_length()). Schemes change only at multiples of a stretch. The sums of a stretch
-/// of implicit damping are held back until its end and added if it is kept. Otherwise two stages
-/// step it again from its start. A configuration that implicit damping evaluates counts as `length`
-/// evaluations of two stages.
+/// It begins with the usual method. Steps are those of the run, whole ones of each method. It stops
+/// at every multiple of the ladder's grid, and there the method may change: what one engine hands
+/// over to the other is the state. A method of longer steps evaluates as many of its own steps
+/// apart as others do, so that its windows hold fewer configurations (weight()).
 class AutoScheme : public Simulation {
  public:
-  /// Makes an engine that continues from a snapshot.
-  using Make = std::function<std::unique_ptr<Simulation>(Snapshot&&)>;
+  /// Makes the engine of a method that continues from a snapshot.
+  using Make = std::function<std::unique_ptr<Simulation>(Method const&, Snapshot&&)>;
 
-  /// Engines of both schemes, and facts on the run.
-  struct Engines {
-    Make two_stages, implicit;
-    std::int64_t length;  ///< of an implicit step, [steps]
-    std::int64_t every;   ///< steps between configurations that are evaluated
-    double strain_rate;   ///< [1/tau_e]
-    double time_step;     ///< of two stages, [tau_e]
-  };
-
-  AutoScheme(Engines engines, Snapshot&& snapshot);
+  AutoScheme(Ladder ladder, Snapshot&& snapshot, Make make);
 
   int columns() const override { return engine_->columns(); }
-  std::int64_t step() const override;
+  std::int64_t step() const override { return run_steps(engine_->step()); }
   void advance(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) override;
   Snapshot snapshot() const override;
   void give_back_scratch() override { engine_->give_back_scratch(); }
   State state() const override { return engine_->state(); }
 
- private:
-  /// Least implicit steps of a stretch, and configurations evaluated in it.
-  static constexpr std::int64_t least_steps = 160, least_samples = 16;
+  bool has_step() const override { return engine_->has_step(); }
+  std::size_t method() const override { return method_; }
+  void take_method(std::size_t method) override;
+  double weight() const override { return static_cast<double>(present().length); }
 
-  void change_to_implicit();
-  void change_to_two_stages();
-  void go_back(Snapshot&& kept);
-  void step_by_two_stages(std::int64_t begin, std::int64_t end, Sampling const& sampling,
-                          OpenWindows& windows);
-  void try_stretch(Sampling const& sampling, OpenWindows& windows);
-  bool step_stretch(Sampling const& sampling, OpenWindows& held);
+ private:
+  Method const& present() const { return ladder_.methods[method_]; }
+  std::int64_t run_steps(std::int64_t own) const {
+    return own * present().length / present().parts;
+  }
+  std::int64_t own_steps(std::int64_t of_run) const;
+  void step_to(std::int64_t stop, Sampling const& sampling, OpenWindows& windows);
+
+  using Counters = std::map<std::string, double>;
+  Counters all_counters(Counters const& of_engine) const;
 
   template <class Visit>
   void for_each_memory(Visit const& visit);
   template <class Visit>
   void for_each_counter(Visit const& visit);
 
-  std::unique_ptr<Simulation> make(Snapshot&& from) const {
-    return (is_implicit_ ? engines_.implicit : engines_.two_stages)(std::move(from));
-  }
-
-  Engines engines_;
-  std::int64_t stretch_;  ///< [steps]
+  Ladder ladder_;
+  Make make_;
+  std::size_t method_;
   std::unique_ptr<Simulation> engine_;
-  bool is_implicit_ = false;  ///< which engine that is
-  SchemeChoice choice_;
-  std::int64_t implicit_steps_ = 0;  ///< steps that implicit damping took, in steps of two stages
-  std::int64_t refused_ = 0;         ///< stretches
+  Counters counters_;                ///< of the engines before the present one
+  std::int64_t implicit_steps_ = 0;  ///< that implicit damping took, in steps of the run
+  std::int64_t finer_steps_ = 0;     ///< that were divided
 };
 
 }  // namespace bagnold

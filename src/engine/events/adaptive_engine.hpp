@@ -40,6 +40,7 @@ class AdaptiveEngine final : public Simulation {
   int columns() const override { return engine_->columns(); }
   std::int64_t step() const override { return engine_->step(); }
   void advance(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) override;
+  bool has_step() const override { return !by_events_; }
   Snapshot snapshot() const override;
   void give_back_scratch() override { engine_->give_back_scratch(); }
   State state() const override { return engine_->state(); }

@@ -1,33 +1,91 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/run/bias/course.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <utility>
 
 #include "src/config/collision_loss.hpp"
+#include "src/config/names.hpp"
 #include "src/config/time_step.hpp"
+#include "src/run/rounded.hpp"
 
 namespace bagnold::bias {
 
 namespace {
 
 constexpr std::array<std::size_t, 5> schedule = {4, 6, 9, 13, most_pairs};
+constexpr std::size_t looks_of_a_try = 3;  ///< at a method that the run does not step by
+constexpr std::int64_t apart = 3;  ///< places between pairs of the usual method and finer ones
+constexpr int most_skips = 3;      ///< in turn, if others are to be judged
 constexpr std::size_t numbers_of_pair = 1 + 2 * Averages::count;
+
+/// p_kin/p from which on inertia has a part in a flow, as the warning implicit_inertia says.
+constexpr double most_kinetic = 3e-4;
+
+constexpr std::string_view inertia = "inertia", events = "events", failed_step = "a step failed";
 
 double loss_error(Scene const& coarse) {
   return collision_loss_error(coarse, scheme_of(coarse), time_step(coarse));
 }
 
+/// "implicit-damping, a step of 1.6 tau_e"
+std::string in_words(Methods const& methods) {
+  return fmt::format("{}, a step of {:.6g} tau_e", methods.coarse.integration.scheme,
+                     time_step(methods.coarse));
+}
+
+/// "p +0.02(3)%, sigma ..." or the reason of a refusal without pairs
+std::string in_words(Trial const& trial) {
+  if (!trial.reason.empty()) return std::string(trial.reason);
+  std::string words;
+  for (std::size_t q = 0; q <= temperature; ++q) {
+    auto const& one = trial.judgement.stated[q];
+    words += fmt::format("{}{} {}%", q == 0 ? "" : ", ", quantity_names[q],
+                         rounded_bias(one.value, one.error));
+  }
+  return words;
+}
+
 }  // namespace
 
 Course::Course(Scene const& scene, std::size_t replicas)
-    : tolerance_(scene.integration.accuracy), methods_(methods_of(scene)), of_(replicas) {
+    : tolerance_(scene.integration.accuracy),
+      scene_(scene),
+      ladder_(ladder_of(scene)),
+      of_(replicas) {
+  if (chooses()) {
+    grid_ = ladder_.grid;
+    main_ = ladder_.usual;
+    begin_trial(0, 0);
+    return;
+  }
+  methods_ = methods_of(scene);
+  grid_ = methods_.grid;
   collision_loss_error_ = loss_error(methods_.coarse);
 }
 
 std::int64_t Course::next(std::size_t replica) const {
-  return (place_ + (takes(replica) ? 0 : 1)) * methods_.grid;
+  if (done_) return std::numeric_limits<std::int64_t>::max();
+  return (place_ + (takes(replica) || chooses() ? 0 : 1)) * grid_;
+}
+
+/// True if every place is a round while the run steps by the method on trial.
+bool Course::watches() const {
+  return chooses() && holds() && is_implicit(methods_.coarse.integration.scheme);
+}
+
+std::optional<Pair> Course::without_pair(std::int64_t step, double kinetic_share,
+                                         bool has_step) const {
+  if (!chooses()) return {};
+  bool const inertial =
+      is_implicit(methods_.coarse.integration.scheme) && !(kinetic_share < most_kinetic);
+  if (inertial || !has_step) return Pair::skipped(step, !has_step);
+  if (place_ < pair_place_) return Pair::watched(step);
+  return {};
 }
 
 void Course::add(std::size_t replica, Pair const& pair) {
@@ -36,23 +94,117 @@ void Course::add(std::size_t replica, Pair const& pair) {
     end_round();
 }
 
-void Course::end_round() {
-  auto const pairs = ++rounds_ * of_.size();
-  bool look = verdict_ != Verdict::none;
-  for (; looks_ < schedule.size() && schedule[looks_] <= pairs; ++looks_) look = true;
-  if (look) {
-    auto verdict = judged().verdict;
-    if (verdict == Verdict::none && looks_ == schedule.size()) verdict = Verdict::open;
-    if (verdict != std::exchange(verdict_, verdict)) verdicts_.push_back({pairs, verdict});
-  }
-  place_ += verdict_ == Verdict::none ? 1 : place_;
+/// Places between pairs without a verdict.
+std::int64_t Course::spacing() const {
+  if (!chooses()) return 1;
+  if (holds() && main_ >= ladder_.usual) return apart;
+  return std::int64_t{1} << std::min<std::size_t>(tried_.size(), 3);
 }
 
-/// Those of complete rounds, in an order that does not depend on when they were taken.
+void Course::end_round() {
+  auto const round = rounds_++;
+  auto const any = [&](auto is) {
+    return std::ranges::any_of(of_, [&](auto const& pairs) { return (pairs[round].*is)(); });
+  };
+  auto const here = place_;
+  bool const skips = any(&Pair::is_skipped), failed = any(&Pair::is_failed);
+  if (!skips && !failed && here < pair_place_) {  // watched
+    ++place_;
+    return;
+  }
+  skipped_ = !skips ? std::string_view{} : any(&Pair::skips_events) ? events : inertia;
+  skips_ = skips ? skips_ + 1 : 0;
+  bool const left = holds() ? main_ < ladder_.usual : ladder_.judges_all && skips_ >= most_skips;
+  if (failed || (skips && left)) {
+    reason_ = failed ? failed_step : skipped_;
+    if (verdict_ != Verdict::refused)
+      verdicts_.push_back({all().size(), verdict_ = Verdict::refused});
+  } else if (!skips) {
+    look();
+  }
+  pair_place_ = here + (verdict_ == Verdict::none && !skips ? spacing() : here);
+  if (chooses()) choose(here);
+  place_ = watches() ? here + 1 : pair_place_;
+}
+
+/// Judges all pairs of the trial, where it is time.
+void Course::look() {
+  auto const pairs = all().size();
+  bool due = verdict_ != Verdict::none;
+  for (; looks_ < schedule.size() && schedule[looks_] <= pairs; ++looks_) due = true;
+  if (!due || pairs < 2 || !reason_.empty()) return;
+  auto verdict = judged().verdict;
+  auto const last = chooses() && !holds() ? looks_of_a_try : schedule.size();
+  if (verdict == Verdict::none && looks_ >= last) verdict = Verdict::open;
+  if (verdict != std::exchange(verdict_, verdict)) verdicts_.push_back({pairs, verdict});
+}
+
+/// Changes the method, or the one on trial, after a round at a place.
+void Course::choose(std::int64_t here) {
+  bool const gives_up = verdict_ == Verdict::refused || verdict_ == Verdict::open;
+  double const strain =
+      static_cast<double>(here * grid_) * time_step(scene_) * scene_.shear.strain_rate;
+  auto const said = fmt::format("strain {:.4g}: {}, is {} after {} pairs of stretches ({})", strain,
+                                in_words(methods_), name_of(verdict_), all().size(),
+                                gives_up || verdict_ == Verdict::accepted ? in_words(trial()) : "");
+  if (!holds()) {
+    if (verdict_ == Verdict::accepted) {
+      main_ = on_trial_;
+      taken_ = true;
+      changes_.push_back(said + "; taken from here on");
+    } else if (gives_up) {
+      changes_.push_back(said);
+      begin_trial(on_trial_ + 1, here);
+    }
+    return;
+  }
+  bool const cheap = main_ < ladder_.usual, finer = main_ + 1 < ladder_.methods.size();
+  if (cheap ? !gives_up : verdict_ != Verdict::refused || !finer) return;
+  main_ = cheap ? ladder_.usual : main_ + 1;
+  dropped_ = here * grid_;
+  auto const next = methods_of(scene_, ladder_.methods[main_]);
+  changes_.push_back(
+      fmt::format("{}; from here on {}, and what was before is left out", said, in_words(next)));
+  begin_trial(cheap ? on_trial_ + 1 : main_, here);
+}
+
+/// Puts a method on trial after a place. The usual one is judged only where it is asked for.
+void Course::begin_trial(std::size_t method, std::int64_t here) {
+  if (here > 0) {
+    tried_.push_back(trial());
+    count_steps(coarse_steps_, fine_steps_);
+  }
+  on_trial_ = method;
+  methods_ = methods_of(scene_, ladder_.methods[method]);
+  collision_loss_error_ = loss_error(methods_.coarse);
+  done_ = method == ladder_.usual && !ladder_.judges_all;
+  first_round_ = rounds_;
+  looks_ = 0;
+  verdict_ = done_ ? Verdict::usual : Verdict::none;
+  reason_ = {};
+  skipped_ = {};
+  taken_ = method == main_;
+  skips_ = 0;
+  verdicts_.clear();
+  place_ = pair_place_ = here + spacing();
+}
+
+/// Adds the steps of the present trial.
+void Course::count_steps(std::int64_t& coarse, std::int64_t& fine) const {
+  for (auto const& pairs : of_)
+    for (auto k = first_round_; k < pairs.size(); ++k) {
+      if (!pairs[k].is_taken()) continue;
+      coarse += methods_.length();
+      fine += methods_.length() * methods_.ratio;
+    }
+}
+
+/// Pairs of complete rounds of the trial, in an order that does not depend on when they were taken.
 std::vector<Pair> Course::all() const {
   std::vector<Pair> pairs;
-  for (std::size_t round = 0; round < rounds_; ++round)
-    for (auto const& of_replica : of_) pairs.push_back(of_replica[round]);
+  for (auto round = first_round_; round < rounds_; ++round)
+    for (auto const& of_replica : of_)
+      if (of_replica[round].is_taken()) pairs.push_back(of_replica[round]);
   return pairs;
 }
 
@@ -82,14 +234,29 @@ void Course::load(std::size_t replica, std::vector<double> const& numbers) {
   }
 }
 
+Trial Course::trial() const {
+  Trial of{.methods = methods_, .pairs = all().size(), .judgement = {}, .looks = verdicts_};
+  of.reason = reason_.empty() && of.pairs == 0 ? skipped_ : reason_;
+  of.taken = taken_;
+  if (of.pairs > 1) of.judgement = judged();
+  of.judgement.verdict = verdict_;
+  return of;
+}
+
 Findings Course::findings() const {
-  Findings found{.tolerance = tolerance_, .methods = methods_, .judgement = {}, .looks = verdicts_};
-  found.pairs = rounds_ * of_.size();
-  for (auto const& pairs : of_)
-    found.coarse_steps += static_cast<std::int64_t>(pairs.size()) * methods_.length();
-  found.fine_steps = found.coarse_steps * methods_.ratio;
-  if (found.pairs > 1) found.judgement = judged();
-  found.judgement.verdict = verdict_;
+  Findings found;
+  static_cast<Trial&>(found) = trial();
+  found.tolerance = tolerance_;
+  found.coarse_steps = coarse_steps_;
+  found.fine_steps = fine_steps_;
+  count_steps(found.coarse_steps, found.fine_steps);
+  found.tried = tried_;
+  found.dropped_strain =
+      static_cast<double>(dropped_) * time_step(scene_) * scene_.shear.strain_rate;
+  if (!chooses() || holds()) return found;
+  found.tried.push_back(trial());
+  static_cast<Trial&>(found) = Trial{.methods = methods_of(scene_, ladder_.methods[main_])};
+  found.judgement.verdict = ladder_.judges_all ? Verdict::none : Verdict::usual;
   return found;
 }
 

@@ -1,40 +1,63 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
+#include "src/config/ladder.hpp"
 #include "src/config/scene.hpp"
 #include "src/run/bias/judge.hpp"
 #include "src/run/bias/methods.hpp"
 
 namespace bagnold::bias {
 
-/// What was found out about the method of a run.
-struct Findings {
+/// What pairs of stretches said of one method.
+struct Trial {
   /// A verdict that differs from the one before, and after how many pairs.
   struct Look {
     std::size_t pairs;
     Verdict verdict;
   };
 
-  std::size_t pairs = 0;
-  double tolerance = 0;
-  std::int64_t coarse_steps = 0, fine_steps = 0;  ///< of all stretches
   Methods methods;
+  std::size_t pairs = 0;
   Judgement judgement;  ///< of all pairs; its verdict that of the last look
   std::vector<Look> looks;
+  std::string_view reason = {};  ///< why there are no pairs: "inertia", "events", "a step failed"
+  bool taken = false;            ///< the run stepped by it
+};
+
+/// What was found out about the method of a run.
+struct Findings : Trial {
+  double tolerance = 0;
+  std::int64_t coarse_steps = 0, fine_steps = 0;  ///< of all stretches
+  double dropped_strain = 0;  ///< stepped by methods that were left, in no average
+
+  /// Other methods that scheme = "auto" tried, in turn.
+  std::vector<Trial> tried;
 };
 
 /// Pairs after which a method without a verdict is `open`.
 inline constexpr std::size_t most_pairs = 20;
 
-/// Pairs of all replicas, and when the next ones begin.
+/// Pairs of all replicas, when the next ones begin, and the method of scheme = "auto".
 ///
 /// Replicas take pairs in rounds, each one pair at the same place of a grid. After 4, 6, 9, 13 and
 /// 20 pairs, and once there is a verdict after each round, all pairs so far are judged together.
 /// Without a verdict the next round is at the next place, with one at twice the strain. So the
 /// course depends on the pairs alone, not on when they were taken.
+///
+/// With scheme = "auto" the run begins with the usual method, and cheaper ones are judged in turn,
+/// the cheapest first, by pairs from the states of the run. One is accepted: the run takes it, and
+/// its pairs go on; between them each place is a round too, in which p_kin/p alone is looked at, of
+/// implicit damping. It is refused or open after 9 pairs: the next one is tried at places twice as
+/// far apart. If the method that the run steps by is refused or open, the usual one follows, and
+/// the windows so far are dropped. Where an accuracy below usual_accuracy or measure.bias asks for
+/// it, the usual method is judged too, and if it is refused one of half the step follows.
 class Course {
  public:
   Course(Scene const& scene, std::size_t replicas);
@@ -51,6 +74,30 @@ class Course {
 
   void add(std::size_t replica, Pair const& pair);
 
+  /// True if the method of the run may change; replicas then wait for each other after a pair.
+  bool chooses() const { return ladder_.has_choice(); }
+
+  /// What a replica has at next(), if it is no pair: the method on trial does not serve a flow with
+  /// this p_kin/p, or one in which events take the place of steps; or this place has none.
+  std::optional<Pair> without_pair(std::int64_t step, double kinetic_share, bool has_step) const;
+
+  /// Between places of the run at which rounds may be, [steps of the run].
+  std::int64_t grid() const { return grid_; }
+
+  /// Windows in the later half between two places.
+  std::int64_t late_windows() const {
+    return std::max<std::int64_t>(1, grid_ / ladder_.window / 2);
+  }
+
+  /// Method by which the run steps, of its ladder.
+  std::size_t method() const { return main_; }
+
+  /// Step of the run before which it stepped by a refused method; 0: it did not.
+  std::int64_t dropped() const { return dropped_; }
+
+  /// Changes of the method so far, in words.
+  std::vector<std::string> const& changes() const { return changes_; }
+
   /// Numbers of the pairs of a replica, for a checkpoint; and back.
   std::vector<double> save(std::size_t replica) const;
   void load(std::size_t replica, std::vector<double> const& numbers);
@@ -58,18 +105,44 @@ class Course {
   Findings findings() const;
 
  private:
+  bool holds() const { return on_trial_ == main_; }  ///< the run steps by the method on trial
+  bool watches() const;
+  std::int64_t spacing() const;
   void end_round();
+  void look();
+  void choose(std::int64_t here);
+  void begin_trial(std::size_t method, std::int64_t here);
+  void count_steps(std::int64_t& coarse, std::int64_t& fine) const;
+  Trial trial() const;
   std::vector<Pair> all() const;
   Judgement judged() const;
 
-  double tolerance_, collision_loss_error_;
+  double tolerance_, collision_loss_error_ = 0;
+  Scene scene_;
+  Ladder ladder_;
   Methods methods_;
+  std::int64_t grid_;                  ///< [steps of the run]
   std::vector<std::vector<Pair>> of_;  ///< [R], in the order of rounds
   std::size_t rounds_ = 0;             ///< complete
-  std::size_t looks_ = 0;              ///< of the schedule
-  std::int64_t place_ = 1;             ///< of the present round on the grid
+
+  std::size_t main_ = 0, on_trial_ = 0;  ///< of the ladder
+  bool done_ = false;                    ///< nothing is on trial any more
+  std::int64_t dropped_ = 0;
+  std::vector<Trial> tried_;
+  std::vector<std::string> changes_;
+  std::int64_t coarse_steps_ = 0, fine_steps_ = 0;  ///< of trials before
+
+  // of the present trial
+  std::size_t first_round_ = 0;
+  std::size_t looks_ = 0;          ///< of the schedule
+  std::int64_t place_ = 1;         ///< of the present round on the grid
+  std::int64_t pair_place_ = 1;    ///< of the next round of pairs
+  std::string_view skipped_ = {};  ///< why the last round was, empty: it was not
+  bool taken_ = false;
+  int skips_ = 0;  ///< rounds in turn that were
   Verdict verdict_ = Verdict::none;
-  std::vector<Findings::Look> verdicts_;
+  std::string_view reason_ = {};
+  std::vector<Trial::Look> verdicts_;
 };
 
 /// Name of a replica's pairs among the arrays of a checkpoint.

@@ -102,7 +102,7 @@ Verdict verdict_of(Judgement const& of, double tolerance, double collision_loss_
 }  // namespace
 
 std::string_view name_of(Verdict verdict) {
-  constexpr std::string_view names[] = {"none", "accepted", "refused", "open"};
+  constexpr std::string_view names[] = {"none", "accepted", "refused", "open", "usual"};
   return names[static_cast<std::size_t>(verdict)];
 }
 

@@ -11,8 +11,9 @@
 
 namespace bagnold::bias {
 
-/// `none`: more pairs are needed; `open`: after the last look they still are.
-enum class Verdict { none, accepted, refused, open };
+/// `none`: more pairs are needed; `open`: after the last look they still are; `usual`: of two
+/// stages at their rule under scheme = "auto", which are not judged where usual_accuracy will do.
+enum class Verdict { none, accepted, refused, open, usual };
 
 std::string_view name_of(Verdict verdict);
 

@@ -27,6 +27,21 @@ Scene bare(Scene scene) {
   return scene;
 }
 
+/// usual_step: of two stages beside implicit damping, at most.
+Methods pair_of(Scene const& scene, double usual_step) {
+  Methods of{.coarse = bare(scene), .fine = {}, .ratio = quarter, .third = 0, .grid = 0};
+  double const dt = time_step(of.coarse), step_strain = dt * scene.shear.strain_rate;
+  of.fine = of.coarse;
+  of.fine.integration.scheme = default_scheme;
+  of.fine.integration.skin = automatic;
+  if (is_implicit(of.coarse.integration.scheme))
+    of.ratio = std::max<std::int64_t>(1, up(dt / usual_step));
+  of.fine.integration.time_step = dt / static_cast<double>(of.ratio);
+  of.third = std::max(up(stretch_strain / 3 / step_strain), (fewest_steps + 2) / 3);
+  of.grid = std::max(up(grid_strain / step_strain), of.length());
+  return of;
+}
+
 }  // namespace
 
 double Methods::strain() const {
@@ -34,17 +49,12 @@ double Methods::strain() const {
 }
 
 Methods methods_of(Scene const& scene) {
-  Methods of{.coarse = bare(scene), .fine = {}, .ratio = quarter, .third = 0, .grid = 0};
-  double const dt = time_step(of.coarse), step_strain = dt * scene.shear.strain_rate;
-  of.fine = of.coarse;
-  of.fine.integration.scheme = default_scheme;
-  of.fine.integration.skin = automatic;
-  if (is_implicit(of.coarse.integration.scheme))
-    of.ratio = std::max<std::int64_t>(1, up(dt / rule_time_step(scene, default_scheme)));
-  of.fine.integration.time_step = dt / static_cast<double>(of.ratio);
-  of.third = std::max(up(stretch_strain / 3 / step_strain), (fewest_steps + 2) / 3);
-  of.grid = std::max(up(grid_strain / step_strain), of.length());
-  return of;
+  return pair_of(scene, rule_time_step(scene, default_scheme));
+}
+
+Methods methods_of(Scene const& scene, Method const& method) {
+  bool const sharp = scene.integration.accuracy < usual_accuracy;
+  return pair_of(with_method(scene, method), time_step(scene) / (sharp ? quarter : 1));
 }
 
 }  // namespace bagnold::bias

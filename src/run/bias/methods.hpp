@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "src/config/ladder.hpp"
 #include "src/config/scene.hpp"
 
 namespace bagnold::bias {
@@ -22,6 +23,11 @@ struct Methods {
   double strain() const;                             ///< of a stretch
 };
 
+/// Methods of a run whose scheme and step are named.
 Methods methods_of(Scene const& scene);
+
+/// A method of the ladder of a scene, and a finer one: beside implicit damping two stages at their
+/// rule, or at a quarter of it where less than usual_accuracy is asked for.
+Methods methods_of(Scene const& scene, Method const& method);
 
 }  // namespace bagnold::bias

@@ -3,13 +3,37 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <thread>
+
+#include "kernels/physics/sums/sums.hpp"
+#include "src/config/errors.hpp"
 
 namespace bagnold::bias {
 
+namespace {
+
+void wait() { std::this_thread::sleep_for(std::chrono::milliseconds(1)); }
+
+/// p_kin/p of the last windows, as many; infinite where none is known.
+double kinetic_share(statistics::Windows const& windows, std::int64_t last) {
+  using C = SumColumns;
+  auto const count = std::min(windows.size(), static_cast<std::size_t>(last));
+  if (count == 0) return HUGE_VAL;
+  auto const sums = windows.mean(windows.size() - count, windows.size());
+  double const kinetic = sums[C::kinetic_xx] + sums[C::kinetic_yy];
+  double const all = kinetic + sums[C::elastic_xx] + sums[C::elastic_yy] + sums[C::dissipative_xx] +
+                     sums[C::dissipative_yy];
+  return all > 0 ? kinetic / all : HUGE_VAL;
+}
+
+}  // namespace
+
 std::int64_t ReplicaPairs::next(std::int64_t step) const {
   std::lock_guard const lock(shared_.mutex);
-  return std::max(step + 1, shared_.course.next(replica_));
+  auto const& course = shared_.course;
+  auto const grid = course.chooses() ? course.grid() : 1;
+  return std::max((step / grid + 1) * grid, course.next(replica_));
 }
 
 bool ReplicaPairs::awaited(std::int64_t step) const {
@@ -27,10 +51,29 @@ bool ReplicaPairs::is_due(std::int64_t step) const {
   auto const& course = shared_.course;
   auto const& before = course.pairs(replica_);
   return !shared_.ended && step >= course.next(replica_) &&
+         (!course.chooses() || step % course.grid() == 0) &&
          (before.empty() || before.back().step < step);
 }
 
-bool ReplicaPairs::take(Simulation const& run, std::function<bool()> const& go_on) {
+bool ReplicaPairs::take(Simulation& run, statistics::Windows const& windows,
+                        std::function<bool()> const& go_on) {
+  if (!take_due(run, windows, go_on)) return false;
+  std::unique_lock lock(shared_.mutex);
+  auto const& course = shared_.course;
+  if (!course.chooses()) return true;
+  if (!course.takes(replica_)) {  // the round may change the method here
+    lock.unlock();
+    wait();
+    return false;
+  }
+  auto const method = course.method();
+  lock.unlock();
+  if (run.method() != method) run.take_method(method);
+  return true;
+}
+
+bool ReplicaPairs::take_due(Simulation const& run, statistics::Windows const& windows,
+                            std::function<bool()> const& go_on) {
   auto const step = run.step();
   Methods const* methods = nullptr;
   {
@@ -38,8 +81,14 @@ bool ReplicaPairs::take(Simulation const& run, std::function<bool()> const& go_o
     if (!is_due(step)) return true;
     if (!shared_.course.takes(replica_)) {
       lock.unlock();
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      wait();
       return false;
+    }
+    auto& course = shared_.course;
+    double const kinetic = kinetic_share(windows, course.late_windows());
+    if (auto const none = course.without_pair(step, kinetic, run.has_step())) {
+      course.add(replica_, *none);
+      return true;
     }
     methods = &shared_.course.methods();
   }
@@ -52,12 +101,19 @@ bool ReplicaPairs::take(Simulation const& run, std::function<bool()> const& go_o
     stretch_.reset();
     return found;
   };
-  if (!coarse_) coarse_ = averages_of(methods->coarse, 1);
-  if (!coarse_) return false;
-  auto const fine = averages_of(methods->fine, methods->ratio);
-  if (!fine) return false;
+  std::optional<Pair> pair;
+  try {
+    if (!coarse_) coarse_ = averages_of(methods->coarse, 1);
+    if (!coarse_) return false;
+    auto const fine = averages_of(methods->fine, methods->ratio);
+    if (!fine) return false;
+    pair = Pair{step, *coarse_, *fine};
+  } catch (NumericalError const&) {
+    stretch_.reset();
+    pair = Pair::failed(step);
+  }
   std::lock_guard const lock(shared_.mutex);
-  shared_.course.add(replica_, {step, *coarse_, *fine});
+  shared_.course.add(replica_, *pair);
   start_.reset();
   coarse_.reset();
   return true;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "src/run/bias/course.hpp"
+#include "src/statistics/windows.hpp"
 
 namespace bagnold::bias {
 
@@ -19,7 +20,7 @@ struct SharedCourse {
 };
 
 /// Takes the pairs of one replica. A pair is a function of the state from which it begins, and of
-/// nothing else: the run's own system is only read.
+/// nothing else: the run's own system is only read. With scheme = "auto" it may get another method.
 class ReplicaPairs {
  public:
   ReplicaPairs(SharedCourse& shared, std::size_t replica) : shared_(shared), replica_(replica) {}
@@ -29,7 +30,12 @@ class ReplicaPairs {
 
   /// Takes a pair at the present step if one is due. Returns false if go_on did, or if other
   /// replicas have to come first; called again it goes on. A pair under way is in no checkpoint.
-  bool take(Simulation const& run, std::function<bool()> const& go_on);
+  /// windows: that are done.
+  bool take(Simulation& run, statistics::Windows const& windows,
+            std::function<bool()> const& go_on);
+
+  /// True if the run may get another method where replicas have a pair.
+  bool chooses() const { return shared_.course.chooses(); }
 
   /// True if a pair is due at this step.
   bool awaited(std::int64_t step) const;
@@ -39,6 +45,8 @@ class ReplicaPairs {
 
  private:
   bool is_due(std::int64_t step) const;
+  bool take_due(Simulation const& run, statistics::Windows const& windows,
+                std::function<bool()> const& go_on);
 
   SharedCourse& shared_;
   std::size_t replica_;

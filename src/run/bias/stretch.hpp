@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -49,10 +50,27 @@ class Stretch {
   StretchSize size_;
 };
 
-/// Two stretches from one state, looked at at the same instants.
+/// Two stretches from one state, looked at at the same instants; or the reason why there are none.
 struct Pair {
   std::int64_t step;  ///< of the run, from which they begin
   Averages coarse, fine;
+
+  /// None taken there: scheme = "auto" saw that the method does not serve at present, as inertia
+  /// has a part in the flow or events step it.
+  static Pair skipped(std::int64_t step, bool by_events = false) {
+    return {step, {0, 0, 0, 0, 0, by_events ? 1.0 : 0.0}, {}};
+  }
+  bool is_skipped() const { return coarse.p == 0 && fine.p == 0; }
+  bool skips_events() const { return is_skipped() && coarse.temperature_before != 0; }
+
+  /// None taken there: it was seen that the method still serves.
+  static Pair watched(std::int64_t step) { return {step, {-HUGE_VAL, 0, 0, 0, 0, 0}, {}}; }
+
+  /// A step of one of them failed.
+  static Pair failed(std::int64_t step) { return {step, {HUGE_VAL, 0, 0, 0, 0, 0}, {}}; }
+  bool is_failed() const { return coarse.p == HUGE_VAL; }
+
+  bool is_taken() const { return !is_skipped() && !std::isinf(coarse.p); }
 };
 
 }  // namespace bagnold::bias

@@ -27,7 +27,9 @@ std::string all_in_words(bias::Judgement const& of) {
 
 std::optional<Warning> method_bias(FinishedRun const& finished) {
   auto const& run = finished.run;
-  if (!run.bias || run.bias->judgement.verdict == bias::Verdict::accepted) return {};
+  if (!run.bias || run.bias->judgement.verdict == bias::Verdict::accepted ||
+      run.bias->judgement.verdict == bias::Verdict::usual)
+    return {};
   auto const& found = *run.bias;
   Warning warning{"method_bias",
                   {{"pairs", static_cast<double>(found.pairs)}, {"accuracy", found.tolerance}},
@@ -48,12 +50,15 @@ std::optional<Warning> method_bias(FinishedRun const& finished) {
         refused ? "show a bias beyond" : "do not tell whether the bias of the method is within",
         found.tolerance, all_in_words(found.judgement));
   }
-  if (found.judgement.verdict != bias::Verdict::refused) {
+  if (found.reason == "events") {
+    warning.remedy = "steps alone have a bias; events, which step this flow, have none of a step";
+    warning.command = "bagnold run DIR/scene.toml --set integration.engine=steps --out DIR-steps";
+  } else if (found.judgement.verdict != bias::Verdict::refused) {
     warning.remedy =
         "a longer run or more disks tell more; the default scheme and step need no change for it";
     warning.command =
         longer_run(run, bias::most_pairs / std::max(1.0, static_cast<double>(found.pairs)));
-  } else if (is_implicit(run.scene.integration.scheme)) {
+  } else if (is_implicit(found.methods.coarse.integration.scheme)) {
     warning.remedy = "take the default scheme, or a shorter step";
     warning.command = fmt::format(
         "bagnold run DIR/scene.toml --set integration.scheme={} --set integration.time_step=auto "

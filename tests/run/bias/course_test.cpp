@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace bagnold::bias {
 namespace {
 
@@ -104,6 +106,196 @@ TEST(BiasCourse, GoesOnFromItsNumbers) {
   for (int k = 7; k < 11; ++k) second.add(0, pair_of(k, 0.009, 1e-3));
   EXPECT_EQ(second.save(0), whole.save(0));
   EXPECT_EQ(second.next(0), whole.next(0));
+}
+
+/// A dense flow whose method is chosen: implicit damping at 1.6, two stages at 0.4, implicit
+/// damping at 0.8, two stages at 0.2.
+Scene to_be_chosen(double accuracy = 0.01) {
+  Scene scene = scene_of(1e-4, "auto", 0.2);
+  scene.integration.accuracy = accuracy;
+  scene.measure.contacts = false;
+  return scene;
+}
+
+std::int64_t place_of(Course const& course) {
+  return course.next(0) / ladder_of(to_be_chosen()).grid;
+}
+
+/// Goes on to the next place with a pair, past those where a method of the run is watched.
+void go_to_pair(Course& course) {
+  while (auto const none = course.without_pair(course.next(0), 1e-4, true)) course.add(0, *none);
+}
+
+double step_of(Methods const& methods) { return *methods.coarse.integration.time_step.number; }
+
+TEST(BiasCourse, TakesTheCheapestThatIsRight) {
+  Course course(to_be_chosen(), 1);
+  EXPECT_TRUE(course.chooses());
+  EXPECT_EQ(course.method(), 3U);
+  for (int k = 0; k < 4; ++k) {
+    EXPECT_EQ(course.method(), 3U);
+    EXPECT_EQ(place_of(course), k + 1);
+    EXPECT_EQ(step_of(course.methods()), 1.6);
+    course.add(0, pair_of(k, 0.001, 1e-3));
+  }
+  EXPECT_EQ(course.method(), 0U);
+  EXPECT_EQ(course.dropped(), 0);
+  EXPECT_EQ(place_of(course), 5) << "inertia is looked for at every place";
+  go_to_pair(course);
+  EXPECT_EQ(place_of(course), 8);
+  course.add(0, pair_of(4, 0.001, 1e-3));
+  go_to_pair(course);
+  EXPECT_EQ(place_of(course), 16);
+  auto const found = course.findings();
+  EXPECT_EQ(found.pairs, 5U);
+  EXPECT_EQ(found.judgement.verdict, Verdict::accepted);
+  EXPECT_TRUE(found.taken);
+  EXPECT_EQ(step_of(found.methods), 1.6);
+  EXPECT_TRUE(found.tried.empty());
+  ASSERT_EQ(course.changes().size(), 1U);
+  EXPECT_NE(course.changes()[0].find("accepted after 4 pairs"), std::string::npos);
+}
+
+/// Refused ones cost no windows, and places are farther apart from one to the next.
+TEST(BiasCourse, GoesUpTheLadder) {
+  Course course(to_be_chosen(), 1);
+  std::vector<std::int64_t> places;
+  for (int k = 0; k < 4; ++k) course.add(0, pair_of(k, 0.1, 1e-3));
+  for (int k = 0; k < 9; ++k) {  // on the edge
+    EXPECT_EQ(step_of(course.methods()), 0.4);
+    places.push_back(place_of(course));
+    course.add(0, pair_of(k, 0.009, 1e-3));
+  }
+  EXPECT_EQ(places, (std::vector<std::int64_t>{6, 8, 10, 12, 14, 16, 18, 20, 22}));
+  EXPECT_EQ(step_of(course.methods()), 0.8);
+  for (int k = 0; k < 4; ++k) course.add(0, pair_of(k, 0.1, 1e-3));
+  EXPECT_EQ(course.method(), 3U);
+  EXPECT_EQ(course.dropped(), 0);
+  EXPECT_EQ(course.next(0), std::numeric_limits<std::int64_t>::max());
+  auto const found = course.findings();
+  EXPECT_EQ(found.judgement.verdict, Verdict::usual);
+  EXPECT_EQ(step_of(found.methods), 0.2);
+  ASSERT_EQ(found.tried.size(), 3U);
+  EXPECT_EQ(found.tried[0].judgement.verdict, Verdict::refused);
+  EXPECT_EQ(found.tried[1].judgement.verdict, Verdict::open);
+  EXPECT_EQ(found.tried[1].pairs, 9U);
+}
+
+/// A method that the run stepped by and that is refused later takes its windows with it.
+TEST(BiasCourse, LeavesWhatItTook) {
+  Course course(to_be_chosen(), 1);
+  for (int k = 0; k < 4; ++k) course.add(0, pair_of(k, 0, 1e-3));
+  EXPECT_EQ(course.method(), 0U);
+  Course failed = course, refused = course;
+  auto const here = course.next(0);
+  course.add(0, course.without_pair(here, 4e-4, true).value());
+  EXPECT_EQ(course.dropped(), here);
+  for (auto* one : {&failed, &refused}) go_to_pair(*one);
+  auto const pair_here = failed.next(0);
+  EXPECT_FALSE(failed.without_pair(pair_here, 2e-4, true));
+  failed.add(0, Pair::failed(pair_here));
+  EXPECT_EQ(failed.dropped(), pair_here);
+  for (int k = 4; refused.method() == 0 && k < 12; ++k) {
+    refused.add(0, pair_of(k, 0.5, 0));
+    if (refused.method() == 0) go_to_pair(refused);
+  }
+  EXPECT_GE(refused.dropped(), pair_here);
+  for (auto const* one : {&course, &failed, &refused}) {
+    EXPECT_EQ(one->method(), 3U);
+    EXPECT_EQ(step_of(one->methods()), 0.4) << "the next one is tried";
+    auto const& left = one->findings().tried.front();
+    EXPECT_TRUE(left.taken);
+    EXPECT_EQ(left.reason, one == &course ? "inertia" : one == &failed ? "a step failed" : "");
+    double const strain = static_cast<double>(one->dropped()) * 0.2 * 1e-4;
+    EXPECT_NEAR(one->findings().dropped_strain, strain, 1e-12);
+  }
+}
+
+/// What is not Newtonian yet is looked at again, more and more seldom, without pairs.
+TEST(BiasCourse, WaitsWhileInertiaHasAPart) {
+  Course course(to_be_chosen(), 1);
+  std::vector<std::int64_t> places;
+  for (int k = 0; k < 4; ++k) {
+    places.push_back(place_of(course));
+    course.add(0, Pair::skipped(course.next(0)));
+  }
+  EXPECT_EQ(places, (std::vector<std::int64_t>{1, 2, 4, 8}));
+  EXPECT_EQ(course.findings().judgement.verdict, Verdict::usual);
+  ASSERT_EQ(course.findings().tried.size(), 1U);
+  EXPECT_EQ(course.findings().tried[0].reason, "inertia");
+  EXPECT_EQ(course.findings().coarse_steps, 0);
+  for (int k = 0; k < 4; ++k) course.add(0, pair_of(k, 0, 1e-3));
+  EXPECT_EQ(course.method(), 0U);
+}
+
+/// Where the usual method is to be judged, no cheaper one is waited for.
+TEST(BiasCourse, WaitsNoLongerWhereFinerOnesAreAskedFor) {
+  Course course(to_be_chosen(1e-3), 1);
+  EXPECT_EQ(course.findings().judgement.verdict, Verdict::none) << "the usual one is to be judged";
+  for (int k = 0; k < 3; ++k) course.add(0, Pair::skipped(course.next(0)));
+  EXPECT_EQ(step_of(course.methods()), 0.8);      // at 0.4 a collision is off by 0.16%
+  ASSERT_EQ(course.findings().tried.size(), 2U);  // with the one on trial
+  EXPECT_EQ(course.findings().tried[0].reason, "inertia");
+}
+
+/// Events take the place of steps: no pair, and it is said why.
+TEST(BiasCourse, WaitsWhileEventsStep) {
+  Course course(to_be_chosen(), 1);
+  course.add(0, course.without_pair(course.next(0), 1e-5, false).value());
+  ASSERT_EQ(course.findings().tried.size(), 1U);
+  EXPECT_EQ(course.findings().tried[0].reason, "events");
+}
+
+/// One replica with inertia is enough to leave the method of all.
+TEST(BiasCourse, ReplicasLeaveTogether) {
+  Course course(to_be_chosen(), 2);
+  for (int k = 0; k < 2; ++k)
+    for (std::size_t r : {0, 1}) course.add(r, pair_of(k, 0.001, 1e-4));
+  ASSERT_EQ(course.method(), 0U);
+  auto const here = course.next(0);
+  course.add(0, course.without_pair(here, 1e-4, true).value());
+  EXPECT_FALSE(course.takes(0)) << "it waits";
+  EXPECT_EQ(course.method(), 0U);
+  course.add(1, course.without_pair(here, 1e-3, true).value());
+  EXPECT_EQ(course.method(), 3U);
+  EXPECT_EQ(course.dropped(), here);
+}
+
+/// A small accuracy: the usual method is judged too, and finer ones follow it.
+TEST(BiasCourse, GoesOnToFinerSteps) {
+  Course course(to_be_chosen(1e-3), 1);
+  EXPECT_EQ(course.methods().ratio, 32) << "beside two stages at a quarter of their rule";
+  while (course.method() == 2U && step_of(course.methods()) != 0.2)
+    course.add(0, pair_of(static_cast<int>(course.next(0)), 0.1, 1e-5));
+  for (int k = 0; k < 4; ++k) course.add(0, pair_of(k, 0.002, 1e-5));
+  EXPECT_EQ(course.method(), 3U);
+  EXPECT_GT(course.dropped(), 0);
+  for (int k = 0; k < 4; ++k) course.add(0, pair_of(k, 0, 1e-5));
+  EXPECT_EQ(course.findings().judgement.verdict, Verdict::accepted);
+  EXPECT_EQ(step_of(course.findings().methods), 0.1);
+}
+
+TEST(BiasCourse, ChoosesAgainFromItsNumbers) {
+  Course whole(to_be_chosen(), 2), second(to_be_chosen(), 2);
+  auto const pair = [](int k) { return pair_of(k, k < 3 ? 0.1 : 0.001, 1e-3); };
+  for (int k = 0; k < 9; ++k)
+    for (std::size_t r : {0, 1}) whole.add(r, k == 5 ? Pair::skipped(k) : pair(k));
+  for (std::size_t r : {0, 1}) second.load(r, whole.save(r));
+  EXPECT_EQ(second.method(), whole.method());
+  EXPECT_EQ(second.next(0), whole.next(0));
+  EXPECT_EQ(second.save(1), whole.save(1));
+  EXPECT_EQ(second.dropped(), whole.dropped());
+  EXPECT_EQ(second.changes(), whole.changes());
+}
+
+/// A failed step refuses a method that is named, and the run goes on.
+TEST(BiasCourse, AFailedStepRefuses) {
+  Course course(scene_of(1e-4, "implicit-damping", 1.6), 1);
+  course.add(0, Pair::failed(1));
+  for (int k = 0; k < 6; ++k) course.add(0, pair_of(k, 0, 1e-3));
+  EXPECT_EQ(course.findings().judgement.verdict, Verdict::refused);
+  EXPECT_EQ(course.findings().reason, "a step failed");
+  EXPECT_EQ(course.findings().pairs, 6U);
 }
 
 }  // namespace

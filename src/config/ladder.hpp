@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+/// scheme = "auto": methods that a run tries in the order of their cost, and takes where their
+/// bias, as measured in the run, is within integration.accuracy.
+namespace bagnold {
+
+struct Scene;
+
+/// A scheme and the length of its step, in steps of the run: those of two stages at their rule.
+struct Method {
+  std::string_view scheme;
+  std::int64_t length = 1;  ///< of a step
+  std::int64_t parts = 1;   ///< of a step of the run, where it is divided
+
+  bool operator==(Method const&) const = default;
+};
+
+/// Methods of a scene, the cheapest first.
+struct Ladder {
+  std::vector<Method> methods;
+  std::size_t usual = 0;    ///< place of two stages at their rule, with which a run begins
+  std::int64_t whole = 1;   ///< steps that hold whole ones of every method
+  std::int64_t window = 1;  ///< steps of a measurement window
+  std::int64_t grid = 1;    ///< steps between places at which the method may change, whole windows
+  bool judges_all = false;  ///< the usual method is judged too, and finer ones follow it
+
+  bool has_choice() const { return methods.size() > 1; }
+};
+
+/// Bias that two stages at their rule were nowhere seen to exceed (docs/accuracy.md). They are
+/// judged where less is asked for.
+inline constexpr double usual_accuracy = 0.01;
+
+/// Ladder of a scene; of one method where nothing is to be chosen.
+Ladder ladder_of(Scene const& scene);
+
+/// True if scheme = "auto" may change the method in a run of this scene.
+bool may_change_method(Scene const& scene);
+
+/// Scene in which a method is named.
+Scene with_method(Scene scene, Method const& method);
+
+}  // namespace bagnold

@@ -1,0 +1,180 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""scheme = "auto": the cheapest method whose measured bias is within integration.accuracy."""
+
+import math
+import re
+import signal
+import unittest
+
+import h5py
+from bagnold import CliTest, Raw, discarded_windows, read_series, read_summary
+
+# A place where the method may change is a strain of 0.1; a step of two stages is 0.2.
+DENSE = {"disks__count": 256, "disks__model": "CD", "disks__packing_fraction": 0.82, "shear__strain_rate": 1e-4,
+         "shear__strain": 2.0, "integration__scheme": "auto", "integration__time_step": "auto", "measure__every": 10,
+         "output__sample_strain": 0.01}
+DILUTE = {**DENSE, "disks__model": "CD_rot", "disks__packing_fraction": 0.6, "shear__strain_rate": 1e-3,
+          "shear__strain": 4.0}
+IMPLICIT = {"scheme": "implicit-damping", "time_step": 1.6}
+TWO_STAGES = {"scheme": "two-stage-leapfrog", "time_step": 0.2}
+
+
+def counters(out):
+    with h5py.File(out / "result.h5") as file:
+        return {name.removeprefix("engine_"): value.tolist() for name, value in file.attrs.items() if name.startswith("engine_")}
+
+
+class Choice(CliTest):
+    def assert_same(self, one, two):
+        self.assert_same_results(one, two)
+        self.assertEqual(read_summary(one)["bias"], read_summary(two)["bias"])
+        self.assertEqual(counters(one), counters(two))
+        first, second = read_series(one), read_series(two)
+        for name, values in first.items():
+            self.assertEqual(values.tobytes(), second[name].tobytes(), name)
+
+
+class Chosen(Choice):
+    def test_newtonian_flow(self):
+        """Implicit damping after the first four pairs; means are those of two stages within errors."""
+        out = self.run_new("out", **{**DENSE, "shear__strain": 6.0})
+        found = read_summary(out)
+        self.assertEqual(found["bias"]["method"], IMPLICIT)
+        self.assertEqual(found["bias"]["verdict"], "accepted")
+        self.assertEqual(found["bias"]["finer"], TWO_STAGES)
+        self.assertNotIn("tried", found["bias"])
+        steps = counters(out)["steps_by_implicit_damping"]
+        self.assertEqual(steps % 504, 0)  # windows of whole steps
+        self.assertGreater(steps, 0.5 * found["steps"])
+        self.assertEqual(found["scene"]["integration"]["scheme"], "auto")
+        self.assertIn("bias", found["observables"]["p"])
+        two = read_summary(self.run_new("two", **{**DENSE, "shear__strain": 6.0, "integration__scheme": "two-stage-leapfrog"}))
+        for name in ("p", "sigma", "Z"):
+            one, other = found["observables"][name], two["observables"][name]
+            self.assertLess(abs(one["mean"] - other["mean"]), 5 * math.hypot(one["error"], other["error"]), name)
+
+    def test_gas(self):
+        """Two stages all along, without a pair, and with the bits of a run that names them but for lookaheads."""
+        found = read_summary(self.run_new("out", **DILUTE))
+        self.assertEqual(found["bias"]["verdict"], "usual")
+        self.assertEqual(found["bias"]["method"], TWO_STAGES)
+        self.assertEqual((found["bias"]["steps"], found["bias"]["pairs"]), (0, 0))
+        self.assertEqual([one["reason"] for one in found["bias"]["tried"]], ["inertia"])
+        self.assertNotIn("bias", found["observables"]["p"])
+        self.assertNotIn("method_bias", [one["name"] for one in found["warnings"]])
+
+    def test_smaller_accuracy(self):
+        """Asked for more than the usual method was seen to hold: it is judged too."""
+        found = read_summary(self.run_new("out", **{
+            **DILUTE, "integration__accuracy": 0.002, "shear__strain": 3.0, "integration__engine": "steps"}))["bias"]
+        self.assertEqual(found["accuracy"], 0.002)
+        self.assertNotEqual(found["verdict"], "usual")
+        self.assertGreater(found["pairs"], 0)
+        self.assertEqual(found["finer"]["time_step"], found["method"]["time_step"] / 4)
+
+    def test_refused_later(self):
+        """On the edge of inertia a method that was taken is left: windows before that are in no average."""
+        changes = {**DENSE, "disks__count": 64, "shear__strain_rate": 1.6e-3, "shear__strain": 7.0}
+        for seed in range(1, 31):
+            out = self.folder / f"seed{seed}"
+            said = self.run_scene(self.scene(**{**changes, "disks__seed": seed}), out).stdout
+            found = read_summary(out)["bias"]
+            left = re.search(r"strain ([\d.]+): implicit.*what was before is left out", said)
+            if not left:
+                self.assertEqual(found["dropped_strain"], 0)
+                continue
+            self.assertIn("left: implicit-damping, a step of", said)
+            self.assertGreater(counters(out)["steps_by_implicit_damping"], 0)
+            self.assertAlmostEqual(found["dropped_strain"], float(left[1]), delta=1e-3 * float(left[1]))
+            windows, window = len(read_series(out)["p"]), 32 * 0.2 * 1.6e-3
+            dropped = round(found["dropped_strain"] / window)
+            self.assertEqual(discarded_windows(out), dropped + math.ceil((windows - dropped) / 2))
+            return
+        self.fail("no seed leaves a method")
+
+    def test_windows_weigh_the_same(self):
+        """A window of two stages has 6 evaluations here, one of implicit damping 7 of its own."""
+        changes = {**DENSE, "shear__strain_rate": 1e-3, "shear__strain": 1.0, "shear__discard": 0.2}
+        out = self.run_new("out", **changes)
+        self.assertEqual(read_summary(out)["bias"]["method"], IMPLICIT)
+        p = read_series(out)["p"][discarded_windows(out):]
+        self.assertAlmostEqual(read_summary(out)["observables"]["p"]["mean"] / p.mean(), 1, delta=1e-9)
+
+    def test_cascade(self):
+        out = self.run_new("out", **{**DENSE, "shear__protocol": "cascade", "shear__strain_rate": None,
+                                     "shear__strain_rates": Raw("[1e-3, 1e-4]"), "shear__strain": 1.0})
+        stages = sorted(path for path in out.iterdir() if path.is_dir())
+        self.assertEqual(read_summary(stages[1])["bias"]["method"], IMPLICIT)
+
+
+class Continued(Choice):
+    def test_killed_and_resumed(self):
+        changes = {**DENSE, "disks__count": 512, "shear__strain": 4.0, "output__checkpoint_minutes": 0.0003}
+        whole = self.run_new("whole", **changes)
+        self.assertEqual(read_summary(whole)["bias"]["method"], IMPLICIT)
+        out = self.folder / "out"
+        process = self.start("run", self.scene(**changes), "--out", out)
+        kills = 0
+        for _ in range(8):
+            def stamp():
+                try:
+                    return (out / "checkpoint.h5").stat().st_mtime_ns
+                except FileNotFoundError:
+                    return None
+            before = stamp()
+            if not self.wait_until(lambda: stamp() not in (None, before), process):
+                break
+            process.send_signal(signal.SIGKILL)
+            process.wait()
+            kills += 1
+            process = self.start("resume", out)
+        self.assertEqual(self.finish(process)[0], 0)
+        self.assertGreater(kills, 2)
+        self.assert_same(whole, out)
+
+    def test_made_longer(self):
+        """Lengths before, at and after the place of the change."""
+        whole = self.run_new("whole", **{**DENSE, "shear__strain": 1.5})
+        self.assertEqual(read_summary(whole)["bias"]["method"], IMPLICIT)
+        for short in (0.35, 0.4, 0.4321):
+            with self.subTest(short=short):
+                out = self.run_new(f"short{short}", **{**DENSE, "shear__strain": short})
+                self.assertEqual(self.bagnold("resume", out, "--strain", 1.5).returncode, 0)
+                self.assert_same(whole, out)
+
+    def test_target_error(self):
+        changes = {**DENSE, "shear__target_error": Raw("{ p = 0.5 }"), "output__sample_strain": 0.005}
+        out = self.run_new("short", **{**changes, "shear__strain": 0.45})
+        self.assertEqual(self.bagnold("resume", out, "--strain", 1.5).returncode, 0)
+        self.assert_same(self.run_new("whole", **{**changes, "shear__strain": 1.5}), out)
+
+    def test_replicas(self):
+        """One verdict, on any number of threads, after two rounds of three."""
+        changes = {**DENSE, "disks__replicas": 3}
+        first = self.run_new("one", "--threads", 1, **changes)
+        found = read_summary(first)["bias"]
+        self.assertEqual(found["method"], IMPLICIT)
+        self.assertEqual(found["looks"][0]["pairs"] % 3, 0)
+        for threads in (2, 3):
+            self.assert_same(first, self.run_new(f"threads{threads}", "--threads", threads, **changes))
+
+
+class Said(Choice):
+    def test_on_the_screen(self):
+        text = self.run_scene(self.scene(**DENSE), self.folder / "out").stdout
+        self.assertRegex(text, r"strain 0\.4\d*: implicit-damping, a step of 1\.6 tau_e, is accepted after 4 pairs of "
+                               r"stretches \(p [+-]\d.*\); taken from here on")
+        self.assertIn("method: implicit-damping, a step of 1.6 tau_e", text)
+        text = self.run_scene(self.scene(**DILUTE), self.folder / "gas").stdout
+        self.assertIn("not taken: implicit-damping, a step of 1.4 tau_e: inertia (p_kin/p above 3e-4)", text)
+
+    def test_measures_the_bias_of_all(self):
+        """measure.bias with scheme = "auto" judges the usual method too."""
+        found = read_summary(self.run_new("out", **{**DILUTE, "shear__strain": 6.0, "measure__bias": True,
+                                                    "integration__engine": "steps"}))
+        self.assertNotEqual(found["bias"]["verdict"], "usual")
+        self.assertIn("bias", found["observables"]["p"])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/config/ladder.hpp"
+
+#include <gtest/gtest.h>
+
+#include "src/config/plan.hpp"
+#include "src/config/time_step.hpp"
+
+namespace bagnold {
+namespace {
+
+Scene laddered(std::string const& model, double elasticity = 1) {
+  Scene scene;
+  scene.disks = {.model = model,
+                 .count = 256,
+                 .packing_fraction = 0.82,
+                 .elasticity = elasticity,
+                 .mass = "equal"};
+  scene.shear.strain_rate = 1e-4;
+  scene.integration.scheme = automatic;
+  return scene;
+}
+
+using Methods = std::vector<Method>;
+constexpr char implicit[] = "implicit-damping";
+
+/// The cheapest first, unstable steps and collisions that lose too much or too little left out.
+TEST(Ladder, MethodsByTheirCost) {
+  EXPECT_EQ(ladder_of(laddered("CD")).methods,
+            (Methods{{implicit, 8}, {default_scheme, 2}, {implicit, 4}, {default_scheme}}));
+  EXPECT_EQ(ladder_of(laddered("CD_rot")).methods, (Methods{{implicit, 7}, {default_scheme}}));
+  EXPECT_EQ(ladder_of(laddered("CD_n")).methods, (Methods{{default_scheme, 2}, {default_scheme}}));
+  EXPECT_EQ(ladder_of(laddered("CD_n", 50)).methods, (Methods{{default_scheme}}));
+  EXPECT_EQ(ladder_of(laddered("CD", 10)).methods, (Methods{{implicit, 4}, {default_scheme}}));
+  EXPECT_EQ(ladder_of(laddered("CD", 200)).methods, (Methods{{default_scheme}}));
+}
+
+TEST(Ladder, FinerOnesWhereTheyAreAskedFor) {
+  auto const finer = [](Scene const& scene) {
+    auto const ladder = ladder_of(scene);
+    return ladder.methods.size() - ladder.usual - 1;
+  };
+  Scene scene = laddered("CD_n", 50);
+  EXPECT_EQ(finer(scene), 0U);
+  scene.measure.bias = true;
+  EXPECT_EQ(finer(scene), 4U);
+  scene.measure.bias = false;
+  scene.integration.accuracy = 1e-3;
+  EXPECT_EQ(finer(scene), 4U);
+  EXPECT_EQ(with_method(scene, ladder_of(scene).methods.back()).integration.time_step.number,
+            0.2 / 16);
+}
+
+TEST(Ladder, NothingToChoose) {
+  auto const unsuited = [&](auto const& change) {
+    Scene scene = laddered("CD");
+    change(scene);
+    EXPECT_FALSE(may_change_method(scene));
+    EXPECT_NE(resolved(scene).integration.scheme, automatic);
+  };
+  unsuited([](Scene& s) { s.integration.scheme = default_scheme; });
+  unsuited([](Scene& s) { s.measure.contacts = true; });
+  unsuited([](Scene& s) { s.measure.fields = true; });
+  unsuited([](Scene& s) {
+    s.shear.protocol = "ramp";
+    s.shear.strain_rate_high = 1e-3;
+    s.shear.ramp_rate = 1e-5;
+  });
+  unsuited([](Scene& s) { s.drive.kind = "stokes"; });
+  unsuited([](Scene& s) { s.integration.time_step = of_papers; });
+  for (double const dt : {0.4, 1.0})  // longer than the rule: kept
+    unsuited([&](Scene& s) { s.integration.time_step = dt; });
+  EXPECT_EQ(resolved(laddered("CD")).integration.scheme, automatic);
+}
+
+/// Windows hold whole steps of every method, places of changes whole windows, and so does the run.
+TEST(Ladder, WholeSteps) {
+  for (double const rate : {1e-2, 1e-3, 3e-5}) {
+    Scene scene = laddered("CD_rot");
+    scene.shear.strain_rate = rate;
+    scene.shear.strain = 1.2345;
+    auto const ladder = ladder_of(scene);
+    auto const plan = make_plan(scene);
+    EXPECT_EQ(plan.window_steps, ladder.window);
+    EXPECT_EQ(plan.window_steps % 7, 0);
+    EXPECT_EQ(ladder.grid % ladder.window, 0);
+    EXPECT_GE(static_cast<double>(ladder.grid) * plan.time_step * rate, 0.1 * (1 - 1e-9));
+    EXPECT_EQ(plan.steps % plan.window_steps, 0);
+  }
+}
+
+/// A run shorter than a window is not made as long as one: it is refused.
+TEST(Ladder, LessThanAWindow) {
+  Scene scene = laddered("CD");
+  scene.shear.strain = 0.05;
+  scene.output.sample_strain = 1;
+  auto const plan = make_plan(scene);
+  EXPECT_LT(plan.steps, plan.window_steps);
+}
+
+/// What is discarded is a share of what is left when a method is left.
+TEST(Ladder, WindowsThatAreDropped) {
+  Scene scene = laddered("CD");
+  scene.shear.strain = 2;
+  scene.shear.discard = 0.5;
+  Plan plan = make_plan(scene);
+  auto const windows = plan.windows;
+  for (std::int64_t const dropped : {std::int64_t{0}, windows / 4, windows, windows + 7}) {
+    plan.dropped_windows = dropped;
+    auto const left = windows - std::min(dropped, windows);
+    EXPECT_EQ(shortened(scene, plan, windows).discarded_windows, windows - left / 2) << dropped;
+  }
+}
+
+}  // namespace
+}  // namespace bagnold
