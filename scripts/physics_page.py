@@ -14,33 +14,15 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-sys.path.insert(0, str(ROOT / "python"))
+sys.path[:0] = [str(ROOT / "python"), str(ROOT / "scripts/lib")]
+from page_tables import digits, in_page, marks, measured, of_page, table  # noqa: E402
 
+SCRIPT = "physics_page.py"
 PAGES = [ROOT / "docs/physics.md", ROOT / "docs/accuracy.md"]
 
 
 def page_of(name):
-    return next(page for page in PAGES if marks(name)[0] in page.read_text(encoding="utf-8"))
-
-
-def marks(name):
-    return f"<!-- table {name}: scripts/physics_page.py -->\n", f"<!-- end of {name} -->\n"
-
-
-def digits(value, count=3):
-    """So many significant digits, without an exponent."""
-    return f"{value:.{max(0, count - 1 - math.floor(math.log10(abs(value))))}f}"
-
-
-def measured(value, error):
-    """Value and, in brackets, the error in units of its last digit: one digit of it, two where the first is 1. Without
-    an error, of a run too short for one, three digits."""
-    if not error > 0:
-        return digits(value)
-    place = math.floor(math.log10(error))
-    if f"{error / 10**place:.0f}" == "1":
-        place -= 1
-    return f"{value:.{max(0, -place)}f} ({error / 10**place:.0f})"
+    return next(page for page in PAGES if marks(name, SCRIPT)[0] in page.read_text(encoding="utf-8"))
 
 
 def share(value):
@@ -52,10 +34,6 @@ def rows(title, keys, **columns):
     lines = [[title, *map("{:g}".format, keys)], ["---"] * (1 + len(keys))]
     lines += [[name, *cells] for name, cells in columns.items()]
     return table(lines)
-
-
-def table(lines):
-    return "".join("| " + " | ".join(line) + " |\n" for line in lines)
 
 
 def angles(point):
@@ -153,16 +131,15 @@ def main():
     for name in given.names or TABLES:
         subprocess.run([given.program, "sweep", ROOT / f"inputs/checks/{name}.toml", "--out", given.out / name],
                        stdout=subprocess.DEVNULL, check=True)
-        begin, end = marks(name)
         page = page_of(name)
-        before, rest = page.read_text(encoding="utf-8").split(begin)
-        old, after = rest.split(end)
+        text = page.read_text(encoding="utf-8")
+        old = of_page(text, name, SCRIPT)
         new = TABLES[name](bagnold.sweep(given.out / name))
         if given.check and new != old:
             print(f"{name} is kept as\n{old}and comes out as\n{new}")
             wrong = True
         elif not given.check:
-            page.write_text(before + begin + new + end + after, encoding="utf-8")
+            page.write_text(in_page(text, name, SCRIPT, new), encoding="utf-8")
     return wrong
 
 

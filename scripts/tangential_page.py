@@ -15,11 +15,12 @@ import sys
 import tomllib
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-sys.path.insert(0, str(ROOT / "python"))
+sys.path[:0] = [str(ROOT / "python"), str(ROOT / "scripts/lib")]
 
 import numpy as np  # noqa: E402
 from matplotlib.lines import Line2D  # noqa: E402
 from bagnold.plots.style import DASHED, GREY, STYLE, plt, save  # noqa: E402
+from page_tables import in_page, measured, table  # noqa: E402
 
 DATA = ROOT / "docs/data/results"
 PAGE = ROOT / "docs/results/tangential_damping.md"
@@ -106,8 +107,8 @@ def collect_clusters(folder):
         writer.writerows(rows)
 
 
-def table(name):
-    """Rows of a table, numbers as such."""
+def data(name):
+    """Rows of docs/data/results/NAME.csv, numbers as such."""
     with open(DATA / f"{name}.csv", newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     for row in rows:
@@ -193,20 +194,6 @@ def collapse(found):
     return figure
 
 
-def measured(value, error):
-    """Value and, in brackets, its error in units of the last digit shown."""
-    place = math.floor(math.log10(error))
-    if f"{error / 10**place:.0f}" == "1":
-        place -= 1
-    if place > 0:
-        return f"{round(value, -place):.0f}({round(error, -place):.0f})"
-    return f"{value:.{-place}f}({error / 10**place:.0f})"
-
-
-def lines(rows):
-    return "".join("| " + " | ".join(row) + " |\n" for row in rows)
-
-
 def by_ratio(found):
     """p/(k_t gammadot): a row a value of gammadot/k_t that two ratios have, a column a ratio."""
     ratios = sorted({k_t for k_t, _, _ in found if k_t > 0}, reverse=True)
@@ -220,7 +207,7 @@ def by_ratio(found):
         for x in sorted(at):
             if len(at[x]) > 1:
                 rows.append([f"{phi:g}", f"{x:.2g}", *(at[x].get(k_t, "") for k_t in ratios)])
-    return lines(rows)
+    return table(rows)
 
 
 def limits(found):
@@ -239,7 +226,7 @@ def limits(found):
         rows.append([f"{phi:g}", cell(bare / 1e-8, bare_error), cell(p / 1e-5, error),
                      cell(p / bare * 1e-3, math.hypot(error, bare_error)),
                      *("" if one is None else measured(*one) for one in steep)])
-    return lines(rows)
+    return table(rows)
 
 
 def checks(rows):
@@ -255,7 +242,7 @@ def checks(rows):
         def cell(what, phi=phi, k_t=k_t, rate=rate, of=of):
             runs = [of[what]] if what in of else []
             if what == 1024:
-                runs += [row for row in table("tangential") if row["shear.strain_rate"] == rate
+                runs += [row for row in data("tangential") if row["shear.strain_rate"] == rate
                          and row["disks.packing_fraction"] == phi and row["disks.damping_tangential"] == k_t]
             if not runs:
                 return ""
@@ -263,7 +250,7 @@ def checks(rows):
             return measured(p / rate / k_t, p / rate / k_t * error)
 
         out.append([f"{phi:g}, {k_t:g}", f"{rate:g}", *map(cell, (1024, 4096, "papers", "events"))])
-    return lines(out)
+    return table(out)
 
 
 def percent(share):
@@ -286,30 +273,24 @@ def clusters(rows, rate=1e-4):
             return "; ".join(f"{percent(row['share' + how])}%, {row['V_C_T_rms' + how]:.2f}" for how in ("_once", "_in_time"))
 
         out.append([name, *map(cell, densities)])
-    return lines(out)
+    return table(out)
 
 
 def tables():
     """{name: table of the page}"""
-    found = means(table("tangential"))
+    found = means(data("tangential"))
     result = {"ratios": by_ratio(found), "limits": limits(found)}
     if (DATA / "tangential_methods.csv").exists():
-        result["checks"] = checks(table("tangential_methods"))
+        result["checks"] = checks(data("tangential_methods"))
     if (DATA / "clusters.csv").exists():
-        result["clusters"] = clusters(table("clusters"))
+        result["clusters"] = clusters(data("clusters"))
     return result
-
-
-def marks(name):
-    return f"<!-- table {name}: scripts/tangential_page.py -->\n", f"<!-- end of {name} -->\n"
 
 
 def page_with_tables():
     text = PAGE.read_text(encoding="utf-8")
     for name, new in tables().items():
-        begin, end = marks(name)
-        before, rest = text.split(begin)
-        text = before + begin + new + end + rest.split(end)[1]
+        text = in_page(text, name, "tangential_page.py", new)
     return text
 
 
@@ -325,7 +306,7 @@ def main():
             collect(name, given.sweeps)
         if (given.sweeps / "clusters/points").exists():
             collect_clusters(given.sweeps / "clusters")
-    found = means(table("tangential"))
+    found = means(data("tangential"))
     with plt.rc_context(STYLE):
         save(diagram(found), PAGE.parent / "tangential_diagram.svg")
         save(collapse(found), PAGE.parent / "tangential_collapse.svg")
