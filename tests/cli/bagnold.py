@@ -105,7 +105,7 @@ class CliTest(unittest.TestCase):
         path.write_text(scene_text(changed(scene, **changes)))
         return path
 
-    def bagnold(self, *arguments, timeout=120, env=None, cwd=None):
+    def bagnold(self, *arguments, timeout=300, env=None, cwd=None):
         """Runs to the end; a signal or a run beyond the timeout fails the test."""
         result = subprocess.run(
             [PROGRAM, *map(str, arguments)],
@@ -138,7 +138,7 @@ class CliTest(unittest.TestCase):
         self.addCleanup(process.kill)
         return process
 
-    def finish(self, process, timeout=120):
+    def finish(self, process, timeout=300):
         """Waits; returns (exit code, all output)."""
         output, _ = process.communicate(timeout=timeout)
         return process.returncode, output
