@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "kernels/device/dynamics/device_drive.hpp"
 #include "kernels/device/dynamics/follow_flow.hpp"
 #include "kernels/device/dynamics/scale_box.hpp"
 #include "kernels/device/dynamics/scale_motion.hpp"
@@ -18,6 +17,7 @@
 #include "src/engine/drive_columns.hpp"
 #include "src/engine/reference/device_contacts.hpp"
 #include "src/engine/reference/disk_order.hpp"
+#include "src/engine/reference/step_drive.hpp"
 #include "src/engine/run_clock.hpp"
 #include "src/engine/simulation.hpp"
 #include "src/engine/throw_unsound.hpp"
@@ -80,7 +80,7 @@ class ReferenceEngine final : public Simulation {
     }
   }
 
-  int columns() const override { return engine_columns(rotates, drive_ != nullptr); }
+  int columns() const override { return engine_columns(rotates, bool(drive_)); }
   std::int64_t step() const override { return step_; }
 
   void advance(std::int64_t steps, Sampling const& sampling, OpenWindows& windows) override {
@@ -93,7 +93,7 @@ class ReferenceEngine final : public Simulation {
         continue;
       }
       if (!system_.begin_step(loops_, box_at(step_))) stop_unsound();
-      if (drive_) drive_->kick(loops_.space, driven(), system_.disks.trial_motion);
+      if (drive_) drive_.begin(loops_.space, system_, clock_.strain_rate, step_);
       auto const step = step_;
       bool const sampled = sampling.sampled(step);
       Sums<rotates> sums;
@@ -105,8 +105,8 @@ class ReferenceEngine final : public Simulation {
         contacts_.tell(sampling, windows);
       }
       if (sampled && !drive_) windows.add(sampling.window(step), sums.value, 1);
-      auto const power = do_step(sampled && drive_);
-      if (sampled && drive_) add_driven(sums, power, sampling.window(step), windows);
+      do_step(sampled);
+      if (sampled && drive_) add_driven(sums, sampling.window(step), windows);
       if (step_ == clock_.rate_end) follow(clock_.change_rate());
     }
     if (windows.contacts) contacts_.tell(sampling, windows);
@@ -155,12 +155,6 @@ class ReferenceEngine final : public Simulation {
   [[noreturn]] void stop_unsound() const {
     throw_unsound(loops_.space, system_.forces(box_at(step_)), clock_, step_, raw_state(),
                   [this](std::size_t place) { return order_.original(place); });
-  }
-
-  /// The disks as the drive sees them where the step begins.
-  DrivenViews<rotates, Space> driven() const {
-    auto const& disks = system_.disks;
-    return {disks.position, disks.motion, disks.species, clock_.strain_rate, step_};
   }
 
   /// So many steps, or fewer where the list is outrun, without waiting between them.
@@ -216,57 +210,17 @@ class ReferenceEngine final : public Simulation {
     if (stopped) renew_list();
   }
 
-  /// The drive's powers, if they are asked for.
-  DrivePower do_step(bool powers) {
+  void do_step(bool sampled) {
     double const strain = clock_.strain_since(list_, step_ + 1);
     double const next_strain = clock_.strain_since(list_, step_ + 2);
-    DrivePower power;
-    Motions before;
-    if (drive_) before = drive_before_end(powers, power);
+    if (drive_) drive_.before_end(system_, sampled);
     Real largest2 = system_.end_step(loops_, box_at(step_), box_at(step_ + 1), strain, next_strain);
-    if (drive_) drive_after_end(before, power, largest2, strain, next_strain);
+    if (drive_ && drive_.after_end(system_))
+      largest2 = std::max(largest2, farthest2(strain, next_strain));
     ++step_;
     if (largest2 == std::numeric_limits<Real>::max()) stop_unsound();
     double const widest = std::max(std::abs(strain), std::abs(next_strain));
     if (!list_holds(widest, largest2, skin_)) renew_list();
-    return power;
-  }
-
-  /// The second stage, or where powers are asked for of a trial state these. What it returns is the
-  /// motion that powers of both stages start from.
-  Motions drive_before_end(bool powers, DrivePower& power) {
-    auto& disks = system_.disks;
-    auto const& space = loops_.space;
-    Motions before;
-    if constexpr (trial_is_change) {
-      if (powers) {
-        before = Motions("observables::motion_before", disks.motion.extent(0));
-        Kokkos::deep_copy(before, disks.motion);
-      }
-      drive_->kick_changes(space, driven(), disks.trial_motion, disks.motion);
-    } else if (powers) {
-      power = drive_->power(space, driven(), disks.trial_motion, Motions{});
-    }
-    return before;
-  }
-
-  void drive_after_end(Motions const& before, DrivePower& power, Real& largest2, double strain,
-                       double next_strain) {
-    auto& disks = system_.disks;
-    auto const& space = loops_.space;
-    auto const seen = [&](auto const& position, auto const& motion) {
-      return DrivenViews<rotates, Space>{position, motion, disks.species, clock_.strain_rate,
-                                         step_};
-    };
-    if constexpr (trial_is_change) {
-      if (before.extent(0) != 0)  // trial_position: where the step began
-        power = drive_->power(space, seen(disks.trial_position, before), disks.motion,
-                              disks.trial_motion);
-    } else {
-      drive_->kick_correction(space, seen(disks.trial_position, disks.trial_motion), disks.motion,
-                              disks.position);
-      largest2 = std::max(largest2, farthest2(strain, next_strain));
-    }
   }
 
   /// The largest |w|^2 now and a step later, [d_s^2].
@@ -295,10 +249,9 @@ class ReferenceEngine final : public Simulation {
     if (!list_holds(std::abs(next_strain), farthest2(strain, next_strain), skin_)) renew_list();
   }
 
-  static void add_driven(Sums<rotates> const& sums, DrivePower const& power, std::int64_t window,
-                         OpenWindows& windows) {
+  void add_driven(Sums<rotates> const& sums, std::int64_t window, OpenWindows& windows) const {
     std::vector<Real> columns(std::begin(sums.value), std::end(sums.value));
-    append(columns, power);
+    append(columns, drive_.power());
     windows.add(window, columns, 1);
   }
 
@@ -336,8 +289,7 @@ class ReferenceEngine final : public Simulation {
   Sums<rotates> measure() {
     auto const forces = system_.measured_forces(box_at(step_));
     if constexpr (trial_is_change) {
-      if (drive_)
-        return sums_of(DrivenChangeForces<Law, Repulsion, Space>{forces, driven_changes()});
+      if (drive_) return sums_of(drive_.measured(system_, forces));
     }
     return sums_of(forces);
   }
@@ -353,13 +305,6 @@ class ReferenceEngine final : public Simulation {
     AddUp<Forces, Space>{forces, disk_sums_, group_sums_, order_.original()}(loops, totals_, place);
   }
 
-  /// Changes that the drive's second stage will make.
-  Motions driven_changes() const {
-    Motions const changes("observables::driven_changes", system_.disks.motion.extent(0));
-    drive_->kick_changes(loops_.space, driven(), system_.disks.trial_motion, changes);
-    return changes;
-  }
-
   State raw_state() const {
     auto const& disks = system_.disks;
     return state_of<rotates>(order_.in_first_order(to_host(disks.position)),
@@ -369,8 +314,8 @@ class ReferenceEngine final : public Simulation {
 
   Launches<Space> loops_{};
   SteppedSystem<Law, Repulsion, Space, Scheme> system_;
-  std::unique_ptr<DeviceDrive<rotates, Space> const> drive_;  ///< null: none
-  double skin_;                                               ///< [d_s]
+  StepDrive<Law, Repulsion, Space, Scheme> drive_;
+  double skin_;  ///< [d_s]
   RunClock clock_;
   std::int64_t step_ = 0;
   ShearMark list_;  ///< of its build
