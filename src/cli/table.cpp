@@ -151,7 +151,7 @@ void print_method(bias::Findings const& found, bool chosen) {
   fmt::print("\n");
   for (auto const& one : found.tried)
     fmt::print("{}: {}: {}{}{}\n", one.taken ? "left" : "not taken", method_in_words(one),
-               one.reason, one.reason == "inertia" ? " (p_kin/p above 3e-4)" : "",
+               one.reason, one.reason == "inertia" ? " (p_kin/p above 1e-4)" : "",
                one.reason.empty() ? fmt::format("{} after {} pairs of stretches",
                                                 bias::name_of(one.judgement.verdict), one.pairs)
                                   : "");

@@ -23,8 +23,9 @@ constexpr std::int64_t apart = 3;  ///< places between pairs of the usual method
 constexpr int most_skips = 3;      ///< in turn, if others are to be judged
 constexpr std::size_t numbers_of_pair = 1 + 2 * Averages::count;
 
-/// p_kin/p from which on inertia has a part in a flow, as the warning implicit_inertia says.
-constexpr double most_kinetic = 3e-4;
+/// p_kin/p from which on implicit damping is not tried: beyond it long runs are off by more than
+/// pairs of stretches show (docs/data/accuracy/tried.md).
+constexpr double most_kinetic = 1e-4;
 
 constexpr std::string_view inertia = "inertia", events = "events", failed_step = "a step failed";
 

@@ -123,7 +123,7 @@ std::int64_t place_of(Course const& course) {
 
 /// Goes on to the next place with a pair, past those where a method of the run is watched.
 void go_to_pair(Course& course) {
-  while (auto const none = course.without_pair(course.next(0), 1e-4, true)) course.add(0, *none);
+  while (auto const none = course.without_pair(course.next(0), 5e-5, true)) course.add(0, *none);
 }
 
 double step_of(Methods const& methods) { return *methods.coarse.integration.time_step.number; }
@@ -188,11 +188,11 @@ TEST(BiasCourse, LeavesWhatItTook) {
   EXPECT_EQ(course.method(), 0U);
   Course failed = course, refused = course;
   auto const here = course.next(0);
-  course.add(0, course.without_pair(here, 4e-4, true).value());
+  course.add(0, course.without_pair(here, 2e-4, true).value());
   EXPECT_EQ(course.dropped(), here);
   for (auto* one : {&failed, &refused}) go_to_pair(*one);
   auto const pair_here = failed.next(0);
-  EXPECT_FALSE(failed.without_pair(pair_here, 2e-4, true));
+  EXPECT_FALSE(failed.without_pair(pair_here, 9e-5, true));
   failed.add(0, Pair::failed(pair_here));
   EXPECT_EQ(failed.dropped(), pair_here);
   for (int k = 4; refused.method() == 0 && k < 12; ++k) {
@@ -253,7 +253,7 @@ TEST(BiasCourse, ReplicasLeaveTogether) {
     for (std::size_t r : {0, 1}) course.add(r, pair_of(k, 0.001, 1e-4));
   ASSERT_EQ(course.method(), 0U);
   auto const here = course.next(0);
-  course.add(0, course.without_pair(here, 1e-4, true).value());
+  course.add(0, course.without_pair(here, 5e-5, true).value());
   EXPECT_FALSE(course.takes(0)) << "it waits";
   EXPECT_EQ(course.method(), 0U);
   course.add(1, course.without_pair(here, 1e-3, true).value());
