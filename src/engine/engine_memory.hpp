@@ -5,8 +5,10 @@
 
 #include <map>
 #include <string>
+#include <utility>
 
 #include "src/config/errors.hpp"
+#include "src/state/snapshot.hpp"
 
 namespace bagnold {
 
@@ -46,5 +48,23 @@ struct RestoreCounter {
     value = saved == from.end() ? Value{} : static_cast<Value>(saved->second);
   }
 };
+
+/// A snapshot that another engine goes on from: the state alone, with counters.
+inline Snapshot handed_over(Snapshot&& snapshot) {
+  Snapshot to = std::move(snapshot);
+  to.list_position.clear();
+  to.list_step = 0;
+  to.memory.clear();
+  to.arrays.clear();
+  return to;
+}
+
+using Counters = std::map<std::string, double>;
+
+/// Counters of the engine at work, joined with those of the engines before.
+inline Counters joined(Counters of_engine, Counters const& before) {
+  of_engine.insert(before.begin(), before.end());
+  return of_engine;
+}
 
 }  // namespace bagnold

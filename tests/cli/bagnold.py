@@ -138,6 +138,26 @@ class CliTest(unittest.TestCase):
         self.addCleanup(process.kill)
         return process
 
+    def kill_and_resume(self, scene, out, most):
+        """Runs a scene, killed after a checkpoint and resumed at most so often. Returns how often it was."""
+        def stamp():
+            try:
+                return (out / "checkpoint.h5").stat().st_mtime_ns
+            except FileNotFoundError:
+                return None
+        process = self.start("run", scene, "--out", out)
+        kills = 0
+        while kills < most:
+            before = stamp()
+            if not self.wait_until(lambda before=before: stamp() not in (None, before), process):
+                break
+            process.kill()
+            process.wait()
+            kills += 1
+            process = self.start("resume", out)
+        self.assertEqual(self.finish(process)[0], 0)
+        return kills
+
     def finish(self, process, timeout=300):
         """Waits; returns (exit code, all output)."""
         output, _ = process.communicate(timeout=timeout)

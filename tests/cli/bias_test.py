@@ -5,7 +5,6 @@ import csv
 import json
 import math
 import os
-import signal
 import subprocess
 import sys
 import unittest
@@ -122,22 +121,7 @@ class Continued(Bias):
         changes = {**DENSE, "disks__count": 256, "shear__strain": 8.0, "output__checkpoint_minutes": 0.0003, **ASKED}
         whole = self.run_new("whole", **changes)
         out = self.folder / "out"
-        process = self.start("run", self.scene(**changes), "--out", out)
-        kills = 0
-        for _ in range(6):
-            def stamp():
-                try:
-                    return (out / "checkpoint.h5").stat().st_mtime_ns
-                except FileNotFoundError:
-                    return None
-            before = stamp()
-            if not self.wait_until(lambda: stamp() not in (None, before), process):
-                break
-            process.send_signal(signal.SIGKILL)
-            process.wait()
-            kills += 1
-            process = self.start("resume", out)
-        self.assertEqual(self.finish(process)[0], 0)
+        kills = self.kill_and_resume(self.scene(**changes), out, 6)
         self.assertGreater(kills, 2)
         self.assert_same(whole, out)
 

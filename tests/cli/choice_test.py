@@ -3,7 +3,6 @@
 
 import math
 import re
-import signal
 import unittest
 
 import h5py
@@ -114,22 +113,7 @@ class Continued(Choice):
         whole = self.run_new("whole", **changes)
         self.assertEqual(read_summary(whole)["bias"]["method"], IMPLICIT)
         out = self.folder / "out"
-        process = self.start("run", self.scene(**changes), "--out", out)
-        kills = 0
-        for _ in range(8):
-            def stamp():
-                try:
-                    return (out / "checkpoint.h5").stat().st_mtime_ns
-                except FileNotFoundError:
-                    return None
-            before = stamp()
-            if not self.wait_until(lambda: stamp() not in (None, before), process):
-                break
-            process.send_signal(signal.SIGKILL)
-            process.wait()
-            kills += 1
-            process = self.start("resume", out)
-        self.assertEqual(self.finish(process)[0], 0)
+        kills = self.kill_and_resume(self.scene(**changes), out, 8)
         self.assertGreater(kills, 2)
         self.assert_same(whole, out)
 

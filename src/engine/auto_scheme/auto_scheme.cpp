@@ -19,16 +19,6 @@ constexpr char method_key[] = "auto_method", earlier_key[] = "auto_is_implicit";
 /// Most steps of a run, times those of a method in one of them.
 constexpr std::int64_t most = std::int64_t{1} << 62;
 
-/// Snapshot for another engine: without lists and memory.
-Snapshot handed_over(Snapshot&& snapshot) {
-  Snapshot to = std::move(snapshot);
-  to.list_position.clear();
-  to.list_step = 0;
-  to.memory.clear();
-  to.arrays.clear();
-  return to;
-}
-
 }  // namespace
 
 AutoScheme::AutoScheme(Ladder ladder, Snapshot&& snapshot, Make make)
@@ -84,18 +74,11 @@ void AutoScheme::step_to(std::int64_t stop, Sampling const& sampling, OpenWindow
 void AutoScheme::take_method(std::size_t method) {
   if (method == method_) return;
   Snapshot now = handed_over(engine_->snapshot());
-  now.counters = counters_ = all_counters(now.counters);
+  now.counters = counters_ = joined(std::move(now.counters), counters_);
   auto const step = run_steps(now.step);
   method_ = method;
   now.step = own_steps(step);
   engine_ = make_(present(), std::move(now));
-}
-
-/// Counters of the engine at work, joined with those of the engines before.
-AutoScheme::Counters AutoScheme::all_counters(Counters const& of_engine) const {
-  Counters all = of_engine;
-  all.insert(counters_.begin(), counters_.end());
-  return all;
 }
 
 std::int64_t AutoScheme::own_steps(std::int64_t of_run) const {
@@ -105,7 +88,7 @@ std::int64_t AutoScheme::own_steps(std::int64_t of_run) const {
 Snapshot AutoScheme::snapshot() const {
   auto& self = const_cast<AutoScheme&>(*this);  // saving changes nothing
   Snapshot snapshot = engine_->snapshot();
-  snapshot.counters = all_counters(snapshot.counters);
+  snapshot.counters = joined(std::move(snapshot.counters), counters_);
   snapshot.step = run_steps(snapshot.step);  // that of the list is of the method's own
   self.for_each_memory(WriteDown{snapshot.memory});
   self.for_each_counter(WriteDown{snapshot.counters});

@@ -2,11 +2,10 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <memory>
-#include <string>
 
 #include "src/config/ladder.hpp"
+#include "src/engine/engine_memory.hpp"
 #include "src/engine/simulation.hpp"
 
 namespace bagnold {
@@ -43,9 +42,6 @@ class AutoScheme : public Simulation {
   }
   std::int64_t own_steps(std::int64_t of_run) const;
   void step_to(std::int64_t stop, Sampling const& sampling, OpenWindows& windows);
-
-  using Counters = std::map<std::string, double>;
-  Counters all_counters(Counters const& of_engine) const;
 
   template <class Visit>
   void for_each_memory(Visit const& visit);

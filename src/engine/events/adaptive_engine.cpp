@@ -15,16 +15,6 @@ using events::EventChoice;
 
 constexpr char by_events_key[] = "adaptive_by_events";
 
-/// A snapshot that another engine goes on from: the state alone.
-Snapshot handed_over(Snapshot&& snapshot) {
-  Snapshot to = std::move(snapshot);
-  to.list_position.clear();
-  to.list_step = 0;
-  to.memory.clear();
-  to.arrays.clear();
-  return to;
-}
-
 /// Contacts and weight in windows from one on.
 std::pair<double, double> contacts_from(std::int64_t window, OpenWindows const& windows) {
   double contacts = 0, weight = 0;
@@ -148,23 +138,16 @@ void AdaptiveEngine::choose() {
 void AdaptiveEngine::change() {
   by_events_ = !by_events_;
   Snapshot now = engine_->snapshot();
-  now.counters = counters_ = all_counters(now.counters);
+  now.counters = counters_ = joined(std::move(now.counters), counters_);
   engine_ = make(handed_over(std::move(now)));
   chosen_step_ = step();
   work_before_ = by_events_ ? EventChoice::work(engine_->counters()) : 0;
 }
 
-/// Counters of the engine at work, joined with those of the engines before.
-AdaptiveEngine::Counters AdaptiveEngine::all_counters(Counters const& of_engine) const {
-  Counters all = of_engine;
-  all.insert(counters_.begin(), counters_.end());
-  return all;
-}
-
 Snapshot AdaptiveEngine::snapshot() const {
   auto& self = const_cast<AdaptiveEngine&>(*this);  // visits do not change what they write down
   Snapshot snapshot = engine_->snapshot();
-  snapshot.counters = all_counters(snapshot.counters);
+  snapshot.counters = joined(std::move(snapshot.counters), counters_);
   self.for_each_memory(WriteDown{snapshot.memory});
   WriteDown{snapshot.counters}("steps_by_events", event_steps_);
   return snapshot;

@@ -3,11 +3,10 @@
 
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <memory>
-#include <string>
 #include <utility>
 
+#include "src/engine/engine_memory.hpp"
 #include "src/engine/events/event_choice.hpp"
 #include "src/engine/simulation.hpp"
 
@@ -46,8 +45,6 @@ class AdaptiveEngine final : public Simulation {
   State state() const override { return engine_->state(); }
 
  private:
-  using Counters = std::map<std::string, double>;
-
   void go_by_events(std::int64_t end, Sampling const& sampling, OpenWindows& windows);
   void add_part(std::vector<double>&& sums, Sampling const& sampling, OpenWindows& windows);
   void go_by_steps(std::int64_t end, Sampling const& sampling, OpenWindows& windows);
@@ -56,7 +53,6 @@ class AdaptiveEngine final : public Simulation {
   }
   void choose();
   void change();
-  Counters all_counters(Counters const& of_engine) const;
 
   template <class Visit>
   void for_each_memory(Visit const& visit);
