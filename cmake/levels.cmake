@@ -10,6 +10,7 @@ list(APPEND bagnold_level_sources engine/contacts/contact_detector.cpp engine/dr
 function(bagnold_level name architecture)
   add_library(bagnold_${name} OBJECT ${bagnold_level_sources})
   target_link_libraries(bagnold_${name} PRIVATE bagnold_kernels bagnold_config bagnold_statistics fmt::fmt)
+  bagnold_host_only(bagnold_${name} engine/drives/drive_engines.cpp)
   target_compile_options(bagnold_${name} PRIVATE -march=${architecture} -fno-gnu-unique)
   target_compile_definitions(bagnold_${name} PRIVATE BAGNOLD_LEVEL=${name}
     $<TARGET_PROPERTY:bagnold_engine,INTERFACE_COMPILE_DEFINITIONS>)

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "src/engine/backends.hpp"
+#ifndef __CUDA_ARCH__  // of the host alone (cmake/host_only.cmake)
 #include "src/engine/blocks/make_stepper.hpp"
+#endif
+#include "src/engine/backends.hpp"
 #include "src/engine/compiled_once.hpp"
 #include "src/engine/disk_sums.hpp"
 #include "src/engine/drives/drive_engines.hpp"

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "kernels/cpu/blocks/blocks.hpp"
+#include "kernels/cpu/blocks/most_pairs.hpp"
 #include "kernels/physics/species.hpp"
 #include "src/config/cascade.hpp"
 #include "src/config/errors.hpp"

@@ -16,9 +16,6 @@ enum NearList : int { inner_list, contact_list, near_lists };
 
 enum HalfOfStep : int { first_half_of_step, second_half_of_step, halves_of_step };
 
-/// Largest number of pairs in the lists of all blocks: places in lists are 32-bit numbers.
-inline constexpr std::uint64_t most_pairs = std::uint64_t{1} << 32;
-
 /// A compact patch of disks and all that they may touch, as a stretch of slots:
 ///
 ///     own disks | inert ones, to a multiple of eight, at least two | halo

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "kernels/cpu/blocks/blocks.hpp"
+#include "kernels/cpu/blocks/most_pairs.hpp"
 #include "kernels/cpu/blocks/spatial_order.hpp"
 #include "kernels/device/neighbors/neighbor_search.hpp"
 #include "kernels/device/side_by_side.hpp"

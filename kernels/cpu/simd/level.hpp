@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#ifdef __CUDA_ARCH__
+#error "kernels/cpu is for the host alone: hide its users from nvcc (cmake/host_only.cmake)"
+#endif
+
 #include <cmath>
 #include <cstdint>
 #include <string_view>
@@ -9,7 +13,6 @@
 #define BAGNOLD_AVX512 0
 #define BAGNOLD_AVX2 0
 #define BAGNOLD_128 0
-#ifndef __CUDA_ARCH__  // nvcc parses host code again for the device, without vector types
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
 #undef BAGNOLD_AVX512
 #define BAGNOLD_AVX512 1
@@ -24,7 +27,6 @@
 #include <immintrin.h>
 #elif defined(__ARM_NEON)
 #include <arm_neon.h>
-#endif
 #endif
 
 /// Inlined always: a call in a pack loop costs more than the pack, as registers are saved and

@@ -6,7 +6,6 @@
 #include "kernels/cpu/simd/lanes_128.hpp"
 #include "kernels/cpu/simd/lanes_avx2.hpp"
 #include "kernels/cpu/simd/lanes_avx512.hpp"
-#include "kernels/cpu/simd/lanes_nvcc.hpp"
 
 /// Packs: as many doubles as a register of the processor holds. Their operations are in one header
 /// for each instruction set.

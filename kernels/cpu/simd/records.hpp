@@ -4,7 +4,6 @@
 #include "kernels/cpu/simd/records_128.hpp"
 #include "kernels/cpu/simd/records_avx2.hpp"
 #include "kernels/cpu/simd/records_avx512.hpp"
-#include "kernels/cpu/simd/records_nvcc.hpp"
 
 /// Transfer of disks to and from packs: the part common to all instruction sets.
 namespace bagnold::simd {

@@ -9,20 +9,7 @@ namespace bagnold {
 /// all nodes at once.
 struct AtNodes {
   static constexpr int count = 8;
-#ifdef __CUDA_ARCH__  // no vector types there; nvcc only parses this
-  struct Lanes {
-    Real lane[count];
-    Real& operator[](int k) { return lane[k]; }
-    Real operator[](int k) const { return lane[k]; }
-    friend Lanes operator+(Lanes, Lanes);
-    friend Lanes operator-(Lanes, Lanes);
-    friend Lanes operator*(Lanes, Lanes);
-    friend Lanes operator/(Lanes, Lanes);
-    friend Lanes operator-(Lanes);
-  };
-#else
   using Lanes = Real __attribute__((vector_size(count * sizeof(Real))));
-#endif
   Lanes v;
 
   AtNodes() = default;

@@ -6,12 +6,21 @@
 #include <string_view>
 #include <tuple>
 
+#ifndef __CUDA_ARCH__  // of the host alone (cmake/host_only.cmake)
 #include "kernels/cpu/steps/block_drive.hpp"
+#endif
 #include "kernels/device/dynamics/device_drive.hpp"
 #include "src/engine/backends.hpp"
 #include "src/engine/drives/drive_setup.hpp"
 
 namespace bagnold {
+
+namespace simd {
+struct Force;
+struct TurningForce;
+}  // namespace simd
+template <class Force, bool Rotates>
+class BlockDrive;
 
 template <class Force, bool Rotates>
 using MakeBlockDrive = std::unique_ptr<BlockDrive<Force, Rotates> const> (*)(DriveSetup const&);
@@ -34,11 +43,16 @@ struct DriveMakers<std::tuple<Spaces...>> {
 };
 
 template <OneBodyDrive Drive, class Force, bool Rotates>
+void set(MakeBlockDrive<Force, Rotates>& make);
+
+#ifndef __CUDA_ARCH__
+template <OneBodyDrive Drive, class Force, bool Rotates>
 void set(MakeBlockDrive<Force, Rotates>& make) {
   make = [](DriveSetup const& setup) -> std::unique_ptr<BlockDrive<Force, Rotates> const> {
     return std::make_unique<DriveOnBlocks<Drive, Force, Rotates>>(setup.input, setup.stream);
   };
 }
+#endif
 
 template <OneBodyDrive Drive, bool Rotates, class Space>
 void set(MakeDeviceDrive<Rotates, Space>& make) {
