@@ -10,7 +10,8 @@
 #include "src/config/ladder.hpp"
 #include "src/config/laws.hpp"
 #include "src/config/schemes.hpp"
-#include "src/config/time_step.hpp"
+#include "src/run/bias/course.hpp"
+#include "src/run/bias/methods.hpp"
 #include "src/run/paper_values.hpp"
 #include "src/run/protocols/ramp/hysteresis.hpp"
 #include "src/run/protocols/sequence/piece_results.hpp"
@@ -141,21 +142,18 @@ void print_remarks(FinishedRun const& finished, std::string const& folder) {
              none, finished.found.size(), rough, why);
 }
 
-std::string method_in_words(bias::Trial const& of) {
-  return fmt::format("{}, a step of {:.6g} tau_e", of.methods.coarse.integration.scheme,
-                     time_step(of.methods.coarse));
-}
-
 /// The method of the run, its verdict, and other methods that were tried.
 void print_method(bias::Findings const& found, bool chosen) {
   fmt::print("\n");
   for (auto const& one : found.tried)
-    fmt::print("{}: {}: {}{}{}\n", one.taken ? "left" : "not taken", method_in_words(one),
-               one.reason, one.reason == "inertia" ? " (p_kin/p above 1e-4)" : "",
-               one.reason.empty() ? fmt::format("{} after {} pairs of stretches",
-                                                bias::name_of(one.judgement.verdict), one.pairs)
-                                  : "");
-  if (chosen) fmt::print("method: {}\n", method_in_words(found));
+    fmt::print(
+        "{}: {}: {}{}{}\n", one.taken ? "left" : "not taken",
+        bias::method_in_words(one.methods.coarse), one.reason,
+        one.reason == bias::inertia ? fmt::format(" (p_kin/p above {:g})", bias::most_kinetic) : "",
+        one.reason.empty() ? fmt::format("{} after {} pairs of stretches",
+                                         bias::name_of(one.judgement.verdict), one.pairs)
+                           : "");
+  if (chosen) fmt::print("method: {}\n", bias::method_in_words(found.methods.coarse));
   if (found.judgement.verdict == bias::Verdict::usual)
     fmt::print("bias of the method: not measured (below {:g}% in all flows of docs/accuracy.md)\n",
                100 * usual_accuracy);

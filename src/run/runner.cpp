@@ -11,13 +11,13 @@
 #include "src/config/names.hpp"
 #include "src/config/piece_table.hpp"
 #include "src/config/scene_file.hpp"
-#include "src/config/time_step.hpp"
 #include "src/engine/control_columns.hpp"
 #include "src/engine/levels/levels.hpp"
 #include "src/engine/make_simulation.hpp"
 #include "src/io/state_file.hpp"
 #include "src/measure/contacts.hpp"
 #include "src/measure/make_frames.hpp"
+#include "src/run/bias/methods.hpp"
 #include "src/run/messages.hpp"
 #include "src/run/pictures.hpp"
 #include "src/run/protocols/cascade/cascade.hpp"
@@ -297,9 +297,8 @@ std::string Runner::chosen_method() const {
   auto const method = course_->course.method();
   if (method >= ladder.usual) return "";
   auto const chosen = with_method(run_.scene, ladder.methods[method]);
-  return fmt::format(
-      "; scheme = \"auto\" had taken {}, a step of {:.6g} tau_e: name integration.scheme = \"{}\"",
-      chosen.integration.scheme, time_step(chosen), default_scheme);
+  return fmt::format("; scheme = \"auto\" had taken {}: name integration.scheme = \"{}\"",
+                     bias::method_in_words(chosen), default_scheme);
 }
 
 bool Runner::work(ReplicaScheduler& all) {

@@ -5,12 +5,12 @@
 
 #include "src/config/errors.hpp"
 #include "src/config/scene_file.hpp"
-#include "src/config/time_step.hpp"
 #include "src/config/toml_text.hpp"
 #include "src/engine/levels/levels.hpp"
 #include "src/io/atomic_file.hpp"
 #include "src/io/checkpoint.hpp"
 #include "src/io/state_file.hpp"
+#include "src/run/bias/methods.hpp"
 #include "src/run/make_longer.hpp"
 #include "src/run/messages.hpp"
 #include "src/run/protocols/cascade/cascade.hpp"
@@ -123,7 +123,7 @@ RunEnd run_from_start(RunFolder const& folder, Scene const& scene, Machine const
   auto const replicas = static_cast<std::size_t>(scene.disks.replicas);
   Run run = run_of(scene, plan, machine);
   run.replicas.resize(replicas);
-  monitor.status(fmt::format("{}, a step of {:.6g} tau_e", scheme_of(scene), plan.time_step));
+  monitor.status(bias::method_in_words(scene));
   std::vector<std::optional<Snapshot>> snapshots(replicas);
   if (auto const what = mean_motion_taken_off(started); !what.empty())
     monitor.status(fmt::format("{}: {}", scene.start.file, what));

@@ -151,7 +151,7 @@ class Said(Choice):
                                r"stretches \(p [+-]\d.*\); taken from here on")
         self.assertIn("method: implicit-damping, a step of 1.6 tau_e", text)
         text = self.run_scene(self.scene(**DILUTE), self.folder / "gas").stdout
-        self.assertIn("not taken: implicit-damping, a step of 1.4 tau_e: inertia (p_kin/p above 1e-4)", text)
+        self.assertIn("not taken: implicit-damping, a step of 1.4 tau_e: inertia (p_kin/p above 0.0001)", text)
 
     def test_measures_the_bias_of_all(self):
         """measure.bias with scheme = "auto" judges the usual method too."""

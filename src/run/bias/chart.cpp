@@ -21,7 +21,6 @@
 #include "src/config/stability.hpp"
 #include "src/config/time_step.hpp"
 #include "src/engine/make_simulation.hpp"
-#include "src/measure/observables.hpp"
 #include "src/run/bias/methods.hpp"
 #include "src/run/stretch_size.hpp"
 
@@ -102,26 +101,9 @@ class Path {
     return seconds_;
   }
 
-  /// Averages over every `stride`-th instant, of a third on and before.
-  Averages averages(std::int64_t ticks, std::int64_t stride) const {
-    auto const instants = static_cast<std::size_t>(ticks / method_.length);
-    auto const mean = [&](std::size_t first, std::size_t end) {
-      std::vector<double> sums(windows_.sums[0].sums.size(), 0.0);
-      double weight = 0;
-      for (auto k = first; k < end; k += static_cast<std::size_t>(stride)) {
-        for (std::size_t c = 0; c < sums.size(); ++c) sums[c] += windows_.sums[k].sums[c];
-        weight += windows_.sums[k].weight;
-      }
-      for (double& sum : sums) sum /= weight;
-      return sums;
-    };
-    auto const before = mean(0, instants / 3), counted = mean(instants / 3, instants);
-    auto const list = observables(scene_, start_.box_length);
-    auto const value = [&](std::string_view name, std::vector<double> const& of) {
-      return std::ranges::find(list, name, &Observable::name)->value(of);
-    };
-    return {value("p", counted),   value("sigma", counted), value("Z", counted),
-            value("T_g", counted), value("p_kin", counted), value("T_g", before)};
+  /// Averages over every `stride`-th instant.
+  Averages averages(std::int64_t stride) const {
+    return averages_of(scene_, start_.box_length, windows_, static_cast<std::size_t>(stride));
   }
 
  private:
@@ -216,8 +198,7 @@ Chart chart(Scene const& given, State const& start, ChartRequest const& request)
           stopped = true;
           break;
         }
-        pairs[m].push_back(
-            {run->step(), coarse.averages(ticks, 1), finer.averages(ticks, method.length)});
+        pairs[m].push_back({run->step(), coarse.averages(1), finer.averages(method.length)});
         auto const took = Path(of, state, method).seconds(ticks, go_on);
         if (took)
           seconds[m].push_back(*took);

@@ -23,20 +23,10 @@ constexpr std::int64_t apart = 3;  ///< places between pairs of the usual method
 constexpr int most_skips = 3;      ///< in turn, if others are to be judged
 constexpr std::size_t numbers_of_pair = 1 + 2 * Averages::count;
 
-/// p_kin/p from which on implicit damping is not tried: beyond it long runs are off by more than
-/// pairs of stretches show (docs/data/accuracy/tried.md).
-constexpr double most_kinetic = 1e-4;
-
-constexpr std::string_view inertia = "inertia", events = "events", failed_step = "a step failed";
+constexpr std::string_view events = "events", failed_step = "a step failed";
 
 double loss_error(Scene const& coarse) {
   return collision_loss_error(coarse, scheme_of(coarse), time_step(coarse));
-}
-
-/// "implicit-damping, a step of 1.6 tau_e"
-std::string in_words(Methods const& methods) {
-  return fmt::format("{}, a step of {:.6g} tau_e", methods.coarse.integration.scheme,
-                     time_step(methods.coarse));
 }
 
 /// "p +0.02(3)%, sigma ..." or the reason of a refusal without pairs
@@ -146,7 +136,7 @@ void Course::choose(std::int64_t here) {
   double const strain =
       static_cast<double>(here * grid_) * time_step(scene_) * scene_.shear.strain_rate;
   auto const said = fmt::format("strain {:.4g}: {}, is {} after {} pairs of stretches ({})", strain,
-                                in_words(methods_), name_of(verdict_), all().size(),
+                                method_in_words(methods_.coarse), name_of(verdict_), all().size(),
                                 gives_up || verdict_ == Verdict::accepted ? in_words(trial()) : "");
   if (!holds()) {
     if (verdict_ == Verdict::accepted) {
@@ -163,9 +153,9 @@ void Course::choose(std::int64_t here) {
   if (cheap ? !gives_up : verdict_ != Verdict::refused || !finer) return;
   main_ = cheap ? ladder_.usual : main_ + 1;
   dropped_ = here * grid_;
-  auto const next = methods_of(scene_, ladder_.methods[main_]);
-  changes_.push_back(
-      fmt::format("{}; from here on {}, and what was before is left out", said, in_words(next)));
+  auto const next = with_method(scene_, ladder_.methods[main_]);
+  changes_.push_back(fmt::format("{}; from here on {}, and what was before is left out", said,
+                                 method_in_words(next)));
   begin_trial(cheap ? on_trial_ + 1 : main_, here);
 }
 

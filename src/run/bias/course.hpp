@@ -15,6 +15,13 @@
 
 namespace bagnold::bias {
 
+/// p_kin/p from which on implicit damping is not tried: beyond it long runs are off by more than
+/// pairs of stretches show (docs/data/accuracy/tried.md).
+inline constexpr double most_kinetic = 1e-4;
+
+/// Reason of a trial without pairs: p_kin/p is at most_kinetic or above.
+inline constexpr std::string_view inertia = "inertia";
+
 /// What pairs of stretches said of one method.
 struct Trial {
   /// A verdict that differs from the one before, and after how many pairs.
@@ -27,7 +34,7 @@ struct Trial {
   std::size_t pairs = 0;
   Judgement judgement;  ///< of all pairs; its verdict that of the last look
   std::vector<Look> looks;
-  std::string_view reason = {};  ///< why there are no pairs: "inertia", "events", "a step failed"
+  std::string_view reason = {};  ///< why there are no pairs: inertia, "events", "a step failed"
   bool taken = false;            ///< the run stepped by it
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/run/bias/methods.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -55,6 +57,10 @@ Methods methods_of(Scene const& scene) {
 Methods methods_of(Scene const& scene, Method const& method) {
   bool const sharp = scene.integration.accuracy < usual_accuracy;
   return pair_of(with_method(scene, method), time_step(scene) / (sharp ? quarter : 1));
+}
+
+std::string method_in_words(Scene const& scene) {
+  return fmt::format("{}, a step of {:.6g} tau_e", scheme_of(scene), time_step(scene));
 }
 
 }  // namespace bagnold::bias

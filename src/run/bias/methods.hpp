@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "src/config/ladder.hpp"
 #include "src/config/scene.hpp"
@@ -29,5 +30,8 @@ Methods methods_of(Scene const& scene);
 /// A method of the ladder of a scene, and a finer one: beside implicit damping two stages at their
 /// rule, or at a quarter of it where less than usual_accuracy is asked for.
 Methods methods_of(Scene const& scene, Method const& method);
+
+/// Scheme and step of a scene: "implicit-damping, a step of 1.6 tau_e".
+std::string method_in_words(Scene const& scene);
 
 }  // namespace bagnold::bias

@@ -29,19 +29,23 @@ bool Stretch::advance(std::function<bool()> const& go_on) {
   return true;
 }
 
-Averages Stretch::averages() const {
+Averages Stretch::averages() const { return averages_of(scene_, box_length_, thirds_); }
+
+Averages averages_of(Scene const& scene, double box_length, OpenWindows const& windows,
+                     std::size_t stride) {
   auto const mean = [&](std::size_t first, std::size_t end) {
-    std::vector<double> sums(thirds_.sums[first].sums.size(), 0.0);
+    std::vector<double> sums(windows.sums[first].sums.size(), 0.0);
     double weight = 0;
-    for (auto w = first; w < end; ++w) {
-      for (std::size_t c = 0; c < sums.size(); ++c) sums[c] += thirds_.sums[w].sums[c];
-      weight += thirds_.sums[w].weight;
+    for (auto w = first; w < end; w += stride) {
+      for (std::size_t c = 0; c < sums.size(); ++c) sums[c] += windows.sums[w].sums[c];
+      weight += windows.sums[w].weight;
     }
     for (double& sum : sums) sum /= weight;
     return sums;
   };
-  auto const before = mean(0, 1), counted = mean(1, 3);
-  auto const list = observables(scene_, box_length_);
+  auto const count = windows.sums.size();
+  auto const before = mean(0, count / 3), counted = mean(count / 3, count);
+  auto const list = observables(scene, box_length);
   auto const value = [&](std::string_view name, std::vector<double> const& of) {
     return std::ranges::find(list, name, &Observable::name)->value(of);
   };

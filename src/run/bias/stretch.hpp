@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -27,6 +28,10 @@ struct Averages {
   }
   bool operator==(Averages const&) const = default;
 };
+
+/// Averages of a stretch over every `stride`-th of its windows, each as long as the others.
+Averages averages_of(Scene const& scene, double box_length, OpenWindows const& windows,
+                     std::size_t stride = 1);
 
 /// One method's steps from a state of the run, in a system of its own.
 class Stretch {
