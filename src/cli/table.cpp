@@ -149,7 +149,7 @@ void print_method(bias::Findings const& found, bool chosen) {
     fmt::print(
         "{}: {}: {}{}{}\n", one.taken ? "left" : "not taken",
         bias::method_in_words(one.methods.coarse), one.reason,
-        one.reason == bias::inertia ? fmt::format(" (p_kin/p above {:g})", bias::most_kinetic) : "",
+        one.reason == bias::inertia ? fmt::format(" (p_kin/p above {:g})", most_kinetic) : "",
         one.reason.empty() ? fmt::format("{} after {} pairs of stretches",
                                          bias::name_of(one.judgement.verdict), one.pairs)
                            : "");

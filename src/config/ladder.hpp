@@ -37,6 +37,9 @@ struct Ladder {
 /// judged where less is asked for.
 inline constexpr double usual_accuracy = 0.01;
 
+/// p_kin/p from which on inertia has a part in a flow, and implicit damping is not for it.
+inline constexpr double most_kinetic = 3e-4;
+
 /// Ladder of a scene; of one method where nothing is to be chosen.
 Ladder ladder_of(Scene const& scene);
 

@@ -257,9 +257,9 @@ class Stability(Shown):
         self.says(self.page, "the rate is {} k_t + {} max{0, k_n - k_t}", float(rates[0]), float(rates[2]))
 
     def test_thresholds_of_warnings(self):
-        """Of src/run/warnings."""
-        def limit(file, name):
-            return float(re.search(rf"\b{name} = ([\de.-]+)", text_of(f"src/run/warnings/{file}"))[1])
+        """Of src/run/warnings, and of scheme = "auto"."""
+        def limit(file, name, folder="src/run/warnings"):
+            return float(re.search(rf"\b{name} = ([\de.-]+)", text_of(f"{folder}/{file}"))[1])
 
         errors = limit("checks.hpp", "standard_errors")
         power, gap, creep = limit("rotation_balance.cpp", "most_power"), limit("energy_balance.cpp", "most_gap"), limit(
@@ -274,7 +274,7 @@ class Stability(Shown):
                 ("beyond {}%, {} standard errors and the change of rotational energy", 100 * power, errors),
                 ("beyond {}% and {} standard errors; [what", 100 * limit("dissipative_pressure.cpp", "small_share"), errors),
                 ("beyond {}%. The defaults come to", 100 * limit("collision_loss.cpp", "most_off")),
-                ("above {}: inertia has a part", limit("implicit_inertia.cpp", "most_kinetic")),
+                ("above {}: inertia has a part", limit("ladder.hpp", "most_kinetic", "src/config")),
                 ("above {} γ_0(G'² + G''²)^(1/2): D is fitted", limit("stress_drift.cpp", "most_drift")),
                 ("a change above {}% that is {} standard errors, or {} where MSER-5 would cut off over a quarter; without a known error "
                  "above {}%", 100 * drift[0], *drift[1:3], 100 * drift[3]),

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -35,10 +36,11 @@ std::string in_words(Trial const& trial) {
   std::string words;
   for (std::size_t q = 0; q <= temperature; ++q) {
     auto const& one = trial.judgement.stated[q];
-    words += fmt::format("{}{} {}%", q == 0 ? "" : ", ", quantity_names[q],
+    if (!std::isfinite(one.value)) continue;  // no contact in any stretch
+    words += fmt::format("{}{} {}%", words.empty() ? "" : ", ", quantity_names[q],
                          rounded_bias(one.value, one.error));
   }
-  return words;
+  return words.empty() ? "no contacts" : words;
 }
 
 }  // namespace

@@ -15,10 +15,6 @@
 
 namespace bagnold::bias {
 
-/// p_kin/p from which on implicit damping is not tried: beyond it long runs are off by more than
-/// pairs of stretches show (docs/data/accuracy/tried.md).
-inline constexpr double most_kinetic = 1e-4;
-
 /// Reason of a trial without pairs: p_kin/p is at most_kinetic or above.
 inline constexpr std::string_view inertia = "inertia";
 

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include "src/config/ladder.hpp"
 #include "src/config/names.hpp"
 #include "src/config/time_step.hpp"
 #include "src/run/warnings/checks.hpp"
 
 namespace bagnold {
-
-namespace {
-
-constexpr double most_kinetic = 3e-4;  ///< p_kin / p; docs/accuracy.md, "Implicit damping"
-
-}  // namespace
 
 std::optional<Warning> implicit_inertia(FinishedRun const& finished) {
   auto const scheme = scheme_of(finished.run.scene);

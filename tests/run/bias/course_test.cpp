@@ -188,11 +188,11 @@ TEST(BiasCourse, LeavesWhatItTook) {
   EXPECT_EQ(course.method(), 0U);
   Course failed = course, refused = course;
   auto const here = course.next(0);
-  course.add(0, course.without_pair(here, 2e-4, true).value());
+  course.add(0, course.without_pair(here, 4e-4, true).value());
   EXPECT_EQ(course.dropped(), here);
   for (auto* one : {&failed, &refused}) go_to_pair(*one);
   auto const pair_here = failed.next(0);
-  EXPECT_FALSE(failed.without_pair(pair_here, 9e-5, true));
+  EXPECT_FALSE(failed.without_pair(pair_here, 2.9e-4, true));
   failed.add(0, Pair::failed(pair_here));
   EXPECT_EQ(failed.dropped(), pair_here);
   for (int k = 4; refused.method() == 0 && k < 12; ++k) {
