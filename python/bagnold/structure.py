@@ -87,15 +87,43 @@ def structure_factor(frames: Configurations, q_max: float = 10.0, bins: int = 10
         return length / count, power / count
 
 
+KERNEL_WIDTH, KERNEL_EXPONENT = 12, 27.6  # of spreading: cells of the grid; 2.30 a cell, for errors of 1e-11
+
+
 def _power(frame: Frame, along: Integers, across: Integers) -> Array:
     """|sum_j exp(-2 pi i (n_1 f_1j + n_2 f_2j))|^2 with f_j the place in units of the box's vectors, for all n_1 of `along`
-    and n_2 of `across`: a product of two matrices, as the exponential is one of n_1 and one of n_2."""
+    and n_2 of `across`. By a nonuniform FFT with the exponential of a semicircle as kernel (Barnett, Magland, af Klinteberg,
+    SIAM J. Sci. Comput. 41, C479 (2019)): places are spread on a grid, of which an FFT is taken and divided by the kernel's
+    own transform."""
     place = frame.position @ np.linalg.inv(frame.box.matrix[:2, :2])
-    total = np.zeros((len(along), len(across)), dtype=complex)
+    sizes = [max(4 * int(np.abs(n).max()) + 4, 2 * KERNEL_WIDTH) for n in (along, across)]
+    grid = np.zeros(sizes[0] * sizes[1])
     for first in range(0, len(frame), 4096):
-        f = place[first:first + 4096]
-        total += np.exp(-2j * np.pi * np.outer(along, f[:, 0])) @ np.exp(-2j * np.pi * np.outer(f[:, 1], across))
+        (cells, share), (other_cells, other_share) = (
+            _spread(place[first:first + 4096, axis] * size, size) for axis, size in enumerate(sizes))
+        where = cells[:, :, None] * sizes[1] + other_cells[:, None, :]
+        grid += np.bincount(where.ravel(), (share[:, :, None] * other_share[:, None, :]).ravel(), len(grid))
+    total = np.fft.fft2(grid.reshape(sizes))[np.ix_(along % sizes[0], across % sizes[1])]
+    total /= np.outer(_kernel_transform(along / sizes[0]), _kernel_transform(across / sizes[1]))
     return np.asarray(total.real**2 + total.imag**2)
+
+
+def _kernel(z: Array) -> Array:
+    """Kernel of spreading, z from -1 to 1 over its width."""
+    return np.asarray(np.exp(KERNEL_EXPONENT * (np.sqrt(np.maximum(1 - z * z, 0)) - 1)))
+
+
+def _spread(x: Array, size: int) -> tuple[Integers, Array]:
+    """Cells of a periodic grid that places x, in cells, are spread on, and the share of each, [N, KERNEL_WIDTH]."""
+    cells = np.ceil(x - KERNEL_WIDTH / 2).astype(int)[:, None] + np.arange(KERNEL_WIDTH)
+    return cells % size, _kernel((cells - x[:, None]) / (KERNEL_WIDTH / 2))
+
+
+def _kernel_transform(waves: Array) -> Array:
+    """Fourier transform of the kernel at waves a cell."""
+    z, weight = np.polynomial.legendre.leggauss(64)
+    half = KERNEL_WIDTH / 2
+    return np.asarray(half * np.cos(2 * np.pi * half * np.outer(waves, z)) @ (weight * _kernel(z)))
 
 
 def unwrapped(frames: Iterable[Frame]) -> Array:
