@@ -121,7 +121,7 @@ def _spread(x: Array, size: int) -> tuple[Integers, Array]:
 
 def _kernel_transform(waves: Array) -> Array:
     """Fourier transform of the kernel at waves a cell."""
-    z, step = np.linspace(-1, 1, 1000, retstep=True)  # the kernel is 1e-12 at the ends
+    z, step = np.linspace(-1, 1, 100, retstep=True)  # the kernel is 1e-12 at the ends
     half = KERNEL_WIDTH / 2
     return np.asarray(half * step * np.cos(2 * np.pi * half * np.outer(waves, z)) @ _kernel(z))
 
