@@ -20,7 +20,7 @@ NamedEntries<DriveFacts>& drives() {
 
 NamedEntries<DriveFacts> const& known_drives() { return drives(); }
 
-void know_drive(DriveFacts const& drive) {
+void register_facts(DriveFacts const& drive) {
   if (drive.name == no_drive || drives().find(drive.name))
     throw InputError(
         fmt::format("a drive named \"{}\" is there already; give yours another name", drive.name));

@@ -20,7 +20,7 @@ struct DriveFacts {
 /// registered ones.
 NamedEntries<DriveFacts> const& known_drives();
 
-/// Adds a drive (src/engine/register_drive.hpp). Throws InputError where the name is taken.
-void know_drive(DriveFacts const& drive);
+/// Registers a drive (src/engine/register_drive.hpp). Throws InputError where the name is taken.
+void register_facts(DriveFacts const& drive);
 
 }  // namespace bagnold

@@ -26,7 +26,7 @@ LawFacts const& law_of(Scene::Disks const& disks) {
                                choice(model_names())));
 }
 
-void know_law(LawFacts const& law) {
+void register_facts(LawFacts const& law) {
   if (laws().find(law.name))
     throw InputError(fmt::format(
         "model \"{}\" (there is a law of this name already); give the new one another name",

@@ -36,7 +36,7 @@ NamedEntries<LawFacts> const& known_laws();
 /// Law of a scene. Throws InputError where there is no such law.
 LawFacts const& law_of(Scene::Disks const& disks);
 
-/// Adds a law (src/engine/register_law.hpp). Throws InputError where the name is taken.
-void know_law(LawFacts const& law);
+/// Registers a law (src/engine/register_law.hpp). Throws InputError where the name is taken.
+void register_facts(LawFacts const& law);
 
 }  // namespace bagnold

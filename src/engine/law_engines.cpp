@@ -16,6 +16,6 @@ NamedEntries<LawEngines>& engines() {
 
 LawEngines const& engines_for(std::string_view model) { return *engines().find(model); }
 
-void add_engines(LawEngines const& added) { engines().add(added); }
+void register_engines(LawEngines const& added) { engines().add(added); }
 
 }  // namespace bagnold

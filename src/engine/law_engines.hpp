@@ -48,7 +48,7 @@ LawEngines engines_of();
 /// Functions of a law by its name: of the list in kernels/physics/laws/laws.hpp, or registered.
 LawEngines const& engines_for(std::string_view model);
 
-/// Adds a law (register_law.hpp), under a name that is not taken.
-void add_engines(LawEngines const& added);
+/// Registers a law (register_law.hpp), under a name that is not taken.
+void register_engines(LawEngines const& added);
 
 }  // namespace bagnold

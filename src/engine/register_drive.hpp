@@ -11,8 +11,8 @@ namespace bagnold {
 /// before the first scene is read, by one thread. Throws InputError if the name is taken.
 template <OneBodyDrive Drive>
 void register_drive() {
-  know_drive({Drive::name, Drive::thermal});
-  add_drive_engines(engines_of_drive<Drive>());
+  register_facts({Drive::name, Drive::thermal});
+  register_engines(engines_of_drive<Drive>());
 }
 
 }  // namespace bagnold

@@ -11,8 +11,8 @@ namespace bagnold {
 /// the first scene is read, by one thread. Throws InputError if the name is taken.
 template <ContactLaw Law>
 void register_law() {
-  know_law(facts_of<Law>());
-  add_engines(engines_of<Law>());
+  register_facts(facts_of<Law>());
+  register_engines(engines_of<Law>());
 }
 
 }  // namespace bagnold

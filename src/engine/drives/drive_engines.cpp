@@ -17,6 +17,6 @@ NamedEntries<DriveEngines>& engines() {
 
 DriveEngines const& drive_engines(std::string_view name) { return *engines().find(name); }
 
-void add_drive_engines(DriveEngines const& added) { engines().add(added); }
+void register_engines(DriveEngines const& added) { engines().add(added); }
 
 }  // namespace bagnold

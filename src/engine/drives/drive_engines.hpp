@@ -80,8 +80,8 @@ DriveEngines engines_of_drive() {
 /// registered.
 DriveEngines const& drive_engines(std::string_view name);
 
-/// Adds a drive (register_drive.hpp), under a name that is not taken.
-void add_drive_engines(DriveEngines const& added);
+/// Registers a drive (register_drive.hpp), under a name that is not taken.
+void register_engines(DriveEngines const& added);
 
 /// The drive of a scene for steps on blocks; null where none acts.
 template <class Force, bool Rotates>
