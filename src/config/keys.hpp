@@ -211,8 +211,7 @@ void for_each_key(SceneType& scene, Visitor&& visit) {
 
   visit(Key{"integration.scheme", "",
             "how the motion is stepped, or \"auto\": the cheapest way whose bias, as the run "
-            "measures "
-            "it, is within accuracy",
+            "measures it, is within accuracy; the default from a strain of 4 on",
             optional, 0, 0, false, scheme_words()},
         integration.scheme);
   visit(

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "kernels/physics/schemes/schemes.hpp"
 #include "src/config/abilities.hpp"
@@ -11,6 +12,7 @@
 #include "src/config/events.hpp"
 #include "src/config/laws.hpp"
 #include "src/config/names.hpp"
+#include "src/config/quasi_static.hpp"
 #include "src/config/stability.hpp"
 #include "src/config/step_counts.hpp"
 #include "src/config/time_step.hpp"
@@ -22,6 +24,16 @@ namespace {
 /// Cost of a step of implicit damping in steps of two stages, as the passes over contacts count.
 constexpr double implicit_cost = 2.3;
 
+/// Cost of a quasi-static step of 1024 disks in steps of two stages, 320 to 470 at 1e-6 and 1e-7
+/// (docs/data/accuracy/quasi_static.csv). The factorization makes it grow as N^1.5.
+constexpr double quasi_static_cost = 450;
+
+/// Strain of a quasi-static step. It takes Z of CD up by 0.5%, and of CD_rot by 1.5%.
+constexpr double quasi_static_strain = 3e-4;
+
+/// Largest cost of quasi-static steps, over that of implicit damping, that is worth a trial.
+constexpr double least_quasi_static_gain = 0.5;
+
 /// Largest cost of a method, over that of two stages at their rule, that is worth a trial.
 constexpr double most_cost = 0.75;
 
@@ -30,6 +42,10 @@ constexpr double place_strain = 0.1;
 
 /// Finest division of a step of the run.
 constexpr std::int64_t most_parts = 16;
+
+/// Strain of a run from which on pairs of stretches of methods that are refused add at most 9% to
+/// its cost.
+constexpr double least_strain = 4.0;
 
 constexpr char exact_stops[] = "many-contacts";  ///< an engine that can stop after every step
 
@@ -40,12 +56,10 @@ bool damps_sliding(Scene::Disks const& disks) {
 
 bool chooses(Scene const& scene) {
   auto const& shear = scene.shear;
-  auto const& measure = scene.measure;
   return scene.integration.scheme == automatic && scene.integration.time_step.word != of_papers &&
          abilities_of(scene).scheme.empty() &&
          time_step(scene) <= rule_time_step(scene, default_scheme) * (1 + 1e-12) &&
-         shear.rate_stays() && !scene.driven() && !measure.contacts && !measure.fields &&
-         !measure.rotation;
+         shear.rate_stays() && !scene.driven() && !scene.measure.contacts;
 }
 
 /// Two steps of two stages in one, where that is stable and a collision loses its energy.
@@ -55,8 +69,34 @@ bool bears_twice(Scene const& scene, double dt) {
          std::abs(collision_loss_error(scene, default_scheme, 2 * dt)) < scene.integration.accuracy;
 }
 
-double cost_of(Method const& method) {
-  return (is_implicit(method.scheme) ? implicit_cost : 1) / static_cast<double>(method.length);
+double cost_of_step(Scene const& scene, std::string_view scheme) {
+  if (scheme == backward_euler)
+    return quasi_static_cost * std::sqrt(static_cast<double>(scene.disks.count) / 1024);
+  return is_implicit(scheme) ? implicit_cost : 1;
+}
+
+double cost_of(Scene const& scene, Method const& method) {
+  return cost_of_step(scene, method.scheme) / static_cast<double>(method.length);
+}
+
+/// Quasi-static steps, if they cost less than half of a method of implicit damping.
+std::optional<Method> quasi_static(Scene const& scene, Method const& implicit) {
+  auto const& given = scene.integration;
+  bool const suits = given.engine == automatic && !scene.rotates() &&
+                     given.accuracy >= usual_accuracy && !scene.shear.run_per_rate();
+  if (!suits) return {};
+  auto asked = scene;
+  asked.integration.engine = quasi_static_engine;
+  asked.integration.scheme = backward_euler;
+  asked.integration.time_step = automatic;
+  if (!why_not(asked).empty() || !misused_quasi_static(asked).empty()) return {};
+  double const step_strain = time_step(scene) * scene.shear.strain_rate;
+  auto const in_implicit = static_cast<std::int64_t>(quasi_static_strain / step_strain /
+                                                     static_cast<double>(implicit.length));
+  Method const one{backward_euler, in_implicit * implicit.length};
+  bool const pays =
+      in_implicit > 0 && cost_of(scene, one) < least_quasi_static_gain * cost_of(scene, implicit);
+  return pays ? std::optional(one) : std::nullopt;
 }
 
 /// Methods that may cost less than two stages at their rule.
@@ -68,14 +108,18 @@ std::vector<Method> cheaper(Scene const& scene) {
     auto const length = static_cast<std::int64_t>(gain * (1 + 1e-12));
     list.push_back({ImplicitDamping::name, length});
     if (length % 2 == 0) list.push_back({ImplicitDamping::name, length / 2});
+    if (auto const one = quasi_static(scene, list.front())) list.push_back(*one);
   }
   if (bears_twice(scene, dt)) list.push_back({default_scheme, 2});
-  std::erase_if(list, [](Method const& one) { return !(cost_of(one) <= most_cost); });
-  std::ranges::stable_sort(list, {}, cost_of);
+  auto const cost = [&](Method const& one) { return cost_of(scene, one); };
+  std::erase_if(list, [&](Method const& one) { return !(cost(one) <= most_cost); });
+  std::ranges::stable_sort(list, {}, cost);
   return list;
 }
 
 }  // namespace
+
+bool damps_all(std::string_view scheme) { return is_implicit(scheme) || scheme == backward_euler; }
 
 Ladder ladder_of(Scene const& scene) {
   Ladder ladder;
@@ -106,11 +150,21 @@ bool may_change_method(Scene const& scene) {
   return scene.integration.scheme == automatic && ladder_of(scene).has_choice();
 }
 
+bool auto_is_default(Scene const& scene) {
+  bool const gains = std::ranges::max(scene.shear.strain.each) >= least_strain ||
+                     scene.integration.accuracy < usual_accuracy;
+  bool const by_rule = scene.integration.time_step.word == automatic;
+  auto asked = scene;
+  asked.integration.scheme = automatic;
+  return gains && by_rule && may_change_method(asked);
+}
+
 Scene with_method(Scene scene, Method const& method) {
   scene.integration.time_step =
       time_step(scene) * static_cast<double>(method.length) / static_cast<double>(method.parts);
   scene.integration.scheme = method.scheme;
-  if (is_implicit(method.scheme)) scene.integration.skin = automatic;  // reaches further
+  if (damps_all(method.scheme)) scene.integration.skin = automatic;  // reaches further
+  if (method.scheme == backward_euler) scene.integration.engine = quasi_static_engine;
   if (method.parts > 1) scene.integration.engine = exact_stops;
   return scene;
 }

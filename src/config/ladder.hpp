@@ -40,11 +40,18 @@ inline constexpr double usual_accuracy = 0.01;
 /// p_kin/p from which on inertia has a part in a flow, and implicit damping is not for it.
 inline constexpr double most_kinetic = 3e-4;
 
+/// True for schemes with long steps, which are for flows that damping decides.
+bool damps_all(std::string_view scheme);
+
 /// Ladder of a scene; of one method where nothing is to be chosen.
 Ladder ladder_of(Scene const& scene);
 
 /// True if scheme = "auto" may change the method in a run of this scene.
 bool may_change_method(Scene const& scene);
+
+/// True if a scene that names no scheme is run by scheme = "auto": no time step is named either,
+/// and the run is long enough to gain by it, or an accuracy below usual_accuracy is asked for.
+bool auto_is_default(Scene const& scene);
 
 /// Scene in which a method is named.
 Scene with_method(Scene scene, Method const& method);

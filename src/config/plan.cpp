@@ -204,8 +204,11 @@ Plan make_plan(Scene const& scene) {
   refuse_many_windows(static_cast<double>(plan.windows), "output.sample_strain",
                       scene.output.sample_strain, std::ceil(steps / most_windows) * step_strain);
   plan.discarded_windows = discarded_of(scene, plan.windows);
-  auto const steps_between = [&](double strain) {
-    return static_cast<std::int64_t>(std::clamp(round_up(strain / step_strain), 1.0, most_steps));
+  auto const steps_between = [&](double strain) {  // whole ones of every method
+    double const whole = static_cast<double>(ladder.whole);
+    return static_cast<std::int64_t>(
+               std::clamp(round_up(strain / step_strain / whole), 1.0, most_steps / whole)) *
+           ladder.whole;
   };
   plan.frame_steps = steps_between(scene.measure.frame_strain);
   if (scene.output.trajectory_strain > 0)

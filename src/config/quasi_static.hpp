@@ -5,12 +5,13 @@
 
 #include "src/config/refusal.hpp"
 #include "src/config/scene.hpp"
+#include "src/config/schemes.hpp"
 
 /// Quasi-static steps: an engine with its own scheme, for dense flows that creep.
 namespace bagnold {
 
-inline constexpr char quasi_static_engine[] = "quasi-static";  ///< integration.engine
-inline constexpr char backward_euler[] = "backward-euler";     ///< its integration.scheme
+/// integration.engine, whose scheme is backward_euler.
+inline constexpr char quasi_static_engine[] = "quasi-static";
 
 /// Largest integration.time_step of other engines, [tau_e].
 inline constexpr double longest_explicit_step = 10;

@@ -11,6 +11,7 @@
 #include "src/config/contradictions.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/keys.hpp"
+#include "src/config/ladder.hpp"
 #include "src/config/meant_key.hpp"
 #include "src/config/mistakes.hpp"
 #include "src/config/names.hpp"
@@ -54,10 +55,12 @@ class Reader {
     auto& shear = scene.shear;
     if (shear.changes_box() && shear.inertial_number && shear.strain_rate == 0)
       shear.strain_rate = *shear.inertial_number * std::sqrt(shear.pressure);
-    bool const has_scheme = table_.at_path("integration.scheme").node() != nullptr;
-    if (abilities_of(scene).own_scheme && !has_scheme) scene.integration.scheme = automatic;
+    if (abilities_of(scene).own_scheme && !has("integration.scheme"))
+      scene.integration.scheme = automatic;
     return scene;
   }
+
+  bool has(std::string_view key) const { return table_.at_path(key).node() != nullptr; }
 
  private:
   /// "file:line:column: ", or the command line's.
@@ -308,9 +311,12 @@ Scene scene_of(toml::table table, std::string const& origin, std::filesystem::pa
     mistakes.collect(put.key, [&] { put_override(table, put); });
     set[put.key] = put.origin;
   }
-  Scene scene = Reader(table, origin, set, mistakes).read();
+  Reader reader(table, origin, set, mistakes);
+  Scene scene = reader.read();
   find_contradictions(scene, origin, mistakes);
   mistakes.throw_any();
+  if (!reader.has("integration.scheme") && auto_is_default(scene))
+    scene.integration.scheme = automatic;
   if (!scene.start.file.empty())
     scene.start.file =
         std::filesystem::absolute(folder / scene.start.file).lexically_normal().string();

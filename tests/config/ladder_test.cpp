@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "src/config/plan.hpp"
+#include "src/config/quasi_static.hpp"
 #include "src/config/time_step.hpp"
 
 namespace bagnold {
@@ -60,7 +61,6 @@ TEST(Ladder, NothingToChoose) {
   };
   unsuited([](Scene& s) { s.integration.scheme = default_scheme; });
   unsuited([](Scene& s) { s.measure.contacts = true; });
-  unsuited([](Scene& s) { s.measure.fields = true; });
   unsuited([](Scene& s) {
     s.shear.protocol = "ramp";
     s.shear.strain_rate_high = 1e-3;
@@ -79,6 +79,7 @@ TEST(Ladder, WholeSteps) {
     Scene scene = laddered("CD_rot");
     scene.shear.strain_rate = rate;
     scene.shear.strain = 1.2345;
+    scene.output.trajectory_strain = 0.0321;
     auto const ladder = ladder_of(scene);
     auto const plan = make_plan(scene);
     EXPECT_EQ(plan.window_steps, ladder.window);
@@ -86,7 +87,52 @@ TEST(Ladder, WholeSteps) {
     EXPECT_EQ(ladder.grid % ladder.window, 0);
     EXPECT_GE(static_cast<double>(ladder.grid) * plan.time_step * rate, 0.1 * (1 - 1e-9));
     EXPECT_EQ(plan.steps % plan.window_steps, 0);
+    EXPECT_EQ(plan.frame_steps % ladder.whole, 0);
+    EXPECT_EQ(plan.trajectory_steps % ladder.whole, 0);
+    EXPECT_GT(plan.trajectory_steps, 0);
+    EXPECT_LT(plan.strain(plan.steps - plan.window_steps), scene.shear.strain.at(0));
   }
+}
+
+/// Steps of a strain of 3e-4 where they pay: creep of few disks without spins.
+TEST(Ladder, QuasiStaticStepsWhereTheyPay) {
+  auto const first = [](Scene const& scene) { return ladder_of(scene).methods.front(); };
+  auto scene = laddered("CD");
+  scene.disks.count = 1024;
+  scene.shear.strain_rate = 4e-7;
+  EXPECT_EQ(first(scene), (Method{"backward-euler", 3744}));  // whole ones of 8
+  EXPECT_EQ(ladder_of(scene).window % 3744, 0);
+  auto const method = with_method(scene, first(scene));
+  EXPECT_TRUE(is_quasi_static(method));
+  EXPECT_EQ(time_step(method), 3744 * 0.2);
+  auto const unsuited = [&](auto change) {
+    auto other = scene;
+    change(other);
+    EXPECT_NE(first(other).scheme, backward_euler);
+  };
+  unsuited([](Scene& s) { s.shear.strain_rate = 1e-6; });
+  unsuited([](Scene& s) { s.disks.model = "CD_rot"; });
+  unsuited([](Scene& s) { s.disks.count = 8192; });
+  unsuited([](Scene& s) { s.integration.engine = "steps"; });
+  unsuited([](Scene& s) { s.integration.accuracy = 0.009; });
+  unsuited([](Scene& s) { s.measure.profiles = true; });
+  unsuited([](Scene& s) { s.disks.force_exponent = 2.5; });
+}
+
+/// Two stages where a run is too short to gain, or a step is named, or nothing else is there.
+TEST(Ladder, TakenWhereNothingIsNamed) {
+  auto scene = laddered("CD");
+  scene.shear.strain = 4;
+  EXPECT_TRUE(auto_is_default(scene));
+  scene.shear.strain = 3.99;
+  EXPECT_FALSE(auto_is_default(scene));
+  scene.integration.accuracy = 0.009;
+  EXPECT_TRUE(auto_is_default(scene));
+  scene.integration.time_step = 0.1;
+  EXPECT_FALSE(auto_is_default(scene));
+  scene = laddered("CD_n", 50);
+  scene.shear.strain = 4;
+  EXPECT_FALSE(auto_is_default(scene));
 }
 
 /// A run shorter than a window is not made as long as one: it is refused.

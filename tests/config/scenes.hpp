@@ -8,6 +8,7 @@
 #include "src/config/errors.hpp"
 #include "src/config/keys.hpp"
 #include "src/config/scene_file.hpp"
+#include "src/config/schemes.hpp"
 
 /// What the tests of scenes start from.
 namespace bagnold {
@@ -77,7 +78,12 @@ inline Scene parse(std::string const& text, std::vector<std::string> const& over
   return parse_scene(text, "scene.toml", "/folder", overrides);
 }
 
-inline Scene minimal_scene() { return parse(minimal_text); }
+/// The required keys, and two stages: a run of its strain would choose a scheme by itself.
+inline Scene minimal_scene() {
+  Scene scene = parse(minimal_text);
+  scene.integration.scheme = default_scheme;
+  return scene;
+}
 
 /// The message with which a text is refused as bad input; "accepted" if it is not.
 inline std::string refusal(std::string const& text,

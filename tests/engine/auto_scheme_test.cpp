@@ -2,6 +2,7 @@
 #include "src/engine/auto_scheme/auto_scheme.hpp"
 
 #include "kernels/physics/schemes/schemes.hpp"
+#include "src/config/quasi_static.hpp"
 #include "src/config/time_step.hpp"
 #include "tests/support/simulations.hpp"
 
@@ -107,6 +108,33 @@ TEST(AutoScheme, AllMethodsFollowOneFlow) {
                 usual.windows[first].weight);
     }
   }
+}
+
+/// Quasi-static steps and back: the same bits however it is cut, and as where the engine is named.
+TEST(AutoScheme, QuasiStaticSteps) {
+  Scene scene = dense_flow("CD");
+  scene.disks.count = 64;
+  scene.shear.strain_rate = 1e-6;
+  scene.integration.accuracy = 0.01;
+  auto const ladder = ladder_of(scene);
+  auto const method = ladder.methods[0];
+  ASSERT_EQ(method.scheme, backward_euler);
+  Snapshot const start = first_snapshot(random_start(scene).state);
+  auto const whole = stepped(scene, start, {0, ladder.usual, 0}, 1 << 30);
+  EXPECT_EQ(whole.last.counters.at("steps_by_quasi_static"), 2 * ladder.grid);
+  auto const cut = stepped(scene, start, {0, ladder.usual, 0}, ladder.grid / 7, true);
+  EXPECT_EQ(cut.last.state.position, whole.last.state.position);
+  EXPECT_TRUE(same(cut.windows, whole.windows));
+
+  auto const here = stepped(scene, start, {0}, 1 << 30);
+  auto const named = make_simulation(with_method(scene, method), start, "serial");
+  Sampling const sampling{.window_steps = ladder.window / method.length,
+                          .every = 1,
+                          .last_step = ladder.grid / method.length};
+  OpenWindows windows;
+  named->advance(sampling.last_step, sampling, windows);
+  EXPECT_EQ(here.last.state.position, named->snapshot().state.position);
+  EXPECT_TRUE(same(here.windows, windows.sums));
 }
 
 /// The usual method steps as if it were named, with events by turns in dilute flow.

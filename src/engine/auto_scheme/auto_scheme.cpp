@@ -8,6 +8,7 @@
 
 #include "src/config/errors.hpp"
 #include "src/config/names.hpp"
+#include "src/config/schemes.hpp"
 #include "src/engine/engine_memory.hpp"
 
 namespace bagnold {
@@ -53,6 +54,7 @@ void AutoScheme::advance(std::int64_t steps, Sampling const& sampling, OpenWindo
     step_to(std::min(end, part.last_step), part, windows);
     auto const done = step() - from;
     if (is_implicit(present().scheme)) implicit_steps_ += done;
+    if (present().scheme == backward_euler) quasi_static_steps_ += done;
     if (present().parts > 1) finer_steps_ += done;
     if (done == 0) return;
   }
@@ -60,11 +62,12 @@ void AutoScheme::advance(std::int64_t steps, Sampling const& sampling, OpenWindo
 
 /// Steps at least to `stop`, a whole step of the run, unless the engine stops before.
 void AutoScheme::step_to(std::int64_t stop, Sampling const& sampling, OpenWindows& windows) {
+  auto const parts = present().parts;
+  bool const quasi_static = present().scheme == backward_euler;  // it evaluates every step
   Sampling const own{.window_steps = own_steps(sampling.window_steps),
-                     .every = std::min(sampling.every, most / present().parts) * present().parts,
+                     .every = quasi_static ? 1 : std::min(sampling.every, most / parts) * parts,
                      .last_step = own_steps(sampling.last_step),
                      .whole = sampling.whole};
-  auto const parts = present().parts;
   auto const target = std::max(own_steps(stop), engine_->step() + 1);
   engine_->advance(target - engine_->step(), own, windows);
   while (engine_->step() % parts != 0)
@@ -104,6 +107,7 @@ void AutoScheme::for_each_memory(Visit const& visit) {
 template <class Visit>
 void AutoScheme::for_each_counter(Visit const& visit) {
   visit("steps_by_implicit_damping", implicit_steps_);
+  visit("steps_by_quasi_static", quasi_static_steps_);
   visit("steps_in_parts", finer_steps_);
 }
 

@@ -15,7 +15,8 @@ namespace bagnold {
 /// It begins with the usual method. Steps are those of the run, whole ones of each method. It stops
 /// at every multiple of the ladder's grid, and there the method may change: what one engine hands
 /// over to the other is the state. A method of longer steps evaluates as many of its own steps
-/// apart as others do, so that its windows hold fewer configurations (weight()).
+/// apart as others do, and quasi-static steps are all evaluated, so that windows hold different
+/// numbers of configurations (weight()).
 class AutoScheme : public Simulation {
  public:
   /// Makes the engine of a method that continues from a snapshot.
@@ -52,9 +53,9 @@ class AutoScheme : public Simulation {
   Make make_;
   std::size_t method_;
   std::unique_ptr<Simulation> engine_;
-  Counters counters_;                ///< of the engines before the present one
-  std::int64_t implicit_steps_ = 0;  ///< that implicit damping took, in steps of the run
-  std::int64_t finer_steps_ = 0;     ///< that were divided
+  Counters counters_;  ///< of the engines before the present one
+  /// Steps of the run that implicit damping and quasi-static steps took, and that were divided.
+  std::int64_t implicit_steps_ = 0, quasi_static_steps_ = 0, finer_steps_ = 0;
 };
 
 }  // namespace bagnold

@@ -36,11 +36,11 @@ std::string in_words(Trial const& trial) {
   std::string words;
   for (std::size_t q = 0; q <= temperature; ++q) {
     auto const& one = trial.judgement.stated[q];
-    if (!std::isfinite(one.value)) continue;  // no contact in any stretch
+    if (!std::isfinite(one.value)) continue;  // Z without a contact in any stretch
     words += fmt::format("{}{} {}%", words.empty() ? "" : ", ", quantity_names[q],
                          rounded_bias(one.value, one.error));
   }
-  return words.empty() ? "no contacts" : words;
+  return words;
 }
 
 }  // namespace
@@ -68,14 +68,14 @@ std::int64_t Course::next(std::size_t replica) const {
 
 /// True if every place is a round while the run steps by the method on trial.
 bool Course::watches() const {
-  return chooses() && holds() && is_implicit(methods_.coarse.integration.scheme);
+  return chooses() && holds() && damps_all(methods_.coarse.integration.scheme);
 }
 
 std::optional<Pair> Course::without_pair(std::int64_t step, double kinetic_share,
                                          bool has_step) const {
   if (!chooses()) return {};
   bool const inertial =
-      is_implicit(methods_.coarse.integration.scheme) && !(kinetic_share < most_kinetic);
+      damps_all(methods_.coarse.integration.scheme) && !(kinetic_share < most_kinetic);
   if (inertial || !has_step) return Pair::skipped(step, !has_step);
   if (place_ < pair_place_) return Pair::watched(step);
   return {};

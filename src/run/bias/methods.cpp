@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/physics/schemes/schemes.hpp"
+#include "src/config/abilities.hpp"
 #include "src/config/events.hpp"
 #include "src/config/names.hpp"
+#include "src/config/quasi_static.hpp"
 #include "src/config/time_step.hpp"
 
 namespace bagnold::bias {
@@ -29,15 +32,17 @@ Scene bare(Scene scene) {
   return scene;
 }
 
-/// usual_step: of two stages beside implicit damping, at most.
-Methods pair_of(Scene const& scene, double usual_step) {
+/// finer_step: at most, of implicit damping beside quasi-static steps, and of two stages beside
+/// implicit damping.
+Methods pair_of(Scene const& scene, double finer_step) {
   Methods of{.coarse = bare(scene), .fine = {}, .ratio = quarter, .third = 0, .grid = 0};
   double const dt = time_step(of.coarse), step_strain = dt * scene.shear.strain_rate;
   of.fine = of.coarse;
-  of.fine.integration.scheme = default_scheme;
+  auto const& scheme = of.coarse.integration.scheme;
+  of.fine.integration.scheme = scheme == backward_euler ? ImplicitDamping::name : default_scheme;
+  of.fine.integration.engine = scheme == backward_euler ? steps_engine : of.fine.integration.engine;
   of.fine.integration.skin = automatic;
-  if (is_implicit(of.coarse.integration.scheme))
-    of.ratio = std::max<std::int64_t>(1, up(dt / usual_step));
+  if (damps_all(scheme)) of.ratio = std::max<std::int64_t>(1, up(dt / finer_step));
   of.fine.integration.time_step = dt / static_cast<double>(of.ratio);
   of.third = std::max(up(stretch_strain / 3 / step_strain), (fewest_steps + 2) / 3);
   of.grid = std::max(up(grid_strain / step_strain), of.length());
@@ -56,7 +61,10 @@ Methods methods_of(Scene const& scene) {
 
 Methods methods_of(Scene const& scene, Method const& method) {
   bool const sharp = scene.integration.accuracy < usual_accuracy;
-  return pair_of(with_method(scene, method), time_step(scene) / (sharp ? quarter : 1));
+  double const finer = method.scheme == backward_euler
+                           ? rule_time_step(scene, ImplicitDamping::name)
+                           : time_step(scene);
+  return pair_of(with_method(scene, method), finer / (sharp ? quarter : 1));
 }
 
 std::string method_in_words(Scene const& scene) {

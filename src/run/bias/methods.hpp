@@ -15,7 +15,7 @@ inline constexpr double stretch_strain = 0.03, grid_strain = 0.3;
 /// The method of a run and a finer one, and the lengths of their stretches.
 struct Methods {
   Scene coarse;        ///< as the run steps, by steps of all disks
-  Scene fine;          ///< two stages: at their rule beside implicit damping, else a quarter of dt
+  Scene fine;          ///< see methods_of()
   std::int64_t ratio;  ///< steps of `fine` in a step of `coarse`
   std::int64_t third;  ///< of a stretch, [steps of coarse]
   std::int64_t grid;   ///< between instants at which pairs may begin, [steps of coarse]
@@ -27,8 +27,9 @@ struct Methods {
 /// Methods of a run whose scheme and step are named.
 Methods methods_of(Scene const& scene);
 
-/// A method of the ladder of a scene, and a finer one: beside implicit damping two stages at their
-/// rule, or at a quarter of it where less than usual_accuracy is asked for.
+/// A method of the ladder of a scene, and a finer one: beside quasi-static steps implicit damping
+/// at its rule, beside implicit damping two stages at theirs, or at a quarter of it where less than
+/// usual_accuracy is asked for.
 Methods methods_of(Scene const& scene, Method const& method);
 
 /// Scheme and step of a scene: "implicit-damping, a step of 1.6 tau_e".

@@ -43,6 +43,17 @@ TEST(BiasMethods, FinerOnes) {
   EXPECT_FALSE(two.coarse.measure.contacts);
 }
 
+/// Implicit damping, whose steps are 8 of the run's.
+TEST(BiasMethods, BesideQuasiStaticSteps) {
+  auto scene = scene_of(1e-7, "auto", 0.2);
+  auto const pair = methods_of(scene, {"backward-euler", 1496});
+  EXPECT_EQ(pair.coarse.integration.engine, "quasi-static");
+  EXPECT_EQ(pair.fine.integration.scheme, "implicit-damping");
+  EXPECT_EQ(pair.fine.integration.engine, "steps");
+  EXPECT_EQ(pair.ratio, 187);
+  EXPECT_DOUBLE_EQ(*pair.fine.integration.time_step.number, 1.6);
+}
+
 /// Places of a right method: 1, 2, 3, 4, then each at twice the one before.
 TEST(BiasCourse, LooksLessOftenOnceItKnows) {
   Course course(scene_of(1e-4, "implicit-damping", 1.6), 1);
