@@ -77,7 +77,7 @@ class Tiny(unittest.TestCase):
 
     def test_auto_takes_implicit_steps_in_dense_flow(self):
         row, = self.table("auto.csv")
-        self.assertGreater(float(row["implicit_share"]), 0.3)
+        self.assertGreater(float(row["share"]), 0.3)
         self.assertLess(float(row["p_kin_share"]), 1e-4)
         self.assertLess(abs(float(row["Z"])), 5)
 

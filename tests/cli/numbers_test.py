@@ -337,7 +337,7 @@ class LongSteps(Shown):
             named = row["methods"].replace("implicit-damping", "implicit").replace("two-stage-leapfrog", "two stages")
             self.assertEqual(takes, named, state)
         others = [row for row in rows if row["state"] not in {name_of(row[0]) for row in table}]
-        self.assertEqual({(row["pairs"], row["implicit_share"]) for row in others}, {(0, 0)})
+        self.assertEqual({(row["pairs"], row["share"]) for row in others}, {(0, 0)})
         self.assertGreaterEqual(min(row["gain"] for row in others), 0.97)
 
     def test_quasi_static(self):
