@@ -293,11 +293,12 @@ class LongSteps(Shown):
 
     def test_implicit_damping(self):
         rows = where(data("accuracy/implicit"), scheme=IMPLICIT)
-        table = table_of(self.page, "state | dt | p_kin/p | p | σ | Z | T_g | larger dt")
+        table = table_of(EVIDENCE, "state | dt | p_kin/p | p | σ | Z | T_g | larger dt")
         states = {row["state"] for row in rows}
         large = {state for state in states if "N=" in state}
         self.assertEqual({name_of(row[0]) for row in table}, states - large)
         self.assertEqual(len(large), 6)  # "and six states of 16384 disks"
+        self.says(self.page, "([{} states](data/accuracy/tried.md#implicit-damping))", len(states - large))
         for state, dt, *cells, larger in table:
             row, = where(rows, state=name_of(state), time_step=float(dt))
             self.compare(" ".join(cells), [row["p_kin_share"], *with_errors(row)], state)
