@@ -79,7 +79,7 @@ def peer_table(rounds, rows):
         ratios = targets.Target("", SECONDS, row, 0, other_engine=DEFAULT).values(rounds, LAMMPS_LONGEST)
         lines.append([row, spread(longest[0]), f"{lammps.LONGEST[row]:g}", spread(longest[1]),
                       spread(longest[2]), spread(ratios)])
-    return table(["row", "LAMMPS, dt = 0.05", "its longest dt", "LAMMPS there", "Bagnold's default",
+    return table(["row", "LAMMPS, dt = 0.05", "its longest dt", "LAMMPS there", "Bagnold, two stages",
                   "LAMMPS there over Bagnold"], lines) if lines else ""
 
 

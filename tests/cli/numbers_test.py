@@ -373,6 +373,14 @@ class Performance(Shown):
         cells, = (cells for cells in table_of(self.page, "row | engine | seconds") if cells[:2] == [row, engine])
         return float(cells[column].split()[0])
 
+    def test_seconds_to_an_error(self):
+        """An error falls with the root of the strain; that of a law is the root mean square of both schemes'."""
+        for law, *cells in table_of(self.page, "law | strain | two stages | the default"):
+            two, auto = (where(data("performance/seconds"), model=law, scheme=scheme)[0] for scheme in (DEFAULT, "auto"))
+            longer = (two["sigma_error_percent"] ** 2 + auto["sigma_error_percent"] ** 2) / 2
+            seconds = [row["seconds"] / row["starts"] * longer for row in (two, auto)]
+            self.compare(" ".join(cells), [two["strain"] * longer, *seconds, seconds[0] / seconds[1]], law)
+
     def test_tables_of_scripts_bench(self):
         targets = {row[0]: float(row[2].split()[0]) for row in table_of(self.page, "target |  | measured")}
         self.says(self.page, "one at 1e-4. It costs {} times as much", targets["1e-6 over 1e-4"])
