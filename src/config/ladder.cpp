@@ -44,8 +44,8 @@ constexpr double place_strain = 0.1;
 /// Finest division of a step of the run.
 constexpr std::int64_t most_parts = 16;
 
-/// Strain of a run from which on pairs of stretches of methods that are refused add at most 9% to
-/// its cost.
+/// Strain of a run from which on the default tries methods. Nine pairs of one that is refused add
+/// 9% to the cost of such a run (implicit damping), or 17% (two stages at twice their step).
 constexpr double least_strain = 4.0;
 
 constexpr char exact_stops[] = "many-contacts";  ///< an engine that can stop after every step
@@ -57,10 +57,12 @@ bool damps_sliding(Scene::Disks const& disks) {
 
 bool chooses(Scene const& scene) {
   auto const& shear = scene.shear;
+  auto const& measure = scene.measure;
   return scene.integration.scheme == automatic && scene.integration.time_step.word != of_papers &&
          abilities_of(scene).scheme.empty() &&
          time_step(scene) <= rule_time_step(scene, default_scheme) * (1 + 1e-12) &&
-         shear.rate_stays() && !scene.driven() && !scene.measure.contacts;
+         shear.rate_stays() && !scene.driven() && !measure.contacts && !measure.fields &&
+         !measure.rotation;
 }
 
 /// Two steps of two stages in one, where that is stable and a collision loses its energy.
@@ -83,13 +85,14 @@ double cost_of(Scene const& scene, Method const& method) {
 /// Quasi-static steps, if they cost less than half of a method of implicit damping.
 std::optional<Method> quasi_static(Scene const& scene, Method const& implicit) {
   auto const& given = scene.integration;
-  bool const suits = given.engine == automatic && !scene.rotates() &&
+  bool const suits = given.engine == automatic && !scene.rotates() && scene.disks.elasticity <= 1 &&
                      given.accuracy >= usual_accuracy && !scene.shear.run_per_rate();
   if (!suits) return {};
   auto asked = scene;
   asked.integration.engine = quasi_static_engine;
   asked.integration.scheme = backward_euler;
   asked.integration.time_step = automatic;
+  asked.measure.bias = false;  // which a run asks of all methods that it takes
   if (!why_not(asked).empty() || !misused_quasi_static(asked).empty()) return {};
   double const step_strain = time_step(scene) * scene.shear.strain_rate;
   auto const in_implicit = static_cast<std::int64_t>(quasi_static_strain / step_strain /
@@ -98,6 +101,13 @@ std::optional<Method> quasi_static(Scene const& scene, Method const& implicit) {
   bool const pays =
       in_implicit > 0 && cost_of(scene, one) < least_quasi_static_gain * cost_of(scene, implicit);
   return pays ? std::optional(one) : std::nullopt;
+}
+
+/// Strain between frames, if there are any: steps are no longer.
+double least_frame_strain(Scene const& scene) {
+  double least = scene.measure.profiles ? scene.measure.frame_strain : most_steps;
+  if (scene.output.trajectory_strain > 0) least = std::min(least, scene.output.trajectory_strain);
+  return least;
 }
 
 /// Methods that may cost less than two stages at their rule.
@@ -113,7 +123,10 @@ std::vector<Method> cheaper(Scene const& scene) {
   }
   if (bears_twice(scene, dt)) list.push_back({default_scheme, 2});
   auto const cost = [&](Method const& one) { return cost_of(scene, one); };
-  std::erase_if(list, [&](Method const& one) { return !(cost(one) <= most_cost); });
+  double const step_strain = dt * scene.shear.strain_rate, frames = least_frame_strain(scene);
+  std::erase_if(list, [&](Method const& one) {
+    return !(cost(one) <= most_cost) || static_cast<double>(one.length) * step_strain > frames;
+  });
   std::ranges::stable_sort(list, {}, cost);
   return list;
 }

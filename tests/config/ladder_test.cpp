@@ -61,6 +61,7 @@ TEST(Ladder, NothingToChoose) {
   };
   unsuited([](Scene& s) { s.integration.scheme = default_scheme; });
   unsuited([](Scene& s) { s.measure.contacts = true; });
+  unsuited([](Scene& s) { s.measure.fields = true; });
   unsuited([](Scene& s) {
     s.shear.protocol = "ramp";
     s.shear.strain_rate_high = 1e-3;
@@ -94,6 +95,17 @@ TEST(Ladder, WholeSteps) {
   }
 }
 
+/// Frames as near each other as they are asked for.
+TEST(Ladder, NoStepsLongerThanBetweenFrames) {
+  auto scene = laddered("CD");
+  scene.output.trajectory_strain = 1e-4;  // five steps of two stages
+  auto const ladder = ladder_of(scene);
+  EXPECT_EQ(ladder.methods, (Methods{{default_scheme, 2}, {implicit, 4}, {default_scheme}}));
+  EXPECT_EQ(make_plan(scene).trajectory_steps, 8);
+  scene.output.trajectory_strain = 3e-5;
+  EXPECT_FALSE(may_change_method(scene));
+}
+
 /// Steps of a strain of 1e-4 where they pay: creep of few disks without spins.
 TEST(Ladder, QuasiStaticStepsWhereTheyPay) {
   auto const first = [](Scene const& scene) { return ladder_of(scene).methods.front(); };
@@ -116,6 +128,7 @@ TEST(Ladder, QuasiStaticStepsWhereTheyPay) {
   unsuited([](Scene& s) { s.integration.engine = "steps"; });
   unsuited([](Scene& s) { s.integration.accuracy = 0.009; });
   unsuited([](Scene& s) { s.measure.profiles = true; });
+  unsuited([](Scene& s) { s.disks.elasticity = 2; });
   unsuited([](Scene& s) { s.disks.force_exponent = 2.5; });
 }
 

@@ -130,4 +130,7 @@ struct EnergyGap {
 /// energy that may have been stored.
 std::optional<EnergyGap> energy_gap_beyond(double most, FinishedRun const& finished);
 
+/// True for a run by quasi-static steps, named or chosen by scheme = "auto".
+bool ends_quasi_static(Run const& run);
+
 }  // namespace bagnold

@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "src/config/quasi_static.hpp"
 #include "src/run/warnings/checks.hpp"
 
 namespace bagnold {
@@ -39,7 +38,7 @@ std::optional<EnergyGap> energy_gap_beyond(double most, FinishedRun const& finis
 }
 
 std::optional<Warning> energy_balance(FinishedRun const& finished) {
-  if (is_quasi_static(finished.run.scene)) return {};  // quasi_static_inertia
+  if (ends_quasi_static(finished.run)) return {};  // quasi_static_inertia
   auto const found = energy_gap_beyond(most_gap, finished);
   if (!found) return {};
   return Warning{"energy_balance", found->numbers(),

@@ -12,8 +12,12 @@ constexpr double most_gap_of_creep = 0.01;  ///< docs/accuracy.md, "Quasi-static
 
 }  // namespace
 
+bool ends_quasi_static(Run const& run) {
+  return is_quasi_static(run.scene) || (run.bias && is_quasi_static(run.bias->methods.coarse));
+}
+
 std::optional<Warning> quasi_static_inertia(FinishedRun const& finished) {
-  if (!is_quasi_static(finished.run.scene)) return {};
+  if (!ends_quasi_static(finished.run)) return {};
   auto const found = energy_gap_beyond(most_gap_of_creep, finished);
   if (!found) return {};
   return Warning{
@@ -21,7 +25,9 @@ std::optional<Warning> quasi_static_inertia(FinishedRun const& finished) {
       fmt::format("{}: inertia has a part in this flow, and integration.engine = \"{}\" may hold "
                   "it in another state than it would be in",
                   found->in_words(), quasi_static_engine),
-      "set integration.engine = \"auto\", which steps through collisions"};
+      is_quasi_static(finished.run.scene)
+          ? "set integration.engine = \"auto\", which steps through collisions"
+          : "set integration.scheme = \"two-stage-leapfrog\", which steps through collisions"};
 }
 
 }  // namespace bagnold

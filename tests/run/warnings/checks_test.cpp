@@ -261,6 +261,22 @@ TEST_F(Checks, QuasiStaticStepsWhereInertiaHasAPart) {
   }
 }
 
+/// Of a run that chose these steps itself, too, whose scene names no engine.
+TEST_F(Checks, ChosenQuasiStaticStepsWhereInertiaHasAPart) {
+  warnings_of(Flow{.gap = 0.05});
+  run.bias.emplace();
+  auto const found = [&] {
+    auto const list = estimates(run);
+    return std::pair{quasi_static_inertia({run, list}), energy_balance({run, list})};
+  };
+  EXPECT_FALSE(found().first);
+  EXPECT_TRUE(found().second);
+  run.bias->methods.coarse.integration.engine = quasi_static_engine;
+  ASSERT_TRUE(found().first);
+  EXPECT_FALSE(found().second);
+  EXPECT_NE(found().first->remedy.find("two-stage-leapfrog"), std::string::npos);
+}
+
 /// From 1 to 1.6 in the measured half: means of 1.15 and 1.45 in its halves, of 1.3 in all.
 TEST_F(Checks, ADriftIsNoSteadyState) {
   auto const list = warnings_of([&](std::int64_t w) {
