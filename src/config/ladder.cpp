@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 
@@ -33,7 +34,7 @@ constexpr double quasi_static_strain = 1e-4;
 constexpr double quasi_static_cost = 260;
 
 /// Largest cost of quasi-static steps, over that of implicit damping, that is worth a trial.
-constexpr double least_quasi_static_gain = 0.5;
+constexpr double most_quasi_static_cost = 0.5;
 
 /// Largest cost of a method, over that of two stages at their rule, that is worth a trial.
 constexpr double most_cost = 0.75;
@@ -99,13 +100,14 @@ std::optional<Method> quasi_static(Scene const& scene, Method const& implicit) {
                                                      static_cast<double>(implicit.length));
   Method const one{backward_euler, in_implicit * implicit.length};
   bool const pays =
-      in_implicit > 0 && cost_of(scene, one) < least_quasi_static_gain * cost_of(scene, implicit);
+      in_implicit > 0 && cost_of(scene, one) < most_quasi_static_cost * cost_of(scene, implicit);
   return pays ? std::optional(one) : std::nullopt;
 }
 
 /// Strain between frames, if there are any: steps are no longer.
 double least_frame_strain(Scene const& scene) {
-  double least = scene.measure.profiles ? scene.measure.frame_strain : most_steps;
+  double least = std::numeric_limits<double>::infinity();
+  if (scene.measure.profiles) least = scene.measure.frame_strain;
   if (scene.output.trajectory_strain > 0) least = std::min(least, scene.output.trajectory_strain);
   return least;
 }

@@ -39,9 +39,12 @@ Methods pair_of(Scene const& scene, double finer_step) {
   double const dt = time_step(of.coarse), step_strain = dt * scene.shear.strain_rate;
   of.fine = of.coarse;
   auto const& scheme = of.coarse.integration.scheme;
-  of.fine.integration.scheme = scheme == backward_euler ? ImplicitDamping::name : default_scheme;
-  of.fine.integration.engine = scheme == backward_euler ? steps_engine : of.fine.integration.engine;
+  of.fine.integration.scheme = default_scheme;
   of.fine.integration.skin = automatic;
+  if (scheme == backward_euler) {
+    of.fine.integration.scheme = ImplicitDamping::name;
+    of.fine.integration.engine = steps_engine;
+  }
   if (damps_all(scheme)) of.ratio = std::max<std::int64_t>(1, up(dt / finer_step));
   of.fine.integration.time_step = dt / static_cast<double>(of.ratio);
   of.third = std::max(up(stretch_strain / 3 / step_strain), (fewest_steps + 2) / 3);
