@@ -39,8 +39,9 @@ constexpr double most_quasi_static_cost = 0.5;
 /// Largest cost of a method, over that of two stages at their rule, that is worth a trial.
 constexpr double most_cost = 0.75;
 
-/// Strain between places at which the method may change.
-constexpr double place_strain = 0.1;
+/// Strain between places at which the method may change: that of a stretch, so that those of two
+/// places do not overlap.
+constexpr double place_strain = 0.03;
 
 /// Finest division of a step of the run.
 constexpr std::int64_t most_parts = 16;

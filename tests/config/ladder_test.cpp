@@ -86,7 +86,7 @@ TEST(Ladder, WholeSteps) {
     EXPECT_EQ(plan.window_steps, ladder.window);
     EXPECT_EQ(plan.window_steps % 7, 0);
     EXPECT_EQ(ladder.grid % ladder.window, 0);
-    EXPECT_GE(static_cast<double>(ladder.grid) * plan.time_step * rate, 0.1 * (1 - 1e-9));
+    EXPECT_GE(static_cast<double>(ladder.grid) * plan.time_step * rate, 0.03 * (1 - 1e-9));
     EXPECT_EQ(plan.steps % plan.window_steps, 0);
     EXPECT_EQ(plan.frame_steps % ladder.whole, 0);
     EXPECT_EQ(plan.trajectory_steps % ladder.whole, 0);

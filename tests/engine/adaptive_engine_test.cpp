@@ -82,7 +82,9 @@ struct StraightAndChained {
 
   void expect_the_same() const {
     expect_same(*straight, a, *chained, b);
-    EXPECT_EQ(straight->snapshot().memory, chained->snapshot().memory);
+    auto const memory = straight->snapshot().memory, other = chained->snapshot().memory;
+    EXPECT_EQ(memory.size(), other.size());
+    for (auto const& [name, number] : memory) EXPECT_EQ(number, other.at(name)) << name;
     EXPECT_EQ(straight->snapshot().arrays, chained->snapshot().arrays);
     EXPECT_EQ(straight->snapshot().counters, chained->snapshot().counters);
   }

@@ -20,8 +20,7 @@ namespace {
 
 constexpr std::array<std::size_t, 5> schedule = {4, 6, 9, 13, most_pairs};
 constexpr std::size_t looks_of_a_try = 3;  ///< at a method that the run does not step by
-constexpr std::int64_t apart = 3;  ///< places between pairs of the usual method and finer ones
-constexpr int most_skips = 3;      ///< in turn, if others are to be judged
+constexpr int most_skips = 3;              ///< in turn, if others are to be judged
 constexpr std::size_t numbers_of_pair = 1 + 2 * Averages::count;
 
 constexpr std::string_view events = "events", failed_step = "a step failed";
@@ -66,7 +65,7 @@ std::int64_t Course::next(std::size_t replica) const {
   return (place_ + (takes(replica) || chooses() ? 0 : 1)) * grid_;
 }
 
-/// True if every place is a round while the run steps by the method on trial.
+/// True if there are rounds without pairs while the run steps by the method on trial.
 bool Course::watches() const {
   return chooses() && holds() && damps_all(methods_.coarse.integration.scheme);
 }
@@ -87,10 +86,17 @@ void Course::add(std::size_t replica, Pair const& pair) {
     end_round();
 }
 
+/// Places that come to a strain, at least one.
+std::int64_t Course::places(double strain) const {
+  double const between =
+      static_cast<double>(grid_) * time_step(scene_) * std::abs(scene_.shear.strain_rate);
+  return std::max<std::int64_t>(1, std::llround(strain / between));
+}
+
 /// Places between pairs without a verdict.
 std::int64_t Course::spacing() const {
   if (!chooses()) return 1;
-  if (holds() && main_ >= ladder_.usual) return apart;
+  if (holds() && main_ >= ladder_.usual) return places(grid_strain);
   return std::int64_t{1} << std::min<std::size_t>(tried_.size(), 3);
 }
 
@@ -102,7 +108,7 @@ void Course::end_round() {
   auto const here = place_;
   bool const skips = any(&Pair::is_skipped), failed = any(&Pair::is_failed);
   if (!skips && !failed && here < pair_place_) {  // watched
-    ++place_;
+    place_ = std::min(here + places(watch_strain), pair_place_);
     return;
   }
   skipped_ = !skips ? std::string_view{} : any(&Pair::skips_events) ? events : inertia;
@@ -117,7 +123,7 @@ void Course::end_round() {
   }
   pair_place_ = here + (verdict_ == Verdict::none && !skips ? spacing() : here);
   if (chooses()) choose(here);
-  place_ = watches() ? here + 1 : pair_place_;
+  place_ = watches() ? std::min(here + places(watch_strain), pair_place_) : pair_place_;
 }
 
 /// Judges all pairs of the trial, where it is time.

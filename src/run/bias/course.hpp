@@ -44,6 +44,9 @@ struct Findings : Trial {
   std::vector<Trial> tried;
 };
 
+/// Strain between looks at p_kin/p while a run steps by a method that damps all.
+inline constexpr double watch_strain = 0.1;
+
 /// Pairs after which a method without a verdict is `open`.
 inline constexpr std::size_t most_pairs = 20;
 
@@ -56,10 +59,10 @@ inline constexpr std::size_t most_pairs = 20;
 ///
 /// With scheme = "auto" the run begins with the usual method, and cheaper ones are judged in turn,
 /// the cheapest first, by pairs from the states of the run. One is accepted: the run takes it, and
-/// its pairs go on; between them each place is a round too, in which p_kin/p alone is looked at, of
-/// methods that damp all. It is refused or open after 9 pairs: the next one is tried at places
-/// twice as far apart. If the method that the run steps by is refused or open, the usual one
-/// follows, and the windows so far are dropped. Where an accuracy below usual_accuracy or
+/// its pairs go on; between them each strain of watch_strain is a round too, in which p_kin/p alone
+/// is looked at, of methods that damp all. It is refused or open after 9 pairs: the next one is
+/// tried at places twice as far apart. If the method that the run steps by is refused or open, the
+/// usual one follows, and the windows so far are dropped. Where an accuracy below usual_accuracy or
 /// measure.bias asks for it, the usual method is judged too, and if it is refused one of half the
 /// step follows.
 class Course {
@@ -88,9 +91,10 @@ class Course {
   /// Between places of the run at which rounds may be, [steps of the run].
   std::int64_t grid() const { return grid_; }
 
-  /// Windows in the later half between two places.
+  /// Windows before a round from which p_kin/p is told: half of those since the last one.
   std::int64_t late_windows() const {
-    return std::max<std::int64_t>(1, grid_ / ladder_.window / 2);
+    auto const windows = (watches() ? places(watch_strain) : 1) * grid_ / ladder_.window;
+    return (windows + 1) / 2;
   }
 
   /// Method by which the run steps, of its ladder.
@@ -111,6 +115,7 @@ class Course {
  private:
   bool holds() const { return on_trial_ == main_; }  ///< the run steps by the method on trial
   bool watches() const;
+  std::int64_t places(double strain) const;
   std::int64_t spacing() const;
   void end_round();
   void look();

@@ -132,6 +132,11 @@ std::int64_t place_of(Course const& course) {
   return course.next(0) / ladder_of(to_be_chosen()).grid;
 }
 
+TEST(BiasCourse, PlacesAreAStretchApart) {
+  auto const ladder = ladder_of(to_be_chosen());
+  EXPECT_NEAR(static_cast<double>(ladder.grid) * 0.2 * 1e-4, stretch_strain, 0.1 * stretch_strain);
+}
+
 /// Goes on to the next place with a pair, past those where a method of the run is watched.
 void go_to_pair(Course& course) {
   while (auto const none = course.without_pair(course.next(0), 5e-5, true)) course.add(0, *none);
@@ -151,7 +156,7 @@ TEST(BiasCourse, TakesTheCheapestThatIsRight) {
   }
   EXPECT_EQ(course.method(), 0U);
   EXPECT_EQ(course.dropped(), 0);
-  EXPECT_EQ(place_of(course), 5) << "inertia is looked for at every place";
+  EXPECT_EQ(place_of(course), 7) << "inertia is looked for at each strain of 0.1, three places";
   go_to_pair(course);
   EXPECT_EQ(place_of(course), 8);
   course.add(0, pair_of(4, 0.001, 1e-3));
