@@ -265,7 +265,7 @@ TEST(BiasCourse, WaitsWhileEventsStep) {
 /// One replica with inertia is enough to leave the method of all.
 TEST(BiasCourse, ReplicasLeaveTogether) {
   Course course(to_be_chosen(), 2);
-  for (int k = 0; k < 2; ++k)
+  for (int k = 0; k < 3; ++k)  // at places 1, 2, 4
     for (std::size_t r : {0, 1}) course.add(r, pair_of(k, 0.001, 1e-4));
   ASSERT_EQ(course.method(), 0U);
   auto const here = course.next(0);
