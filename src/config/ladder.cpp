@@ -39,10 +39,6 @@ constexpr double most_quasi_static_cost = 0.5;
 /// Largest cost of a method, over that of two stages at their rule, that is worth a trial.
 constexpr double most_cost = 0.75;
 
-/// Strain between places at which the method may change: that of a stretch, so that those of two
-/// places do not overlap.
-constexpr double place_strain = 0.03;
-
 /// Finest division of a step of the run.
 constexpr std::int64_t most_parts = 16;
 
@@ -159,7 +155,9 @@ Ladder ladder_of(Scene const& scene) {
     return static_cast<std::int64_t>(std::clamp(times, 1.0, most_steps)) * of;
   };
   ladder.window = multiple(scene.output.sample_strain, ladder.whole);
-  ladder.grid = multiple(place_strain, ladder.window);
+  auto const longest = std::ranges::max(ladder.methods, {}, &Method::length).length;
+  double const stretch = static_cast<double>(fewest_stretch_steps * longest) * step_strain;
+  ladder.grid = multiple(std::max(stretch_strain, stretch), ladder.window);  // no two overlap
   return ladder;
 }
 

@@ -37,6 +37,10 @@ struct Ladder {
 /// judged where less is asked for.
 inline constexpr double usual_accuracy = 0.01;
 
+/// Strain of a stretch of a pair, of as many steps at least.
+inline constexpr double stretch_strain = 0.03;
+inline constexpr std::int64_t fewest_stretch_steps = 12;
+
 /// p_kin/p from which on inertia has a part in a flow, and implicit damping is not for it.
 inline constexpr double most_kinetic = 3e-4;
 

@@ -25,7 +25,7 @@ class Case:
 
 
 def case(model, packing_fraction, elasticity, rate, count=1024):
-    """Four starts, the slowest one; 24 where four were seen to tell a bias that forty do not."""
+    """Four starts, the slowest one; 24 where four were seen to tell a bias by chance."""
     many = (model, elasticity) == ("CD", 10.0) or (model, packing_fraction, elasticity, rate, count) == ("CD_rot", 0.82, 1.0, 1e-4, 1024)
     starts = 24 if many else 1 if rate < 5e-6 or count > 1024 else 4
     return Case(State(model, packing_fraction, elasticity, rate, (), count), 4.0, starts)

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "src/config/collision_loss.hpp"
+#include "src/config/errors.hpp"
 #include "src/config/names.hpp"
 #include "src/config/time_step.hpp"
 #include "src/run/rounded.hpp"
@@ -20,7 +21,7 @@ namespace {
 
 constexpr std::array<std::size_t, 5> schedule = {4, 6, 9, 13, most_pairs};
 constexpr std::size_t looks_of_a_try = 3;  ///< at a method that the run does not step by
-constexpr int most_skips = 3;              ///< in turn, if others are to be judged
+constexpr int most_skips = 5;              ///< in turn, if others are to be judged
 constexpr std::size_t numbers_of_pair = 1 + 2 * Averages::count;
 
 constexpr std::string_view events = "events", failed_step = "a step failed";
@@ -96,7 +97,7 @@ std::int64_t Course::places(double strain) const {
 /// Places between pairs without a verdict.
 std::int64_t Course::spacing() const {
   if (!chooses()) return 1;
-  if (holds() && main_ >= ladder_.usual) return places(grid_strain);
+  if (holds()) return places(main_ < ladder_.usual ? watch_strain : grid_strain);
   return std::int64_t{1} << std::min<std::size_t>(tried_.size(), 3);
 }
 
@@ -228,8 +229,12 @@ void Course::load(std::size_t replica, std::vector<double> const& numbers) {
       std::copy_n(numbers.begin() + static_cast<std::ptrdiff_t>(from), of.size(), of.begin());
       return Averages::of(of);
     };
-    add(replica,
-        {static_cast<std::int64_t>(numbers[at]), side(at + 1), side(at + 1 + Averages::count)});
+    auto const step = static_cast<std::int64_t>(numbers[at]);
+    if (chooses() && step % grid_ != 0)
+      throw InputError(
+          "the checkpoint has pairs of stretches at other places of the strain; resume with the "
+          "version that wrote it");
+    add(replica, {step, side(at + 1), side(at + 1 + Averages::count)});
   }
 }
 

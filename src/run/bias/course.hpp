@@ -91,7 +91,8 @@ class Course {
   /// Between places of the run at which rounds may be, [steps of the run].
   std::int64_t grid() const { return grid_; }
 
-  /// Windows before a round from which p_kin/p is told: half of those since the last one.
+  /// Windows before a round from which p_kin/p is told: half of those between two places, or
+  /// between two looks at a method that the run steps by.
   std::int64_t late_windows() const {
     auto const windows = (watches() ? places(watch_strain) : 1) * grid_ / ladder_.window;
     return (windows + 1) / 2;

@@ -17,7 +17,6 @@ namespace bagnold::bias {
 
 namespace {
 
-constexpr std::int64_t fewest_steps = 10;  ///< of a stretch
 constexpr std::int64_t quarter = 4;
 
 std::int64_t up(double steps) { return static_cast<std::int64_t>(std::ceil(steps * (1 - 1e-12))); }
@@ -47,7 +46,7 @@ Methods pair_of(Scene const& scene, double finer_step) {
   }
   if (damps_all(scheme)) of.ratio = std::max<std::int64_t>(1, up(dt / finer_step));
   of.fine.integration.time_step = dt / static_cast<double>(of.ratio);
-  of.third = std::max(up(stretch_strain / 3 / step_strain), (fewest_steps + 2) / 3);
+  of.third = std::max(up(stretch_strain / 3 / step_strain), fewest_stretch_steps / 3);
   of.grid = std::max(up(grid_strain / step_strain), of.length());
   return of;
 }

@@ -9,8 +9,8 @@
 
 namespace bagnold::bias {
 
-/// Strain of a stretch, and between the instants at which pairs may begin.
-inline constexpr double stretch_strain = 0.03, grid_strain = 0.3;
+/// Strain between the instants at which pairs may begin.
+inline constexpr double grid_strain = 0.3;
 
 /// The method of a run and a finer one, and the lengths of their stretches.
 struct Methods {

@@ -71,6 +71,9 @@ Check box_size;
 /// tau_dur without the long contacts: the run ended before they did, or no contact ended.
 Check contact_durations;
 
+/// Contacts of disks that roll, by implicit damping: short ones are missed.
+Check implicit_contacts;
+
 /// Flow that has stopped, or nearly so, at given stress.
 Check arrest;
 
@@ -79,11 +82,25 @@ Check arrest;
 Check stress_drift;
 
 /// All checks, in the order of the summary.
-inline constexpr Check* all_checks[] = {
-    above_jamming,        hard_core_limit, large_overlap,    energy_balance,   dissipative_pressure,
-    rotation_balance,     collision_loss,  method_bias,      implicit_inertia, drag_inertia,
-    quasi_static_inertia, contact_network, steady_state,     error_bar,        few_collisions,
-    net_momentum,         box_size,        contact_durations};
+inline constexpr Check* all_checks[] = {above_jamming,
+                                        hard_core_limit,
+                                        large_overlap,
+                                        energy_balance,
+                                        dissipative_pressure,
+                                        rotation_balance,
+                                        collision_loss,
+                                        method_bias,
+                                        implicit_inertia,
+                                        drag_inertia,
+                                        quasi_static_inertia,
+                                        contact_network,
+                                        steady_state,
+                                        error_bar,
+                                        few_collisions,
+                                        net_momentum,
+                                        box_size,
+                                        contact_durations,
+                                        implicit_contacts};
 
 /// Checks of runs by pieces, which hold without a steady state.
 inline constexpr Check* checks_of_pieces[] = {contact_network, stress_drift, few_collisions,

@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include "src/config/names.hpp"
-#include "src/config/time_step.hpp"
 #include "src/run/warnings/checks.hpp"
 
 namespace bagnold {
@@ -25,16 +23,6 @@ std::optional<Warning> contact_durations(FinishedRun const& finished) {
   if (!scene.measure.contacts || finished.found.empty()) return {};
   double const contacts = finished.mean("Z"), duration = finished.mean("tau_dur");
   if (!(contacts > 0)) return {};
-  if (scene.rotates() && is_implicit(scheme_of(scene)))
-    return Warning{
-        "contact_durations",
-        {{"tau_dur", duration}},
-        fmt::format("{} steps over short contacts of disks that roll: at phi = 0.82, 1e-4 "
-                    "tau_dur was 11% too long and nu_coll 10% too small",
-                    scheme_of(scene)),
-        "set integration.scheme = \"two-stage-leapfrog\"",
-        "bagnold run DIR/scene.toml --set integration.scheme=two-stage-leapfrog --set "
-        "integration.time_step=auto --out DIR-two-stages"};
   auto const& plan = finished.run.plan;
   double const time = plan.time_step * static_cast<double>(plan.steps);
   double const share = duration / time;  // NaN where no contact ended

@@ -248,7 +248,9 @@ TEST(BiasCourse, WaitsWhileInertiaHasAPart) {
 TEST(BiasCourse, WaitsNoLongerWhereFinerOnesAreAskedFor) {
   Course course(to_be_chosen(1e-3), 1);
   EXPECT_EQ(course.findings().judgement.verdict, Verdict::none) << "the usual one is to be judged";
-  for (int k = 0; k < 3; ++k) course.add(0, Pair::skipped(course.next(0)));
+  std::int64_t last = 0;
+  for (int k = 0; k < 5; ++k) course.add(0, Pair::skipped(last = course.next(0)));
+  EXPECT_GT(static_cast<double>(last) * 0.2 * 1e-4, 0.4) << "not in the transient alone";
   EXPECT_EQ(step_of(course.methods()), 0.8);      // at 0.4 a collision is off by 0.16%
   ASSERT_EQ(course.findings().tried.size(), 2U);  // with the one on trial
   EXPECT_EQ(course.findings().tried[0].reason, "inertia");
@@ -293,15 +295,19 @@ TEST(BiasCourse, GoesOnToFinerSteps) {
 
 TEST(BiasCourse, ChoosesAgainFromItsNumbers) {
   Course whole(to_be_chosen(), 2), second(to_be_chosen(), 2);
-  auto const pair = [](int k) { return pair_of(k, k < 3 ? 0.1 : 0.001, 1e-3); };
+  auto const grid = static_cast<int>(whole.grid());
+  auto const pair = [&](int k) { return pair_of(k * grid, k < 3 ? 0.1 : 0.001, 1e-3); };
   for (int k = 0; k < 9; ++k)
-    for (std::size_t r : {0, 1}) whole.add(r, k == 5 ? Pair::skipped(k) : pair(k));
+    for (std::size_t r : {0, 1}) whole.add(r, k == 5 ? Pair::skipped(k * grid) : pair(k));
   for (std::size_t r : {0, 1}) second.load(r, whole.save(r));
   EXPECT_EQ(second.method(), whole.method());
   EXPECT_EQ(second.next(0), whole.next(0));
   EXPECT_EQ(second.save(1), whole.save(1));
   EXPECT_EQ(second.dropped(), whole.dropped());
   EXPECT_EQ(second.changes(), whole.changes());
+  auto elsewhere = whole.save(0);
+  elsewhere[0] += 1;
+  EXPECT_THROW(Course(to_be_chosen(), 2).load(0, elsewhere), InputError);
 }
 
 /// A failed step refuses a method that is named, and the run goes on.
