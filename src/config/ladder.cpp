@@ -46,6 +46,10 @@ constexpr std::int64_t most_parts = 16;
 /// 9% to the cost of such a run (implicit damping), or 17% (two stages at twice their step).
 constexpr double least_strain = 4.0;
 
+/// Longest stretch, over the shortest that will do, that is worth a side which the run steps
+/// itself.
+constexpr double most_stretch = 1.5;
+
 constexpr char exact_stops[] = "many-contacts";  ///< an engine that can stop after every step
 
 bool damps_sliding(Scene::Disks const& disks) {
@@ -156,8 +160,12 @@ Ladder ladder_of(Scene const& scene) {
   };
   ladder.window = multiple(scene.output.sample_strain, ladder.whole);
   auto const longest = std::ranges::max(ladder.methods, {}, &Method::length).length;
-  double const stretch = static_cast<double>(fewest_stretch_steps * longest) * step_strain;
-  ladder.grid = multiple(std::max(stretch_strain, stretch), ladder.window);  // no two overlap
+  double const stretch =
+      std::max(stretch_strain, static_cast<double>(fewest_stretch_steps * longest) * step_strain);
+  ladder.grid = multiple(stretch, ladder.window);  // no two overlap
+  auto const in_thirds = multiple(stretch, 3 * ladder.window);
+  ladder.shares = static_cast<double>(in_thirds) * step_strain <= most_stretch * stretch;
+  if (ladder.shares) ladder.grid = in_thirds;
   return ladder;
 }
 

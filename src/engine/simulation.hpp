@@ -50,9 +50,6 @@ class Simulation {
     throw std::logic_error("this engine has one method");
   }
 
-  /// Configurations that one of the present method stands for.
-  virtual double weight() const { return 1; }
-
   virtual Snapshot snapshot() const = 0;
 
   /// Counters of the snapshot alone.

@@ -12,7 +12,8 @@ namespace bagnold {
 
 namespace {
 
-/// Gives a window of fewer evaluations, those of a method of longer steps, the weight of others.
+/// Gives a window of fewer evaluations, those of a method of longer steps, or of more, those of a
+/// stretch that is the run's own, the weight of others.
 void weigh_as_others(WindowSums& done, Plan const& plan, std::int64_t window) {
   auto const steps = plan.window_end(window) - plan.window_begin(window);
   auto const evaluations = static_cast<double>((steps + plan.every - 1) / plan.every);
@@ -33,7 +34,7 @@ bool advance(MeasuredSystem const& system, std::int64_t stop, Plan const& plan, 
     stop = std::min(stop, (from / row.steps + 1) * row.steps);
   }
   Sampling const sampling{.window_steps = row.steps,
-                          .every = plan.every,
+                          .every = pairs ? pairs->every(plan.every) : plan.every,
                           .last_step = plan.steps,
                           .whole = end == LegEnd::whole,
                           .first_step = row.begin,
@@ -49,7 +50,7 @@ bool advance(MeasuredSystem const& system, std::int64_t stop, Plan const& plan, 
   while (measurement.open.first < plan.windows &&
          plan.window_end(measurement.open.first) <= simulation.step()) {
     WindowSums done = measurement.open.take_first();
-    if (simulation.weight() != 1) weigh_as_others(done, plan, measurement.open.first - 1);
+    if (pairs && pairs->chooses()) weigh_as_others(done, plan, measurement.open.first - 1);
     measurement.windows.push_back(done.sums, done.weight);
   }
   return simulation.step() >= std::min(stop, plan.steps);

@@ -36,7 +36,7 @@ class Choice(CliTest):
 class Chosen(Choice):
     def test_newtonian_flow(self):
         """Implicit damping after the first four pairs; means are those of two stages within errors."""
-        out = self.run_new("out", **{**DENSE, "shear__strain": 6.0})
+        out = self.run_new("out", **{**DENSE, "shear__strain": 16.0})
         found = read_summary(out)
         self.assertEqual(found["bias"]["method"], IMPLICIT)
         self.assertEqual(found["bias"]["verdict"], "accepted")
@@ -47,7 +47,7 @@ class Chosen(Choice):
         self.assertGreater(steps, 0.5 * found["steps"])
         self.assertEqual(found["scene"]["integration"]["scheme"], "auto")
         self.assertIn("bias", found["observables"]["p"])
-        two = read_summary(self.run_new("two", **{**DENSE, "shear__strain": 6.0, "integration__scheme": "two-stage-leapfrog"}))
+        two = read_summary(self.run_new("two", **{**DENSE, "shear__strain": 16.0, "integration__scheme": "two-stage-leapfrog"}))
         for name in ("p", "sigma", "Z"):
             one, other = found["observables"][name], two["observables"][name]
             self.assertLess(abs(one["mean"] - other["mean"]), 5 * math.hypot(one["error"], other["error"]), name)
@@ -130,10 +130,10 @@ class Continued(Choice):
         self.assert_same(whole, out)
 
     def test_made_longer(self):
-        """Lengths before, at and after the place of the change."""
+        """Lengths before, at and after the place of the change; inside stretches and at their ends."""
         whole = self.run_new("whole", **{**DENSE, "shear__strain": 1.5})
         self.assertEqual(read_summary(whole)["bias"]["method"], IMPLICIT)
-        for short in (0.09, 0.12, 0.1321):
+        for short in (0.09, 0.12, 0.1321, 0.15, 0.1621):
             with self.subTest(short=short):
                 out = self.run_new(f"short{short}", **{**DENSE, "shear__strain": short})
                 self.assertEqual(self.bagnold("resume", out, "--strain", 1.5).returncode, 0)
@@ -159,7 +159,7 @@ class Continued(Choice):
 class Said(Choice):
     def test_on_the_screen(self):
         text = self.run_scene(self.scene(**DENSE), self.folder / "out").stdout
-        self.assertRegex(text, r"strain 0\.12\d*: implicit-damping, a step of 1\.6 tau_e, is accepted after 4 pairs of "
+        self.assertRegex(text, r"strain 0\.15\d*: implicit-damping, a step of 1\.6 tau_e, is accepted after 4 pairs of "
                                r"stretches \(p [+-]\d.*\); taken from here on")
         self.assertIn("method: implicit-damping, a step of 1.6 tau_e", text)
         text = self.run_scene(self.scene(**DILUTE), self.folder / "gas").stdout

@@ -16,7 +16,7 @@ namespace bagnold {
 /// at every multiple of the ladder's grid, and there the method may change: what one engine hands
 /// over to the other is the state. A method of longer steps evaluates as many of its own steps
 /// apart as others do, and quasi-static steps are all evaluated, so that windows hold different
-/// numbers of configurations (weight()).
+/// numbers of configurations.
 class AutoScheme : public Simulation {
  public:
   /// Makes the engine of a method that continues from a snapshot.
@@ -34,7 +34,6 @@ class AutoScheme : public Simulation {
   bool has_step() const override { return engine_->has_step(); }
   std::size_t method() const override { return method_; }
   void take_method(std::size_t method) override;
-  double weight() const override { return static_cast<double>(present().length); }
 
  private:
   Method const& present() const { return ladder_.methods[method_]; }

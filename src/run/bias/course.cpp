@@ -49,7 +49,8 @@ Course::Course(Scene const& scene, std::size_t replicas)
     : tolerance_(scene.integration.accuracy),
       scene_(scene),
       ladder_(ladder_of(scene)),
-      of_(replicas) {
+      of_(replicas),
+      begun_(replicas) {
   if (chooses()) {
     grid_ = ladder_.grid;
     main_ = ladder_.usual;
@@ -63,7 +64,23 @@ Course::Course(Scene const& scene, std::size_t replicas)
 
 std::int64_t Course::next(std::size_t replica) const {
   if (done_) return std::numeric_limits<std::int64_t>::max();
-  return (place_ + (takes(replica) || chooses() ? 0 : 1)) * grid_;
+  if (takes(replica) && !begun_[replica]) return place_ * grid_;
+  return chooses() ? end() : (place_ + 1) * grid_;
+}
+
+Own Course::own() const {
+  if (!ladder_.shares || place_ < pair_place_) return Own::neither;
+  auto const& method = ladder_.methods[on_trial_];
+  if (holds()) return method.parts == 1 ? Own::coarse : Own::neither;  // it looks at whole steps
+  bool const usual = main_ == ladder_.usual && methods_.ratio == method.length &&
+                     methods_.fine.integration.scheme == default_scheme;
+  return usual ? Own::fine : Own::neither;
+}
+
+std::int64_t Course::end_place() const { return place_ + (own() == Own::neither ? 0 : 1); }
+
+void Course::begin(std::size_t replica, std::int64_t step, Averages const& other) {
+  begun_[replica] = {step, other};
 }
 
 /// True if there are rounds without pairs while the run steps by the method on trial.
@@ -82,16 +99,24 @@ std::optional<Pair> Course::without_pair(std::int64_t step, double kinetic_share
 }
 
 void Course::add(std::size_t replica, Pair const& pair) {
+  begun_[replica].reset();
   of_[replica].push_back(pair);
   while (std::ranges::all_of(of_, [&](auto const& pairs) { return pairs.size() > rounds_; }))
     end_round();
 }
 
+double Course::strain_of(std::int64_t steps) const {
+  return static_cast<double>(steps) * time_step(scene_) * scene_.shear.strain_rate;
+}
+
 /// Places that come to a strain, at least one.
 std::int64_t Course::places(double strain) const {
-  double const between =
-      static_cast<double>(grid_) * time_step(scene_) * std::abs(scene_.shear.strain_rate);
-  return std::max<std::int64_t>(1, std::llround(strain / between));
+  return std::max<std::int64_t>(1, std::llround(strain / strain_of(grid_)));
+}
+
+/// Place of the next look at p_kin/p.
+std::int64_t Course::next_look(std::int64_t here) const {
+  return std::min(here + places(watch_strain), pair_place_);
 }
 
 /// Places between pairs without a verdict.
@@ -106,10 +131,11 @@ void Course::end_round() {
   auto const any = [&](auto is) {
     return std::ranges::any_of(of_, [&](auto const& pairs) { return (pairs[round].*is)(); });
   };
-  auto const here = place_;
+  auto const place = place_, here = end_place();
+  count_steps(round);
   bool const skips = any(&Pair::is_skipped), failed = any(&Pair::is_failed);
-  if (!skips && !failed && here < pair_place_) {  // watched
-    place_ = std::min(here + places(watch_strain), pair_place_);
+  if (!skips && !failed && place < pair_place_) {  // watched
+    place_ = next_look(here);
     return;
   }
   skipped_ = !skips ? std::string_view{} : any(&Pair::skips_events) ? events : inertia;
@@ -122,9 +148,12 @@ void Course::end_round() {
   } else if (!skips) {
     look();
   }
-  pair_place_ = here + (verdict_ == Verdict::none && !skips ? spacing() : here);
+  bool const knows = verdict_ != Verdict::none;
+  pair_place_ = skips    ? 2 * place
+                : !knows ? std::max(here, place + spacing())
+                         : place * (chooses() ? 3 : 2);
   if (chooses()) choose(here);
-  place_ = watches() ? std::min(here + places(watch_strain), pair_place_) : pair_place_;
+  place_ = watches() ? next_look(here) : pair_place_;
 }
 
 /// Judges all pairs of the trial, where it is time.
@@ -142,11 +171,10 @@ void Course::look() {
 /// Changes the method, or the one on trial, after a round at a place.
 void Course::choose(std::int64_t here) {
   bool const gives_up = verdict_ == Verdict::refused || verdict_ == Verdict::open;
-  double const strain =
-      static_cast<double>(here * grid_) * time_step(scene_) * scene_.shear.strain_rate;
-  auto const said = fmt::format("strain {:.4g}: {}, is {} after {} pairs of stretches ({})", strain,
-                                method_in_words(methods_.coarse), name_of(verdict_), all().size(),
-                                gives_up || verdict_ == Verdict::accepted ? in_words(trial()) : "");
+  auto const said =
+      fmt::format("strain {:.4g}: {}, is {} after {} pairs of stretches ({})",
+                  strain_of(here * grid_), method_in_words(methods_.coarse), name_of(verdict_),
+                  all().size(), gives_up || verdict_ == Verdict::accepted ? in_words(trial()) : "");
   if (!holds()) {
     if (verdict_ == Verdict::accepted) {
       main_ = on_trial_;
@@ -170,12 +198,9 @@ void Course::choose(std::int64_t here) {
 
 /// Puts a method on trial after a place. The usual one is judged only where it is asked for.
 void Course::begin_trial(std::size_t method, std::int64_t here) {
-  if (here > 0) {
-    tried_.push_back(trial());
-    count_steps(coarse_steps_, fine_steps_);
-  }
+  if (here > 0) tried_.push_back(trial());
   on_trial_ = method;
-  methods_ = methods_of(scene_, ladder_.methods[method]);
+  methods_ = methods_of(scene_, ladder_, ladder_.methods[method]);
   collision_loss_error_ = loss_error(methods_.coarse);
   done_ = method == ladder_.usual && !ladder_.judges_all;
   first_round_ = rounds_;
@@ -189,14 +214,13 @@ void Course::begin_trial(std::size_t method, std::int64_t here) {
   place_ = pair_place_ = here + spacing();
 }
 
-/// Adds the steps of the present trial.
-void Course::count_steps(std::int64_t& coarse, std::int64_t& fine) const {
-  for (auto const& pairs : of_)
-    for (auto k = first_round_; k < pairs.size(); ++k) {
-      if (!pairs[k].is_taken()) continue;
-      coarse += methods_.length();
-      fine += methods_.length() * methods_.ratio;
-    }
+/// Adds the steps of the stretches of a round.
+void Course::count_steps(std::size_t round) {
+  for (auto const& pairs : of_) {
+    if (!pairs[round].is_taken()) continue;
+    if (own() != Own::coarse) coarse_steps_ += methods_.length();
+    if (own() != Own::fine) fine_steps_ += methods_.length() * methods_.ratio;
+  }
 }
 
 /// Pairs of complete rounds of the trial, in an order that does not depend on when they were taken.
@@ -219,23 +243,31 @@ std::vector<double> Course::save(std::size_t replica) const {
     for (auto const& side : {pair.coarse, pair.fine})
       for (double const number : side.numbers()) numbers.push_back(number);
   }
+  if (auto const& one = begun_[replica]) {
+    numbers.push_back(static_cast<double>(one->step));
+    for (double const number : one->other.numbers()) numbers.push_back(number);
+  }
   return numbers;
 }
 
 void Course::load(std::size_t replica, std::vector<double> const& numbers) {
-  for (std::size_t at = 0; at + numbers_of_pair <= numbers.size(); at += numbers_of_pair) {
-    auto const side = [&](std::size_t from) {
-      std::array<double, Averages::count> of;
-      std::copy_n(numbers.begin() + static_cast<std::ptrdiff_t>(from), of.size(), of.begin());
-      return Averages::of(of);
-    };
+  auto const side = [&](std::size_t from) {
+    std::array<double, Averages::count> of;
+    std::copy_n(numbers.begin() + static_cast<std::ptrdiff_t>(from), of.size(), of.begin());
+    return Averages::of(of);
+  };
+  auto const step_at = [&](std::size_t at) {
     auto const step = static_cast<std::int64_t>(numbers[at]);
     if (chooses() && step % grid_ != 0)
       throw InputError(
           "the checkpoint has pairs of stretches at other places of the strain; resume with the "
           "version that wrote it");
-    add(replica, {step, side(at + 1), side(at + 1 + Averages::count)});
-  }
+    return step;
+  };
+  std::size_t at = 0;
+  for (; at + numbers_of_pair <= numbers.size(); at += numbers_of_pair)
+    add(replica, {step_at(at), side(at + 1), side(at + 1 + Averages::count)});
+  if (at < numbers.size()) begin(replica, step_at(at), side(at + 1));
 }
 
 Trial Course::trial() const {
@@ -253,13 +285,12 @@ Findings Course::findings() const {
   found.tolerance = tolerance_;
   found.coarse_steps = coarse_steps_;
   found.fine_steps = fine_steps_;
-  count_steps(found.coarse_steps, found.fine_steps);
   found.tried = tried_;
-  found.dropped_strain =
-      static_cast<double>(dropped_) * time_step(scene_) * scene_.shear.strain_rate;
+  found.dropped_strain = strain_of(dropped_);
   if (!chooses() || holds()) return found;
   found.tried.push_back(trial());
-  static_cast<Trial&>(found) = Trial{.methods = methods_of(scene_, ladder_.methods[main_])};
+  static_cast<Trial&>(found) =
+      Trial{.methods = methods_of(scene_, ladder_, ladder_.methods[main_])};
   found.judgement.verdict = ladder_.judges_all ? Verdict::none : Verdict::usual;
   return found;
 }

@@ -34,10 +34,13 @@ struct Trial {
   bool taken = false;            ///< the run stepped by it
 };
 
+/// Which stretch of a pair is the run's own: it steps the other one from a state, and goes on.
+enum class Own { neither, coarse, fine };
+
 /// What was found out about the method of a run.
 struct Findings : Trial {
   double tolerance = 0;
-  std::int64_t coarse_steps = 0, fine_steps = 0;  ///< of all stretches
+  std::int64_t coarse_steps = 0, fine_steps = 0;  ///< of all stretches but the run's own
   double dropped_strain = 0;  ///< stepped by methods that were left, in no average
 
   /// Other methods that scheme = "auto" tried, in turn.
@@ -54,8 +57,9 @@ inline constexpr std::size_t most_pairs = 20;
 ///
 /// Replicas take pairs in rounds, each one pair at the same place of a grid. After 4, 6, 9, 13 and
 /// 20 pairs, and once there is a verdict after each round, all pairs so far are judged together.
-/// Without a verdict the next round is at the next place, with one at twice the strain. So the
-/// course depends on the pairs alone, not on when they were taken.
+/// Without a verdict the next round is at the next place, with one at twice the strain, or three
+/// times it with scheme = "auto". So the course depends on the pairs alone, not on when they were
+/// taken.
 ///
 /// With scheme = "auto" the run begins with the usual method, and cheaper ones are judged in turn,
 /// the cheapest first, by pairs from the states of the run. One is accepted: the run takes it, and
@@ -65,6 +69,9 @@ inline constexpr std::size_t most_pairs = 20;
 /// usual one follows, and the windows so far are dropped. Where an accuracy below usual_accuracy or
 /// measure.bias asks for it, the usual method is judged too, and if it is refused one of half the
 /// step follows.
+///
+/// Where the run itself steps by one of both methods, own(), and places are a stretch apart, the
+/// run's windows up to the next place are that side of the pair. The round ends there.
 class Course {
  public:
   Course(Scene const& scene, std::size_t replicas);
@@ -81,6 +88,20 @@ class Course {
 
   void add(std::size_t replica, Pair const& pair);
 
+  /// The side of the pairs of the present round that the run steps itself.
+  Own own() const;
+
+  /// The stretch of a replica's pair that is not its own is done: the pair comes at the next place.
+  void begin(std::size_t replica, std::int64_t step, Averages const& other);
+  struct Begun {
+    std::int64_t step;
+    Averages other;
+  };
+  std::optional<Begun> const& begun(std::size_t replica) const { return begun_[replica]; }
+
+  /// Step at which the present round ends.
+  std::int64_t end() const { return end_place() * grid_; }
+
   /// True if the method of the run may change; replicas then wait for each other after a pair.
   bool chooses() const { return ladder_.has_choice(); }
 
@@ -90,6 +111,7 @@ class Course {
 
   /// Between places of the run at which rounds may be, [steps of the run].
   std::int64_t grid() const { return grid_; }
+  std::int64_t windows_of_place() const { return grid_ / ladder_.window; }
 
   /// Windows before a round from which p_kin/p is told: half of those between two places, or
   /// between two looks at a method that the run steps by.
@@ -118,11 +140,14 @@ class Course {
   bool watches() const;
   std::int64_t places(double strain) const;
   std::int64_t spacing() const;
+  std::int64_t end_place() const;
+  std::int64_t next_look(std::int64_t here) const;
+  double strain_of(std::int64_t steps) const;
   void end_round();
   void look();
   void choose(std::int64_t here);
   void begin_trial(std::size_t method, std::int64_t here);
-  void count_steps(std::int64_t& coarse, std::int64_t& fine) const;
+  void count_steps(std::size_t round);
   Trial trial() const;
   std::vector<Pair> all() const;
   Judgement judged() const;
@@ -133,14 +158,15 @@ class Course {
   Methods methods_;
   std::int64_t grid_;                  ///< [steps of the run]
   std::vector<std::vector<Pair>> of_;  ///< [R], in the order of rounds
-  std::size_t rounds_ = 0;             ///< complete
+  std::vector<std::optional<Begun>> begun_;  ///< [R]
+  std::size_t rounds_ = 0;                   ///< complete
 
   std::size_t main_ = 0, on_trial_ = 0;  ///< of the ladder
   bool done_ = false;                    ///< nothing is on trial any more
   std::int64_t dropped_ = 0;
   std::vector<Trial> tried_;
   std::vector<std::string> changes_;
-  std::int64_t coarse_steps_ = 0, fine_steps_ = 0;  ///< of trials before
+  std::int64_t coarse_steps_ = 0, fine_steps_ = 0;  ///< of stretches that are not the run's own
 
   // of the present trial
   std::size_t first_round_ = 0;

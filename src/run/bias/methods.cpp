@@ -61,12 +61,14 @@ Methods methods_of(Scene const& scene) {
   return pair_of(scene, rule_time_step(scene, default_scheme));
 }
 
-Methods methods_of(Scene const& scene, Method const& method) {
+Methods methods_of(Scene const& scene, Ladder const& ladder, Method const& method) {
   bool const sharp = scene.integration.accuracy < usual_accuracy;
   double const finer = method.scheme == backward_euler
                            ? rule_time_step(scene, ImplicitDamping::name)
                            : time_step(scene);
-  return pair_of(with_method(scene, method), finer / (sharp ? quarter : 1));
+  auto of = pair_of(with_method(scene, method), finer / (sharp ? quarter : 1));
+  if (ladder.shares) of.third = ladder.grid / 3 * method.parts / method.length;
+  return of;
 }
 
 std::string method_in_words(Scene const& scene) {

@@ -29,8 +29,8 @@ Methods methods_of(Scene const& scene);
 
 /// A method of the ladder of a scene, and a finer one: beside quasi-static steps implicit damping
 /// at its rule, beside implicit damping two stages at theirs, or at a quarter of it where less than
-/// usual_accuracy is asked for.
-Methods methods_of(Scene const& scene, Method const& method);
+/// usual_accuracy is asked for. Stretches are as long as the grid of a ladder that shares.
+Methods methods_of(Scene const& scene, Ladder const& ladder, Method const& method);
 
 /// Scheme and step of a scene: "implicit-damping, a step of 1.6 tau_e".
 std::string method_in_words(Scene const& scene);

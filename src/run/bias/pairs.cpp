@@ -55,27 +55,50 @@ bool ReplicaPairs::is_due(std::int64_t step) const {
          (before.empty() || before.back().step < step);
 }
 
+std::int64_t ReplicaPairs::every(std::int64_t usual) const {
+  std::lock_guard const lock(shared_.mutex);
+  auto const& course = shared_.course;
+  if (!course.begun(replica_)) return usual;
+  return course.own() == Own::coarse ? 1 : course.methods().ratio;
+}
+
 bool ReplicaPairs::take(Simulation& run, statistics::Windows const& windows,
                         std::function<bool()> const& go_on) {
-  if (!take_due(run, windows, go_on)) return false;
-  std::unique_lock lock(shared_.mutex);
-  auto const& course = shared_.course;
-  if (!course.chooses()) return true;
-  if (!course.takes(replica_)) {  // the round may change the method here
+  do {
+    if (!take_due(run, windows, go_on)) return false;
+    std::unique_lock lock(shared_.mutex);
+    auto const& course = shared_.course;
+    if (!course.chooses()) return true;
+    if (!course.takes(replica_) && run.step() >= course.end()) {  // the method may change here
+      lock.unlock();
+      wait();
+      return false;
+    }
+    auto const method = course.method();
     lock.unlock();
-    wait();
-    return false;
-  }
-  auto const method = course.method();
-  lock.unlock();
-  if (run.method() != method) run.take_method(method);
+    if (run.method() != method) run.take_method(method);
+  } while (awaited(run.step()));  // a pair ends where the next one begins
   return true;
+}
+
+/// Adds the pair one side of which are the run's windows since it began.
+void ReplicaPairs::add_own(Simulation const& run, statistics::Windows const& windows) {
+  auto& course = shared_.course;
+  auto const& [step, other] = *course.begun(replica_);
+  auto const& methods = course.methods();
+  bool const coarse = course.own() == Own::coarse;
+  auto const window = course.grid() / course.windows_of_place();
+  auto const first = static_cast<std::size_t>(step / window);
+  auto const own = averages_of(coarse ? methods.coarse : methods.fine, run.state().box_length,
+                               windows, first, first + course.windows_of_place());
+  course.add(replica_, coarse ? Pair{step, own, other} : Pair{step, other, own});
 }
 
 bool ReplicaPairs::take_due(Simulation const& run, statistics::Windows const& windows,
                             std::function<bool()> const& go_on) {
   auto const step = run.step();
   Methods const* methods = nullptr;
+  Own own;
   {
     std::unique_lock lock(shared_.mutex);
     if (!is_due(step)) return true;
@@ -85,12 +108,17 @@ bool ReplicaPairs::take_due(Simulation const& run, statistics::Windows const& wi
       return false;
     }
     auto& course = shared_.course;
+    if (course.begun(replica_)) {
+      add_own(run, windows);
+      return true;
+    }
     double const kinetic = kinetic_share(windows, course.late_windows());
     if (auto const none = course.without_pair(step, kinetic, run.has_step())) {
       course.add(replica_, *none);
       return true;
     }
-    methods = &shared_.course.methods();
+    methods = &course.methods();
+    own = course.own();
   }
   if (!start_) start_ = run.state();
   auto const averages_of = [&](Scene const& scene, std::int64_t every) -> std::optional<Averages> {
@@ -101,19 +129,29 @@ bool ReplicaPairs::take_due(Simulation const& run, statistics::Windows const& wi
     stretch_.reset();
     return found;
   };
-  std::optional<Pair> pair;
+  std::optional<Averages> fine;
+  bool failed = false;
   try {
-    if (!coarse_) coarse_ = averages_of(methods->coarse, 1);
-    if (!coarse_) return false;
-    auto const fine = averages_of(methods->fine, methods->ratio);
-    if (!fine) return false;
-    pair = Pair{step, *coarse_, *fine};
+    if (own != Own::coarse && !coarse_) {
+      coarse_ = averages_of(methods->coarse, 1);
+      if (!coarse_) return false;
+    }
+    if (own != Own::fine) {
+      fine = averages_of(methods->fine, methods->ratio);
+      if (!fine) return false;
+    }
   } catch (NumericalError const&) {
     stretch_.reset();
-    pair = Pair::failed(step);
+    failed = true;
   }
   std::lock_guard const lock(shared_.mutex);
-  shared_.course.add(replica_, *pair);
+  auto& course = shared_.course;
+  if (failed)
+    course.add(replica_, Pair::failed(step));
+  else if (own == Own::neither)
+    course.add(replica_, {step, *coarse_, *fine});
+  else
+    course.begin(replica_, step, own == Own::coarse ? *fine : *coarse_);
   start_.reset();
   coarse_.reset();
   return true;

@@ -20,13 +20,17 @@ struct SharedCourse {
 };
 
 /// Takes the pairs of one replica. A pair is a function of the state from which it begins, and of
-/// nothing else: the run's own system is only read. With scheme = "auto" it may get another method.
+/// nothing else: the run's own system is only read. With scheme = "auto" it may get another method,
+/// and one stretch of a pair may be its own (Own).
 class ReplicaPairs {
  public:
   ReplicaPairs(SharedCourse& shared, std::size_t replica) : shared_(shared), replica_(replica) {}
 
   /// First step after `step` at which the run stops for a pair.
   std::int64_t next(std::int64_t step) const;
+
+  /// Steps of the run's method between evaluations: `usual`, or those of a stretch that is its own.
+  std::int64_t every(std::int64_t usual) const;
 
   /// Takes a pair at the present step if one is due. Returns false if go_on did, or if other
   /// replicas have to come first; called again it goes on. A pair under way is in no checkpoint.
@@ -45,6 +49,7 @@ class ReplicaPairs {
 
  private:
   bool is_due(std::int64_t step) const;
+  void add_own(Simulation const& run, statistics::Windows const& windows);
   bool take_due(Simulation const& run, statistics::Windows const& windows,
                 std::function<bool()> const& go_on);
 

@@ -11,6 +11,25 @@
 
 namespace bagnold::bias {
 
+namespace {
+
+/// before, counted: means over the first third of a stretch, and over the others.
+Averages averages_from(Scene const& scene, double box_length, std::vector<double> const& before,
+                       std::vector<double> const& counted) {
+  auto const list = observables(scene, box_length);
+  auto const value = [&](std::string_view name, std::vector<double> const& of) {
+    return std::ranges::find(list, name, &Observable::name)->value(of);
+  };
+  return {.p = value("p", counted),
+          .sigma = value("sigma", counted),
+          .contact_number = value("Z", counted),
+          .temperature = value("T_g", counted),
+          .kinetic_pressure = value("p_kin", counted),
+          .temperature_before = value("T_g", before)};
+}
+
+}  // namespace
+
 Stretch::Stretch(Scene const& scene, State const& start, std::string const& backend,
                  std::int64_t third, std::int64_t every)
     : scene_(scene),
@@ -44,17 +63,13 @@ Averages averages_of(Scene const& scene, double box_length, OpenWindows const& w
     return sums;
   };
   auto const count = windows.sums.size();
-  auto const before = mean(0, count / 3), counted = mean(count / 3, count);
-  auto const list = observables(scene, box_length);
-  auto const value = [&](std::string_view name, std::vector<double> const& of) {
-    return std::ranges::find(list, name, &Observable::name)->value(of);
-  };
-  return {.p = value("p", counted),
-          .sigma = value("sigma", counted),
-          .contact_number = value("Z", counted),
-          .temperature = value("T_g", counted),
-          .kinetic_pressure = value("p_kin", counted),
-          .temperature_before = value("T_g", before)};
+  return averages_from(scene, box_length, mean(0, count / 3), mean(count / 3, count));
+}
+
+Averages averages_of(Scene const& scene, double box_length, statistics::Windows const& windows,
+                     std::size_t first, std::size_t last) {
+  auto const third = first + (last - first) / 3;
+  return averages_from(scene, box_length, windows.mean(first, third), windows.mean(third, last));
 }
 
 }  // namespace bagnold::bias

@@ -12,6 +12,7 @@
 #include "src/config/scene.hpp"
 #include "src/engine/simulation.hpp"
 #include "src/run/stretch_size.hpp"
+#include "src/statistics/windows.hpp"
 
 namespace bagnold::bias {
 
@@ -32,6 +33,10 @@ struct Averages {
 /// Averages of a stretch over every `stride`-th of its windows, each as long as the others.
 Averages averages_of(Scene const& scene, double box_length, OpenWindows const& windows,
                      std::size_t stride = 1);
+
+/// Averages of a stretch that the run itself steps, over its windows first .. last - 1.
+Averages averages_of(Scene const& scene, double box_length, statistics::Windows const& windows,
+                     std::size_t first, std::size_t last);
 
 /// One method's steps from a state of the run, in a system of its own.
 class Stretch {

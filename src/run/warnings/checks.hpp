@@ -122,6 +122,9 @@ std::string mean_motion_in_words(std::array<double, 2> const& velocity, double s
 /// Command that runs the scene with half its time step.
 std::string half_the_step(FinishedRun const& finished);
 
+/// Command that runs the scene anew by another scheme, with a step that this one chooses.
+std::string by_scheme(std::string_view scheme, std::string_view suffix);
+
 /// Mean relative overlap of contacts, 1 - r_ij/d_ij, from elastic pressure and contacts:
 ///
 ///     sum f_el r_ij = 2 p_el L_x L_y, f_el r_ij ~ (1 - r_ij/d_ij)^(alpha - 1), N Z/2 contacts

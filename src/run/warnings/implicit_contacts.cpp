@@ -23,8 +23,7 @@ std::optional<Warning> implicit_contacts(FinishedRun const& finished) {
                   "0.82, 1e-4 a step of 1.4 had tau_dur 11% too long and nu_coll 10% too small",
                   scheme, dt),
       "set integration.scheme = \"two-stage-leapfrog\"",
-      "bagnold run DIR/scene.toml --set integration.scheme=two-stage-leapfrog --set "
-      "integration.time_step=auto --out DIR-two-stages"};
+      by_scheme(default_scheme, "two-stages")};
 }
 
 }  // namespace bagnold

@@ -20,8 +20,7 @@ std::optional<Warning> implicit_inertia(FinishedRun const& finished) {
                   "step of {} tau_e is for motions that damping alone decides",
                   kinetic, most_kinetic, scheme, finished.run.plan.time_step),
       "set integration.scheme = \"auto\", which steps through collisions",
-      "bagnold run DIR/scene.toml --set integration.scheme=auto --set integration.time_step=auto "
-      "--out DIR-auto"};
+      by_scheme(automatic, "auto")};
 }
 
 }  // namespace bagnold

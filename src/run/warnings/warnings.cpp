@@ -55,6 +55,13 @@ std::vector<Warning> warnings(FinishedRun const& finished) {
   return list;
 }
 
+std::string by_scheme(std::string_view scheme, std::string_view suffix) {
+  return fmt::format(
+      "bagnold run DIR/scene.toml --set integration.scheme={} --set integration.time_step=auto "
+      "--out DIR-{}",
+      scheme, suffix);
+}
+
 std::string half_the_step(FinishedRun const& finished) {
   return changed_run("integration.time_step",
                      fmt::format("{:.6g}", finished.run.plan.time_step / 2));

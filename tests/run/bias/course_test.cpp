@@ -46,7 +46,7 @@ TEST(BiasMethods, FinerOnes) {
 /// Implicit damping, whose steps are 8 of the run's.
 TEST(BiasMethods, BesideQuasiStaticSteps) {
   auto scene = scene_of(1e-7, "auto", 0.2);
-  auto const pair = methods_of(scene, {"backward-euler", 1496});
+  auto const pair = methods_of(scene, {}, {"backward-euler", 1496});
   EXPECT_EQ(pair.coarse.integration.engine, "quasi-static");
   EXPECT_EQ(pair.fine.integration.scheme, "implicit-damping");
   EXPECT_EQ(pair.fine.integration.engine, "steps");
@@ -156,12 +156,14 @@ TEST(BiasCourse, TakesTheCheapestThatIsRight) {
   }
   EXPECT_EQ(course.method(), 0U);
   EXPECT_EQ(course.dropped(), 0);
-  EXPECT_EQ(place_of(course), 7) << "inertia is looked for at each strain of 0.1, three places";
+  EXPECT_NE(course.changes()[0].find("strain 0.15"), std::string::npos) << "the end of the fourth";
+  EXPECT_EQ(place_of(course), 8) << "inertia is looked for at each strain of 0.1, three places";
   go_to_pair(course);
-  EXPECT_EQ(place_of(course), 8);
+  EXPECT_EQ(place_of(course), 12);
   course.add(0, pair_of(4, 0.001, 1e-3));
-  go_to_pair(course);
   EXPECT_EQ(place_of(course), 16);
+  go_to_pair(course);
+  EXPECT_EQ(place_of(course), 36);
   auto const found = course.findings();
   EXPECT_EQ(found.pairs, 5U);
   EXPECT_EQ(found.judgement.verdict, Verdict::accepted);
@@ -182,7 +184,7 @@ TEST(BiasCourse, GoesUpTheLadder) {
     places.push_back(place_of(course));
     course.add(0, pair_of(k, 0.009, 1e-3));
   }
-  EXPECT_EQ(places, (std::vector<std::int64_t>{6, 8, 10, 12, 14, 16, 18, 20, 22}));
+  EXPECT_EQ(places, (std::vector<std::int64_t>{7, 9, 11, 13, 15, 17, 19, 21, 23}));
   EXPECT_EQ(step_of(course.methods()), 0.8);
   for (int k = 0; k < 4; ++k) course.add(0, pair_of(k, 0.1, 1e-3));
   EXPECT_EQ(course.method(), 3U);
@@ -210,7 +212,7 @@ TEST(BiasCourse, LeavesWhatItTook) {
   auto const pair_here = failed.next(0);
   EXPECT_FALSE(failed.without_pair(pair_here, 2.9e-4, true));
   failed.add(0, Pair::failed(pair_here));
-  EXPECT_EQ(failed.dropped(), pair_here);
+  EXPECT_EQ(failed.dropped(), pair_here + failed.grid()) << "at the end of the round";
   for (int k = 4; refused.method() == 0 && k < 12; ++k) {
     refused.add(0, pair_of(k, 0.5, 0));
     if (refused.method() == 0) go_to_pair(refused);
@@ -277,6 +279,60 @@ TEST(BiasCourse, ReplicasLeaveTogether) {
   course.add(1, course.without_pair(here, 1e-3, true).value());
   EXPECT_EQ(course.method(), 3U);
   EXPECT_EQ(course.dropped(), here);
+}
+
+/// The side of a pair that the run steps itself comes at the next place, and so does what follows.
+TEST(BiasCourse, OneStretchIsTheRunsOwn) {
+  Course course(to_be_chosen(), 2);
+  auto const grid = course.grid();
+  Averages const other{1, 1, 1, 1, 1e-4, 1};
+  EXPECT_EQ(course.own(), Own::fine) << "of implicit damping beside two stages";
+  EXPECT_EQ(course.methods().length() * 8, grid);
+  EXPECT_EQ(course.windows_of_place(), 3);
+  course.begin(0, grid, other);
+  EXPECT_TRUE(course.takes(0)) << "it goes on";
+  EXPECT_EQ(course.next(0), 2 * grid);
+  EXPECT_EQ(course.next(1), grid);
+  course.add(1, Pair::skipped(grid));
+  EXPECT_FALSE(course.takes(1));
+  EXPECT_EQ(course.next(1), 2 * grid) << "where the round ends, not where it skipped";
+  Course other_run(to_be_chosen(), 2);
+  for (std::size_t r : {1, 0}) other_run.load(r, course.save(r));
+  ASSERT_TRUE(other_run.begun(0));
+  EXPECT_EQ(other_run.begun(0)->step, grid);
+  EXPECT_EQ(other_run.begun(0)->other, other);
+  EXPECT_FALSE(other_run.begun(1));
+  course.add(0, {grid, other, other});
+  EXPECT_FALSE(course.begun(0));
+  EXPECT_EQ(course.next(0), 2 * grid) << "at twice the strain, as one was skipped";
+  EXPECT_EQ(course.findings().coarse_steps, course.methods().length());
+  EXPECT_EQ(course.findings().fine_steps, 0) << "that of the run is no other one";
+  for (int k = 0; k < 4; ++k)
+    for (std::size_t r : {0, 1}) course.add(r, pair_of(k, 0, 1e-3));
+  ASSERT_EQ(course.method(), 0U);
+  EXPECT_EQ(course.own(), Own::neither) << "a look at inertia";
+  while (auto const none = course.without_pair(course.next(0), 5e-5, true))
+    for (std::size_t r : {0, 1}) course.add(r, *none);
+  EXPECT_EQ(course.own(), Own::coarse);
+}
+
+/// Stretches are apart from the run where neither side is its own, or its windows are too long.
+TEST(BiasCourse, StretchesApartFromTheRun) {
+  Course sharp(to_be_chosen(1e-3), 1);
+  EXPECT_EQ(sharp.own(), Own::neither) << "beside two stages at a quarter of their rule";
+  auto scene = to_be_chosen();
+  for (double const strain : {0.002, 0.01, 0.014}) {
+    scene.output.sample_strain = strain;
+    EXPECT_EQ(Course(scene, 1).own(), Own::fine) << strain;
+  }
+  for (double const strain : {0.016, 0.05}) {
+    scene.output.sample_strain = strain;
+    Course course(scene, 1);
+    EXPECT_EQ(course.own(), Own::neither) << strain;
+    EXPECT_NEAR(course.methods().strain(), stretch_strain, 0.1 * stretch_strain);
+    course.add(0, pair_of(0, 0.001, 1e-3));
+    EXPECT_EQ(course.next(0), 2 * course.grid());
+  }
 }
 
 /// A small accuracy: the usual method is judged too, and finer ones follow it.
