@@ -42,8 +42,8 @@ constexpr double most_cost = 0.75;
 /// Finest division of a step of the run.
 constexpr std::int64_t most_parts = 16;
 
-/// Strain of a run from which on the default tries methods. Nine pairs of one that is refused add
-/// 9% to the cost of such a run (implicit damping), or 17% (two stages at twice their step).
+/// Strain of a run from which on the default tries methods. The stretches of one that is refused
+/// add 3% to the cost of such a run (implicit damping), or 17% (two stages at twice their step).
 constexpr double least_strain = 4.0;
 
 /// Longest stretch, over the shortest that will do, that is worth a side which the run steps

@@ -20,8 +20,10 @@ namespace bagnold::bias {
 namespace {
 
 constexpr std::array<std::size_t, 5> schedule = {4, 6, 9, 13, most_pairs};
-constexpr std::size_t looks_of_a_try = 3;  ///< at a method that the run does not step by
-constexpr int most_skips = 5;              ///< in turn, if others are to be judged
+
+/// Looks at a method that the run does not step by: one more where a pair costs its stretch alone.
+constexpr std::size_t looks_of_a_try = 3, looks_beside_the_run = 4;
+constexpr int most_skips = 5;  ///< in turn, if others are to be judged
 constexpr std::size_t numbers_of_pair = 1 + 2 * Averages::count;
 
 constexpr std::string_view events = "events", failed_step = "a step failed";
@@ -163,7 +165,9 @@ void Course::look() {
   for (; looks_ < schedule.size() && schedule[looks_] <= pairs; ++looks_) due = true;
   if (!due || pairs < 2 || !reason_.empty()) return;
   auto verdict = judged().verdict;
-  auto const last = chooses() && !holds() ? looks_of_a_try : schedule.size();
+  auto const last = !chooses() || holds()   ? schedule.size()
+                    : own() == Own::neither ? looks_of_a_try
+                                            : looks_beside_the_run;
   if (verdict == Verdict::none && looks_ >= last) verdict = Verdict::open;
   if (verdict != std::exchange(verdict_, verdict)) verdicts_.push_back({pairs, verdict});
 }

@@ -64,8 +64,8 @@ inline constexpr std::size_t most_pairs = 20;
 /// With scheme = "auto" the run begins with the usual method, and cheaper ones are judged in turn,
 /// the cheapest first, by pairs from the states of the run. One is accepted: the run takes it, and
 /// its pairs go on; between them each strain of watch_strain is a round too, in which p_kin/p alone
-/// is looked at, of methods that damp all. It is refused or open after 9 pairs: the next one is
-/// tried at places twice as far apart. If the method that the run steps by is refused or open, the
+/// is looked at, of methods that damp all. It is refused or open after 9 pairs, 13 where the run is
+/// a side of them: the next one is tried at places twice as far apart. If the method that the run steps by is refused or open, the
 /// usual one follows, and the windows so far are dropped. Where an accuracy below usual_accuracy or
 /// measure.bias asks for it, the usual method is judged too, and if it is refused one of half the
 /// step follows.

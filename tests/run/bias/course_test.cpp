@@ -179,7 +179,7 @@ TEST(BiasCourse, GoesUpTheLadder) {
   Course course(to_be_chosen(), 1);
   std::vector<std::int64_t> places;
   for (int k = 0; k < 4; ++k) course.add(0, pair_of(k, 0.1, 1e-3));
-  for (int k = 0; k < 9; ++k) {  // on the edge
+  for (int k = 0; k < 9; ++k) {  // on the edge, beside steps of 0.1 apart from the run
     EXPECT_EQ(step_of(course.methods()), 0.4);
     places.push_back(place_of(course));
     course.add(0, pair_of(k, 0.009, 1e-3));
@@ -314,6 +314,17 @@ TEST(BiasCourse, OneStretchIsTheRunsOwn) {
   while (auto const none = course.without_pair(course.next(0), 5e-5, true))
     for (std::size_t r : {0, 1}) course.add(r, *none);
   EXPECT_EQ(course.own(), Own::coarse);
+}
+
+/// A pair beside the run costs little, so 13 are taken before a method is open.
+TEST(BiasCourse, TriesLongerBesideTheRun) {
+  Course course(to_be_chosen(), 1);
+  for (int k = 0; k < 13; ++k) {
+    EXPECT_EQ(step_of(course.methods()), 1.6) << k;
+    course.add(0, pair_of(k, 0.009, 1e-3));
+  }
+  EXPECT_EQ(step_of(course.methods()), 0.4);
+  EXPECT_EQ(course.findings().tried[0].judgement.verdict, Verdict::open);
 }
 
 /// Stretches are apart from the run where neither side is its own, or its windows are too long.
