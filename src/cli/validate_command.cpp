@@ -15,10 +15,10 @@
 #include "src/config/time_step.hpp"
 #include "src/config/toml_text.hpp"
 #include "src/engine/make_simulation.hpp"
-#include "src/io/trajectory_size.hpp"
 #include "src/run/machine.hpp"
 #include "src/run/run_time_estimate.hpp"
 #include "src/run/start_or_resume.hpp"
+#include "src/run/trajectory_size.hpp"
 #include "src/run/validate_scene.hpp"
 #include "src/sweep/sweep_table.hpp"
 
@@ -69,7 +69,7 @@ void print_plan(Scene const& scene, Plan const& plan) {
     fmt::print("# until          relative error of {} is at most {}, or the strain is spent\n",
                name, error);
   if (plan.trajectory_steps > 0) {
-    auto const [frames, bytes] = io::trajectory_size(scene, plan);
+    auto const [frames, bytes] = trajectory_size(scene, plan);
     fmt::print("# trajectory     {:.0f} frames, {:.3g} MB, twice that at the end of the run\n",
                frames, bytes / 1e6);
   }

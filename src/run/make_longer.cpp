@@ -10,8 +10,8 @@
 #include "src/config/scene_file.hpp"
 #include "src/io/atomic_file.hpp"
 #include "src/io/trajectory_parts.hpp"
-#include "src/io/trajectory_size.hpp"
 #include "src/run/pictures.hpp"
+#include "src/run/trajectory_size.hpp"
 
 namespace bagnold {
 
@@ -130,10 +130,10 @@ std::vector<std::string> Longer::remarks(io::Checkpoint const& from) const {
   if (!after.shear.target_error.empty())
     lines.emplace_back("shear.target_error may end it sooner, as it would from the start");
   if (plan_after.trajectory_steps > 0) {
-    auto const size = io::trajectory_size(after, plan_after);
+    auto const size = trajectory_size(after, plan_after);
     lines.push_back(fmt::format("trajectory: {:.0f} frames, {:.3g} MB, no longer {:.0f} frames",
                                 size.frames, size.bytes / 1e6,
-                                io::trajectory_size(before, plan_before).frames));
+                                trajectory_size(before, plan_before).frames));
   }
   bool const looked_ahead = std::ranges::any_of(from.systems, [](auto const& system) {
     auto const found = system.memory.find("looking_ahead");

@@ -9,8 +9,6 @@
 #include <tuple>
 #include <vector>
 
-#include "kernels/device/dynamics/relaxation.hpp"
-#include "kernels/device/side_by_side.hpp"
 #include "kernels/physics/drives/stokes_drag.hpp"
 #include "kernels/physics/laws/cd_n.hpp"
 #include "src/config/errors.hpp"
@@ -18,7 +16,6 @@
 #include "src/config/scene.hpp"
 #include "src/config/skin.hpp"
 #include "src/engine/backends.hpp"
-#include "src/engine/device_copy.hpp"
 #include "src/engine/make_simulation.hpp"
 #include "src/start/deep_overlaps.hpp"
 #include "src/start/start.hpp"
@@ -30,97 +27,6 @@ namespace {
 /// Relative overlap above which disks are pushed apart one iteration at a time: engines refuse such
 /// overlaps.
 constexpr double deep = 0.1;
-
-/// Disks at rest that push each other apart, whatever their overlap.
-template <class Space>
-class Relaxer {
- public:
-  Relaxer(State const& state, double skin)
-      : box_{state.box_length, state.offset, 0.0, state.box_height()},
-        position_(to_device<Space>("start::position", vectors(state.position))),
-        next_position_("start::next_position", state.count()),
-        motion_("start::motion", state.count()),
-        species_(to_device<Space>("start::species", species_of(state.diameter))) {
-    list_.skin = skin;
-    list_.at_build = Positions("start::at_build", state.count());
-    renew_list();
-  }
-
-  void iterate() {
-    Real largest2 = 0;
-    side_by_side::parallel_reduce("start::Relax", policy(),
-                                  Relax<Space>{forces(), motion_, next_position_, list_.at_build},
-                                  Kokkos::Max<Real>(largest2));
-    std::swap(position_, next_position_);
-    if (!list_holds(0.0, largest2, list_.skin)) renew_list();
-  }
-
-  double largest_overlap() const {
-    using Overlap = LargestOverlap<NoDissipation, HarmonicRepulsion, Space>;
-    typename Overlap::Value deepest{};
-    side_by_side::parallel_reduce("start::LargestOverlap", policy(), Overlap{forces()},
-                                  Kokkos::MaxLoc<Real, std::int64_t>(deepest));
-    return std::max(0.0, deepest.val);
-  }
-
-  void write_to(State& state) {
-    renew_list();  // takes the disks into the box
-    state.position = pairs(to_host(position_));
-  }
-
- private:
-  using Positions = Kokkos::View<Vec2<Real>*, Space>;
-  using Policy = Kokkos::RangePolicy<Space, Kokkos::IndexType<std::int64_t>>;
-
-  Policy policy() const { return Policy(0, static_cast<std::int64_t>(position_.extent(0))); }
-
-  ContactForces<NoDissipation, HarmonicRepulsion, Space> forces() const {
-    return {position_, motion_, species_, list_.rows, table_, box_, {}, {}};
-  }
-
-  void renew_list() {
-    side_by_side::parallel_for("start::wrap", policy(), WrapDisks{box_, position_});
-    Kokkos::deep_copy(list_.at_build, position_);
-    build_list(Space{}, list_, species_, table_, box_);
-  }
-
-  struct WrapDisks {
-    ShearedBox box;
-    Positions position;
-    KOKKOS_FUNCTION void operator()(std::int64_t i) const {
-      Real none = 0;
-      wrap(box, position(i), none);
-    }
-  };
-
-  SpeciesTable table_ = make_species_table(false);
-  ShearedBox box_;
-  Positions position_;
-  Positions next_position_;
-  Kokkos::View<Motion<false>*, Space> motion_;
-  Kokkos::View<Species*, Space> species_;
-  VerletList<Space> list_;
-};
-
-constexpr std::int64_t between_checks = 10;
-
-/// One iteration at a time.
-template <class Space>
-Relaxation push_apart_on(State& state, double overlap, std::int64_t iterations, double skin,
-                         std::function<bool()> const& go_on) {
-  Relaxer<Space> relaxer(state, skin);
-  std::int64_t done = 0;
-  double left = relaxer.largest_overlap();
-  while (left > overlap && done < iterations) {
-    if (!go_on()) throw StartStopped{};
-    std::int64_t const more = std::min(between_checks, iterations - done);
-    for (std::int64_t k = 0; k < more; ++k) relaxer.iterate();
-    done += more;
-    left = relaxer.largest_overlap();
-  }
-  relaxer.write_to(state);
-  return {done, left};
-}
 
 /// Scene of undamped disks in a fluid at rest: gradient descent with momentum on the elastic
 /// energy, one step for each iteration.
@@ -149,17 +55,6 @@ bool worth_threads(State const& state) {
 #else
   return true;
 #endif
-}
-
-/// Pushes disks apart until overlaps are no longer deep.
-Relaxation push_apart(State& state, double overlap, std::int64_t iterations, double skin,
-                      std::function<bool()> const& go_on) {
-  auto const limit = std::max(deep, overlap);
-#ifdef KOKKOS_ENABLE_SERIAL
-  if (!worth_threads(state))
-    return push_apart_on<Kokkos::Serial>(state, limit, iterations, skin, go_on);
-#endif
-  return push_apart_on<Host>(state, limit, iterations, skin, go_on);
 }
 
 /// Continues a relaxation. Returns false if disks came too close for an engine; the state is then
@@ -208,8 +103,8 @@ Relaxation relax_in_order(State& state, double overlap, std::int64_t iterations,
                           std::function<bool()> const& go_on) {
   Relaxation relaxed{0, 0};
   for (double limit = deep;; limit /= 2) {
-    auto const begun =
-        push_apart(state, std::max(limit, overlap), iterations - relaxed.iterations, skin, go_on);
+    auto const begun = push_apart(state, std::max(limit, overlap), iterations - relaxed.iterations,
+                                  skin, worth_threads(state), go_on);
     relaxed = {relaxed.iterations + begun.iterations, begun.largest_overlap};
     if (relaxed.largest_overlap <= overlap || relaxed.iterations >= iterations) break;
     if (relax_in_blocks(state, relaxed, overlap, iterations, skin, go_on)) break;

@@ -7,17 +7,10 @@
 #include <string>
 
 #include "src/config/scene.hpp"
+#include "src/start/push_apart.hpp"
 #include "src/state/state.hpp"
 
 namespace bagnold {
-
-struct Relaxation {
-  std::int64_t iterations;
-  double largest_overlap;  ///< relative, what is left
-};
-
-/// Thrown where a start is stopped from outside.
-struct StartStopped {};
 
 /// Pushes overlapping disks apart at rest until the largest relative overlap is below `overlap` or
 /// the iterations are used up: gradient descent with momentum on the elastic energy. Deep overlaps

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/reference/implicit.hpp"
 
+#include "tests/support/few_disks.hpp"
 #include "tests/support/simulations.hpp"
 
 namespace bagnold::test {
@@ -125,29 +126,17 @@ TEST_P(Implicit, InManyPatches) {
 /// do no better than 1/(1 + z), which n iterations give to 1/T_n.
 TEST_P(Implicit, ALonePairSlidesAsTheEquationSays) {
   if (law() == "CD_n") GTEST_SKIP() << "has no tangential damping";
-  Scene scene = implicit_scene(0.8);
-  scene.shear.strain_rate = 0.0;
-  scene.disks.mass = "equal";
-  scene.integration.skin = 0.5;
-  scene.integration.time_step = 0.4;
-  double const slide = 1e-3, overlap = 1e-6;
-  State state;
-  state.box_length = 10.0;
-  state.position = {{4.0, 5.0}, {5.0 - overlap, 5.0}};
-  state.velocity = {{0.0, slide / 2}, {0.0, -slide / 2}};
-  if (scene.rotates()) state.spin = {0.0, 0.0};
-  state.diameter = {1.0, 1.0};
-  auto const simulation = simulate(scene, state, backend());
+  Scene const scene = SlidingPair::scene(implicit_scene(0.8));
+  SlidingPair const pair(scene);
+  auto const simulation = simulate(scene, pair.start(), backend());
   advance(*simulation, 1, 1);
-  State const after = simulation->state();
-  double const k = law() == "CD_nt" ? scene.disks.damping_tangential : 1.0;
-  double slip = after.velocity[0][1] - after.velocity[1][1];
-  if (scene.rotates()) slip += 0.5 * (after.spin[0] + after.spin[1]);
-  double const z = k * 0.4 * (scene.rotates() ? 6.0 : 2.0);
+  double const k = pair.tangential, z = pair.decay();
   double const largest = law() == "CD_nt" ? std::max(k, scene.disks.damping_normal) : k;
-  double const bound = 0.4 * 2 * largest * (scene.rotates() ? 3 : 1);
+  double const bound = pair.time_step * 2 * largest * (scene.rotates() ? 3 : 1);
   double const error = 1 / std::cosh(iterations(scene) * std::acosh(1 + 2 / bound));
-  EXPECT_NEAR(slip / slide, 1 / (1 + z), z * error + 10 * overlap) << "z " << z;
+  EXPECT_NEAR(pair.slip(simulation->state()) / pair.slide, 1 / (1 + z),
+              z * error + 10 * pair.overlap)
+      << "z " << z;
 }
 
 /// Five disks in contact without overlap to speak of: what the motion of all loses in a step is
@@ -156,15 +145,7 @@ TEST_P(Implicit, ACrowdLosesWhatIsDissipated) {
   Scene scene = implicit_scene(0.8);
   scene.shear.strain_rate = 0.0;
   scene.integration.skin = 0.5;
-  double const overlap = 1e-9, side = 1 - overlap, high = 1.2 - overlap;
-  State state;
-  state.box_length = 12.0;
-  state.position = {{4, 4}, {4 + side, 4}, {4 + side / 2, 4 + side * std::sqrt(0.75)}};
-  state.position.push_back({state.position[2][0], state.position[2][1] + high});
-  state.position.push_back({state.position[2][0] + high, state.position[3][1]});
-  state.diameter = {1.0, 1.0, 1.0, 1.4, 1.0};
-  state.velocity = {{1e-3, 2e-3}, {-2e-3, 1e-3}, {3e-3, -1e-3}, {-1e-3, -2e-3}, {-2e-3, 2e-3}};
-  if (scene.rotates()) state.spin = {1e-3, -3e-3, 2e-3, 4e-3, -1e-3};
+  State const state = crowd(scene);
   auto const p = reference_parameters(scene);
   auto const simulation = simulate(scene, state, backend());
   auto const sums = advance(*simulation, 1, 1).sums;

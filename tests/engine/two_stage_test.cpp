@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/reference/two_stage.hpp"
 
+#include "tests/support/few_disks.hpp"
 #include "tests/support/simulations.hpp"
+#include "tests/support/sums.hpp"
 
 namespace bagnold::test {
 
@@ -106,13 +108,7 @@ TEST_P(TwoStage, OfADiluteGas) {
             1e-10);
   using C = SumColumns;
   EXPECT_GE(expected.sums[C::contacts], 2400.0);
-  EXPECT_EQ(sums.sums[C::contacts], expected.sums[C::contacts]);
-  double const kinetic = expected.sums[C::kinetic_xx] + expected.sums[C::kinetic_yy];
-  double const elastic = expected.sums[C::elastic_xx] + expected.sums[C::elastic_yy];
-  for (int c = 0; c < simulation->columns(); ++c) {
-    double const scale = c < C::kinetic_xx ? elastic : kinetic;
-    EXPECT_NEAR(sums.sums[c], expected.sums[c], 1e-9 * (std::abs(expected.sums[c]) + scale)) << c;
-  }
+  expect_equal_sums(sums, expected);
   if (engine() == "lookahead") {
     EXPECT_GE(simulation->snapshot().counters.at("lookahead_steps"), steps / 2);
     EXPECT_GT(simulation->snapshot().counters.at("binary_islands"), 0);
@@ -132,29 +128,14 @@ TEST_P(TwoStage, InManyPatches) {
 /// the tangential motion of two disks that touch without overlap force to speak of.
 TEST_P(TwoStage, ALonePairRelaxesExactly) {
   if (law() == "CD_n") GTEST_SKIP() << "has no tangential damping";
-  Scene scene = two_stage_scene(0.8);
-  scene.shear.strain_rate = 0.0;
-  scene.disks.mass = "equal";
+  Scene scene = SlidingPair::scene(two_stage_scene(0.8));
   scene.disks.elasticity = 1.0;
-  scene.integration.skin = 0.5;
-  scene.integration.time_step = 0.4;
-  double const slide = 1e-3, overlap = 1e-6;
-  State state;
-  state.box_length = 10.0;
-  state.position = {{4.0, 5.0}, {5.0 - overlap, 5.0}};
-  state.velocity = {{0.0, slide / 2}, {0.0, -slide / 2}};
-  if (scene.rotates()) state.spin = {0.0, 0.0};
-  state.diameter = {1.0, 1.0};
-  auto const simulation = simulate(scene, state, backend());
+  SlidingPair const pair(scene);
+  auto const simulation = simulate(scene, pair.start(), backend());
   auto const sums = advance(*simulation, 1, 1).sums;
-  State const after = simulation->state();
-  // d/dt v_t = -k_t (2/m) v_t, with spins -k_t (2/m + 2 (d/2)^2/I) v_t = -k_t (6/m) v_t at the
-  // contact.
-  double const k = law() == "CD_nt" ? scene.disks.damping_tangential : 1.0;
-  double slip = after.velocity[0][1] - after.velocity[1][1];
-  if (scene.rotates()) slip += 0.5 * (after.spin[0] + after.spin[1]);
-  double const z = k * 0.4 * (scene.rotates() ? 6.0 : 2.0);
-  EXPECT_NEAR(slip / slide, std::exp(-z), 10 * overlap) << "z " << z;  // arms are r/2, not 1/2
+  double const z = pair.decay(), slide = pair.slide;
+  EXPECT_NEAR(pair.slip(simulation->state()) / slide, std::exp(-z), 10 * pair.overlap)
+      << "z " << z;  // arms are r/2, not 1/2
   // What is dissipated is what the sliding loses: (m/4) v_t^2, or (m/12) v_t^2 of what can be lost
   // with spins, beside the repulsion's work.
   double const lost = slide * slide * (1 - std::exp(-2 * z)) / (scene.rotates() ? 12 : 4);
@@ -169,15 +150,7 @@ TEST_P(TwoStage, ACrowdLosesWhatIsDissipated) {
   scene.disks.elasticity = 1.0;
   scene.integration.skin = 0.5;
   scene.integration.time_step = 0.4;
-  double const overlap = 1e-9, side = 1 - overlap, high = 1.2 - overlap;
-  State state;
-  state.box_length = 12.0;
-  state.position = {{4, 4}, {4 + side, 4}, {4 + side / 2, 4 + side * std::sqrt(0.75)}};
-  state.position.push_back({state.position[2][0], state.position[2][1] + high});
-  state.position.push_back({state.position[2][0] + high, state.position[3][1]});
-  state.diameter = {1.0, 1.0, 1.0, 1.4, 1.0};
-  state.velocity = {{1e-3, 2e-3}, {-2e-3, 1e-3}, {3e-3, -1e-3}, {-1e-3, -2e-3}, {-2e-3, 2e-3}};
-  if (scene.rotates()) state.spin = {1e-3, -3e-3, 2e-3, 4e-3, -1e-3};
+  State const state = crowd(scene);
   auto const p = reference_parameters(scene);
   auto const energy = [&](State const& s) {
     double sum = 0;

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -11,6 +10,7 @@
 #include <span>
 
 #include "src/config/oscillation.hpp"
+#include "src/run/protocols/oscillate/cycle_fit.hpp"
 #include "src/run/protocols/passes.hpp"
 
 namespace bagnold {
@@ -43,54 +43,23 @@ std::int64_t harmonics_of(Run const& run) {
   return std::min<std::int64_t>(most_harmonics, run.scene.shear.cycle_pieces / 2 - 1);
 }
 
-/// Columns: 1, for each harmonic its strain and its rate over omega, and the time in cycles from
-/// the middle of the cycle, for a drift. Rows: windows.
-Eigen::MatrixXd terms_of(Run const& run) {
+/// For each window: 1, for each harmonic its strain and its rate over omega, and the time in cycles
+/// from the middle of the cycle, for a drift.
+std::vector<std::vector<double>> terms_of(Run const& run) {
   auto const motion = motion_of(run);
-  auto const rows = static_cast<Eigen::Index>(motion.phase.size());
   double const omega = 2 * std::numbers::pi / oscillation_period(run.scene);
   double const amplitude = run.scene.shear.amplitude;
-  Eigen::MatrixXd terms(rows, 2 + 2 * harmonics_of(run));
-  for (Eigen::Index k = 0; k < rows; ++k) {
-    auto const at = static_cast<std::size_t>(k);
-    terms(k, 0) = 1;
-    terms(k, 1) = motion.strain[at];
-    terms(k, 2) = motion.rate[at] / omega;
+  std::vector<std::vector<double>> terms;
+  for (std::size_t k = 0; k < motion.phase.size(); ++k) {
+    auto& row = terms.emplace_back(std::vector{1.0, motion.strain[k], motion.rate[k] / omega});
     for (std::int64_t n = 2; n <= harmonics_of(run); ++n) {
-      terms(k, 2 * n - 1) = amplitude * std::sin(static_cast<double>(n) * motion.phase[at]);
-      terms(k, 2 * n) = amplitude * std::cos(static_cast<double>(n) * motion.phase[at]);
+      row.push_back(amplitude * std::sin(static_cast<double>(n) * motion.phase[k]));
+      row.push_back(amplitude * std::cos(static_cast<double>(n) * motion.phase[k]));
     }
-    terms(k, terms.cols() - 1) = motion.phase[at] / (2 * std::numbers::pi) - 0.5;
+    row.push_back(motion.phase[k] / (2 * std::numbers::pi) - 0.5);
   }
   return terms;
 }
-
-/// Fit of the stress of a cycle. The drift is near a sum of harmonics: to fit it beside them makes
-/// the error of G' in a flow that fluctuates 2.5 times as large. So it is taken from drift_of where
-/// there are other cycles.
-class CycleFit {
- public:
-  explicit CycleFit(Run const& run)
-      : terms_(terms_of(run)),
-        alone_(terms_.colPivHouseholderQr()),
-        beside_(terms_.leftCols(terms_.cols() - 1).colPivHouseholderQr()) {}
-
-  /// G'_1, G''_1, G'_2, ... and the change of sigma in a cycle. `drift`: that, if it is known.
-  Eigen::VectorXd operator()(std::span<double const> cycle, std::optional<double> drift) const {
-    Eigen::Map<Eigen::VectorXd const> const stress(cycle.data(),
-                                                   static_cast<Eigen::Index>(cycle.size()));
-    auto const count = terms_.cols() - 1;
-    if (!drift) return alone_.solve(stress).tail(count);
-    Eigen::VectorXd found(count);
-    found.head(count - 1) = beside_.solve(stress - *drift * terms_.col(count)).tail(count - 1);
-    found(count - 1) = *drift;
-    return found;
-  }
-
- private:
-  Eigen::MatrixXd terms_;
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> alone_, beside_;
-};
 
 /// Drift over a cycle: the mean difference of windows a period apart, of which one lies about its
 /// beginning and the other about its end. So it is that of this cycle, and what the strain does
@@ -137,7 +106,7 @@ Cycles cycles_of(Run const& run) {
   Cycles cycles;
   cycles.observables = observables(run.scene, run.box_length);
   auto const sigma = of_name(cycles.observables, "sigma").value;
-  CycleFit const fit(run);
+  CycleFit const fit(terms_of(run));
   auto const harmonics = harmonics_of(run);
   auto const windows_of_cycle = run.plan.pieces->size();
   cycles.discarded = static_cast<std::size_t>(run.plan.discarded_windows) / windows_of_cycle;
@@ -156,11 +125,9 @@ Cycles cycles_of(Run const& run) {
         for (std::size_t c = 0; c < sums.size(); ++c) row[c] += sums[c];
         weight += windows.weight[w];
       }
-      Eigen::VectorXd const found =
-          fit(std::span(stress).subspan(cycle * windows_of_cycle, windows_of_cycle),
-              drift_of(stress, cycle, windows_of_cycle));
-      for (std::size_t c = 0; c < static_cast<std::size_t>(found.size()); ++c)
-        row[windows.columns + c] = weight * found(static_cast<Eigen::Index>(c));
+      auto const found = fit(std::span(stress).subspan(cycle * windows_of_cycle, windows_of_cycle),
+                             drift_of(stress, cycle, windows_of_cycle));
+      for (std::size_t c = 0; c < found.size(); ++c) row[windows.columns + c] = weight * found[c];
       table.push_back(row, weight);
     }
     cycles.of.push_back(std::move(table));

@@ -4,7 +4,7 @@
 #include "src/config/plan.hpp"
 #include "src/config/scene.hpp"
 
-namespace bagnold::io {
+namespace bagnold {
 
 /// Size of the trajectories of a run, all replicas together.
 struct TrajectorySize {
@@ -15,4 +15,4 @@ struct TrajectorySize {
 /// Size by the plan of a run that writes frames (plan.trajectory_steps > 0).
 TrajectorySize trajectory_size(Scene const& scene, Plan const& plan);
 
-}  // namespace bagnold::io
+}  // namespace bagnold

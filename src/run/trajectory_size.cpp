@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "src/io/trajectory_size.hpp"
+#include "src/run/trajectory_size.hpp"
 
-namespace bagnold::io {
+namespace bagnold {
 
 TrajectorySize trajectory_size(Scene const& scene, Plan const& plan) {
   constexpr double numbers = 8.5;  // a disk and frame: seven doubles, three integers of 32 bits
@@ -11,4 +11,4 @@ TrajectorySize trajectory_size(Scene const& scene, Plan const& plan) {
   return {frames, frames * numbers * sizeof(double) * disks};
 }
 
-}  // namespace bagnold::io
+}  // namespace bagnold
