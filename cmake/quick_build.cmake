@@ -3,6 +3,7 @@
 # What spares the compiler reading the same headers for each source.
 # bagnold_precompile(TARGET HEADER...): headers that most sources of a target include are read once.
 # bagnold_join(TARGET): eight sources are compiled as one; names of their own must differ among them.
+# bagnold_join_some(TARGET SOURCE...): these alone, as one.
 # No source may need either: structure.headers compiles each header alone. Off where a compiler is
 # launched by another program, as ccache, which does better with small sources. No precompiled
 # headers for nvcc.
@@ -20,6 +21,14 @@ set(bagnold_standard_headers <algorithm> <array> <cmath> <cstdint> <filesystem> 
 function(bagnold_precompile target)
   if(BAGNOLD_QUICK_BUILD AND NOT CMAKE_CXX_COMPILER MATCHES "nvcc_wrapper$")
     target_precompile_headers(${target} PRIVATE ${bagnold_standard_headers} ${ARGN})
+  endif()
+endfunction()
+
+function(bagnold_join_some target)
+  if(BAGNOLD_QUICK_BUILD AND NOT CMAKE_CXX_COMPILER MATCHES "nvcc_wrapper$")
+    bagnold_join(${target})
+    set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+    set_source_files_properties(${ARGN} PROPERTIES UNITY_GROUP some)
   endif()
 endfunction()
 
