@@ -65,10 +65,10 @@ inline constexpr std::size_t most_pairs = 20;
 /// the cheapest first, by pairs from the states of the run. One is accepted: the run takes it, and
 /// its pairs go on; between them each strain of watch_strain is a round too, in which p_kin/p alone
 /// is looked at, of methods that damp all. It is refused or open after 9 pairs, 13 where the run is
-/// a side of them: the next one is tried at places twice as far apart. If the method that the run steps by is refused or open, the
-/// usual one follows, and the windows so far are dropped. Where an accuracy below usual_accuracy or
-/// measure.bias asks for it, the usual method is judged too, and if it is refused one of half the
-/// step follows.
+/// a side of them: the next one is tried at places twice as far apart. If the method that the run
+/// steps by is refused or open, the usual one follows, and the windows so far are dropped. Where an
+/// accuracy below usual_accuracy or measure.bias asks for it, the usual method is judged too, and
+/// if it is refused one of half the step follows.
 ///
 /// Where the run itself steps by one of both methods, own(), and places are a stretch apart, the
 /// run's windows up to the next place are that side of the pair. The round ends there.
@@ -156,8 +156,8 @@ class Course {
   Scene scene_;
   Ladder ladder_;
   Methods methods_;
-  std::int64_t grid_;                  ///< [steps of the run]
-  std::vector<std::vector<Pair>> of_;  ///< [R], in the order of rounds
+  std::int64_t grid_;                        ///< [steps of the run]
+  std::vector<std::vector<Pair>> of_;        ///< [R], in the order of rounds
   std::vector<std::optional<Begun>> begun_;  ///< [R]
   std::size_t rounds_ = 0;                   ///< complete
 
