@@ -138,7 +138,7 @@ for data, numbers in (("cd_slowest", (2, 5, 6)), ("cd_rot_slowest", (11, 13, 14)
     for number in numbers:
         half = len(AXES[f"P2-{number}"]) // 2
         ALSO[f"P2-{number}"] = data, [{RATE: [1e-7], PHI: [phi]} for phi in half * [0.82] + half * [0.76]]
-ALSO["P2-16"] = "cd_rot_slowest", [{RATE: [1e-7], Q: [1]}] * 2  # none at Q = 20
+ALSO["P2-16"] = "cd_rot_slowest", [{RATE: [1e-7], Q: [q]} for q in (1, 1, 20, 20)]
 angles, velocities = ("\\vartheta$", "(\\vartheta)"), ("$V^R_{ij}$", "$V_{ij,T}$", "$V^C_{ij,T}$", "$V_{ij,N}$")
 OTHERS = {  # panels that show more than averages: what labels of their axes say
     "P1-10": [angles] * 6, "P2-8": [angles] * 2, "P2-18": [angles] * 2,
