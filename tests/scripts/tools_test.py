@@ -19,7 +19,7 @@ SOURCE = pathlib.Path(os.environ.get("BAGNOLD_SOURCE", pathlib.Path(__file__).re
 sys.path.insert(0, str(SOURCE / "scripts/lib"))
 import pypi  # noqa: E402
 
-BIN = pypi.provide("test-tools-r1", ["taplo", "cffconvert", "signac", "py-rattler-build"])
+BIN = pypi.provide("test-tools-r2", ["taplo", "cffconvert", "signac", "py-rattler-build"])
 FOLDERS = ("inputs", "examples", "python", "docs", "bench", "tests")
 
 
