@@ -162,10 +162,9 @@ Ladder ladder_of(Scene const& scene) {
   auto const longest = std::ranges::max(ladder.methods, {}, &Method::length).length;
   double const stretch =
       std::max(stretch_strain, static_cast<double>(fewest_stretch_steps * longest) * step_strain);
-  ladder.grid = multiple(stretch, ladder.window);  // no two overlap
   auto const in_thirds = multiple(stretch, 3 * ladder.window);
   ladder.shares = static_cast<double>(in_thirds) * step_strain <= most_stretch * stretch;
-  if (ladder.shares) ladder.grid = in_thirds;
+  ladder.grid = ladder.shares ? in_thirds : multiple(stretch, ladder.window);  // no two overlap
   return ladder;
 }
 

@@ -28,7 +28,7 @@ struct Ladder {
   std::int64_t whole = 1;   ///< steps that hold whole ones of every method
   std::int64_t window = 1;  ///< steps of a measurement window
   std::int64_t grid = 1;    ///< steps between places at which the method may change, whole windows
-  bool shares = false;      ///< the grid is three whole windows, or some times as many
+  bool shares = false;      ///< the run may be a side of a pair; the grid is 3, 6, ... windows
   bool judges_all = false;  ///< the usual method is judged too, and finer ones follow it
 
   bool has_choice() const { return methods.size() > 1; }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "src/config/ladder.hpp"
@@ -111,7 +112,12 @@ class Course {
 
   /// Between places of the run at which rounds may be, [steps of the run].
   std::int64_t grid() const { return grid_; }
-  std::int64_t windows_of_place() const { return grid_ / ladder_.window; }
+
+  /// First and one past the last of the run's windows of a pair that began at a step.
+  std::pair<std::size_t, std::size_t> windows_from(std::int64_t step) const {
+    auto const first = static_cast<std::size_t>(step / ladder_.window);
+    return {first, first + static_cast<std::size_t>(grid_ / ladder_.window)};
+  }
 
   /// Windows before a round from which p_kin/p is told: half of those between two places, or
   /// between two looks at a method that the run steps by.

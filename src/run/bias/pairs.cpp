@@ -87,10 +87,9 @@ void ReplicaPairs::add_own(Simulation const& run, statistics::Windows const& win
   auto const& [step, other] = *course.begun(replica_);
   auto const& methods = course.methods();
   bool const coarse = course.own() == Own::coarse;
-  auto const window = course.grid() / course.windows_of_place();
-  auto const first = static_cast<std::size_t>(step / window);
+  auto const [first, last] = course.windows_from(step);
   auto const own = averages_of(coarse ? methods.coarse : methods.fine, run.state().box_length,
-                               windows, first, first + course.windows_of_place());
+                               windows, first, last);
   course.add(replica_, coarse ? Pair{step, own, other} : Pair{step, other, own});
 }
 

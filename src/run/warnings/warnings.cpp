@@ -46,6 +46,11 @@ std::span<Check* const> checks_of(Scene::Shear const& shear) {
   return all_checks;
 }
 
+/// The run's scene with other values, in a folder of its own.
+std::string run_with(std::string_view values, std::string_view suffix) {
+  return fmt::format("bagnold run DIR/scene.toml {} --out DIR-{}", values, suffix);
+}
+
 }  // namespace
 
 std::vector<Warning> warnings(FinishedRun const& finished) {
@@ -56,10 +61,8 @@ std::vector<Warning> warnings(FinishedRun const& finished) {
 }
 
 std::string by_scheme(std::string_view scheme, std::string_view suffix) {
-  return fmt::format(
-      "bagnold run DIR/scene.toml --set integration.scheme={} --set integration.time_step=auto "
-      "--out DIR-{}",
-      scheme, suffix);
+  return run_with(
+      fmt::format("--set integration.scheme={} --set integration.time_step=auto", scheme), suffix);
 }
 
 std::string half_the_step(FinishedRun const& finished) {
@@ -121,8 +124,7 @@ std::string until_errors(FinishedRun const& finished) {
 }
 
 std::string changed_run(std::string const& key, std::string const& value) {
-  return fmt::format("bagnold run DIR/scene.toml --set {}={} --out DIR-{}", key, value,
-                     key.substr(key.find('.') + 1));
+  return run_with(fmt::format("--set {}={}", key, value), key.substr(key.find('.') + 1));
 }
 
 }  // namespace bagnold

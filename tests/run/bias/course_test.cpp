@@ -288,7 +288,9 @@ TEST(BiasCourse, OneStretchIsTheRunsOwn) {
   Averages const other{1, 1, 1, 1, 1e-4, 1};
   EXPECT_EQ(course.own(), Own::fine) << "of implicit damping beside two stages";
   EXPECT_EQ(course.methods().length() * 8, grid);
-  EXPECT_EQ(course.windows_of_place(), 3);
+  auto const [first, last] = course.windows_from(grid);
+  EXPECT_EQ(first, 3);
+  EXPECT_EQ(last, 6);
   course.begin(0, grid, other);
   EXPECT_TRUE(course.takes(0)) << "it goes on";
   EXPECT_EQ(course.next(0), 2 * grid);

@@ -11,9 +11,9 @@ namespace bagnold {
 
 /// Fit of least squares to the stress of the K windows of a cycle.
 ///
-/// The last term is the drift, which is near a sum of harmonics: to fit it beside them makes the
-/// error of G' in a flow that fluctuates 2.5 times as large. So it is given where there are other
-/// cycles to take it from.
+/// The last term is the drift D (Cycles). It is near a sum of harmonics: to fit it beside them
+/// makes the error of G' in a flow that fluctuates 2.5 times as large. So it is given where there
+/// are other cycles to take it from.
 class CycleFit {
  public:
   /// terms: [K] rows of as many terms each, the first a constant.
