@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
+#include <vector>
 
 #include "src/analysis/csv.hpp"
 
@@ -89,12 +91,17 @@ void draw_against_label(Report& report, std::vector<Outcome> const& outcomes,
   bool const value_right = axis == "phi" || axis.starts_with("phi_");
   Panel panel = value_right ? Panel(report, axis, label, log_value, log_label)
                             : Panel(report, label, axis, log_label, log_value);
+  auto const number_of = [&](Outcome const* one) {
+    return *number_in(std::ranges::find(one->labels, label, &Label::first)->second);
+  };
+  std::vector<Outcome const*> in_order;  // tables may have come in another one
+  for (auto const& one : outcomes) in_order.push_back(&one);
+  std::ranges::stable_sort(in_order, {}, number_of);
   for (auto const& [index, name] : parameters)
-    for (auto const& one : outcomes) {
+    for (auto const* outcome : in_order) {
+      auto const& one = *outcome;
       if (!one.failure.empty() || !std::isfinite(one.found.value[index])) continue;
-      double at = unknown;
-      for (auto const& [key, value] : one.labels)
-        if (key == label) at = *number_in(value);
+      double const at = number_of(outcome);
       double const value = one.found.value[index], error = one.found.error[index];
       auto const others = caption(one.labels, label);
       auto const curve = name.empty() || others.empty() ? name + others : name + ", " + others;

@@ -41,7 +41,7 @@ struct DrawnParameter {
 };
 
 /// Draws parameters, on the axis `axis`, against the only label of all outcomes that is a number
-/// and differs; phi is always the abscissa. Nothing if there is no such label.
+/// and differs, in ascending order; phi is always the abscissa. Nothing if there is no such label.
 void draw_against_label(Report& report, std::vector<Outcome> const& outcomes,
                         std::vector<DrawnParameter> const& parameters, std::string const& axis,
                         bool log_value);
