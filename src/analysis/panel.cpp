@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "src/analysis/csv.hpp"
@@ -91,17 +92,16 @@ void draw_against_label(Report& report, std::vector<Outcome> const& outcomes,
   bool const value_right = axis == "phi" || axis.starts_with("phi_");
   Panel panel = value_right ? Panel(report, axis, label, log_value, log_label)
                             : Panel(report, label, axis, log_label, log_value);
-  auto const number_of = [&](Outcome const* one) {
-    return *number_in(std::ranges::find(one->labels, label, &Label::first)->second);
-  };
-  std::vector<Outcome const*> in_order;  // tables may have come in another one
-  for (auto const& one : outcomes) in_order.push_back(&one);
-  std::ranges::stable_sort(in_order, {}, number_of);
+  using Place = std::pair<double, Outcome const*>;
+  std::vector<Place> in_order;  // outcomes come in the order of the table's rows
+  for (auto const& one : outcomes)
+    in_order.emplace_back(*number_in(std::ranges::find(one.labels, label, &Label::first)->second),
+                          &one);
+  std::ranges::stable_sort(in_order, {}, &Place::first);
   for (auto const& [index, name] : parameters)
-    for (auto const* outcome : in_order) {
+    for (auto const& [at, outcome] : in_order) {
       auto const& one = *outcome;
       if (!one.failure.empty() || !std::isfinite(one.found.value[index])) continue;
-      double const at = number_of(outcome);
       double const value = one.found.value[index], error = one.found.error[index];
       auto const others = caption(one.labels, label);
       auto const curve = name.empty() || others.empty() ? name + others : name + ", " + others;
