@@ -72,6 +72,16 @@ class Chosen(Choice):
         self.assertGreater(sum(one["pairs"] for one in judged if one["method"] == TWO_STAGES), 0)
         self.assertEqual(found["finer"]["time_step"], found["method"]["time_step"] / 4)
 
+    def test_accuracy_that_nothing_looks_at(self):
+        """Refused, with the reason, where it would be held by chance alone."""
+        for change, reason in (({"measure__contacts": True}, "measure.contacts"), ({"measure__fields": True}, "measure.fields"),
+                               ({"integration__scheme": "two-stage-leapfrog"}, "named"), ({"integration__time_step": 0.4}, "named")):
+            with self.subTest(**change):
+                scene = {**DENSE, "disks__count": 1024, "integration__accuracy": 0.002, **change}
+                self.refused(self.scene(**scene), "integration.accuracy = 0.002 (nothing looks at it", reason, "measure.bias = true")
+                self.assertEqual(self.bagnold("validate", self.scene(**{**scene, "measure__bias": True})).returncode, 0)
+                self.assertEqual(self.bagnold("validate", self.scene(**{**scene, "integration__accuracy": 0.01})).returncode, 0)
+
     def test_refused_later(self):
         """On the edge of inertia a method that was taken is left: windows before that are in no average."""
         changes = {**DENSE, "disks__count": 64, "shear__strain_rate": 1.5e-3, "shear__strain": 7.0}
