@@ -2,9 +2,10 @@
 #
 # What spares the compiler reading the same headers for each source.
 # bagnold_precompile(TARGET HEADER...): headers that most sources of a target include are read once.
-# bagnold_join(TARGET): eight sources are compiled as one; names of their own must differ among them.
+# bagnold_join(TARGET [COUNT]): so many sources, eight, are compiled as one; names of their own must differ among
+# them.
 # bagnold_join_some(TARGET SOURCE...): these alone, as one.
-# No source may need either: structure.headers compiles each header alone. Off where a compiler is
+# No source may need either: structure.headers compiles each header alone, the nightly check all sources. Off where a compiler is
 # launched by another program, as ccache, which does better with small sources. No precompiled
 # headers for nvcc.
 
@@ -34,7 +35,11 @@ endfunction()
 
 function(bagnold_join target)
   if(BAGNOLD_QUICK_BUILD)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    set(count 8)
+    if(ARGC GREATER 1)
+      set(count ${ARGV1})
+    endif()
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${count})
     # GCC takes the sources joined for headers, and warns of what is right in a source.
     target_compile_options(${target} PRIVATE $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-subobject-linkage>)
   endif()

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <numeric>
 
+#include "src/analysis/csv.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/nearest_word.hpp"
 

@@ -5,14 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <set>
 
 #include "src/analysis/csv.hpp"
 #include "src/config/errors.hpp"
-#include "src/config/keys.hpp"
+#include "src/config/key_values.hpp"
 #include "src/config/nearest_word.hpp"
-#include "src/config/scene_file.hpp"
 #include "src/io/atomic_file.hpp"
 #include "src/io/hdf5_reader.hpp"
 
@@ -142,16 +140,10 @@ SweepTable read_csv_table(std::filesystem::path const& path) {
   return table;
 }
 
-std::optional<double> number_of(Scene const& scene, std::string const& wanted) {
-  std::optional<double> found;
-  for_each_key(scene, [&](Key const& key, auto const& member) {
-    using Member = std::decay_t<decltype(member)>;
-    if (key.name != wanted) return;
-    if constexpr (std::is_arithmetic_v<Member>) found = static_cast<double>(member);
-    if constexpr (std::is_same_v<Member, std::optional<double>>) found = member;
-    if constexpr (std::is_same_v<Member, NumberOrWord>) found = member.number;
-  });
-  return found;
+/// Values of the keys of one of the scenes of a table; name: of the scene, in messages.
+std::vector<KeyValue> values_of(SweepTable const& table, std::size_t point,
+                                std::string const& name) {
+  return key_values(table.scenes[point], name, std::filesystem::path(table.origin).parent_path());
 }
 
 /// True for scene keys that distinguish runs of a table: those of the flow and its rate.
@@ -163,15 +155,12 @@ bool is_physics(std::string_view key) {
 /// Values of a scene's physical keys, as numbers or texts.
 std::map<std::string, KeyColumn> physics_of(SweepTable const& table) {
   std::map<std::string, KeyColumn> found;
-  auto const scene = parse_scene(table.scenes.front(), table.origin,
-                                 std::filesystem::path(table.origin).parent_path());
-  for_each_key(scene, [&](Key const& key, auto const& member) {
-    using Member = std::decay_t<decltype(member)>;
-    if (!is_physics(key.name)) return;
-    auto& column = found[std::string(key.name)];
-    if constexpr (std::is_same_v<Member, std::string>) column.texts = {member};
-    if constexpr (std::is_arithmetic_v<Member>) column.numbers = {static_cast<double>(member)};
-  });
+  for (auto const& [name, number, text] : values_of(table, 0, table.origin)) {
+    if (!is_physics(name)) continue;
+    auto& column = found[name];
+    if (number) column.numbers = {*number};
+    if (text) column.texts = {*text};
+  }
   return found;
 }
 
@@ -236,12 +225,11 @@ std::vector<double> SweepTable::numbers(std::string const& key) const {
   }
   std::vector<double> out;
   for (std::size_t point = 0; point < scenes.size(); ++point) {
-    auto const scene =
-        parse_scene(scenes[point], fmt::format("{}, scene of point {}", origin, point),
-                    std::filesystem::path(origin).parent_path());
-    auto const value = number_of(scene, key);
-    if (!value) break;
-    out.push_back(*value);
+    auto const values =
+        values_of(*this, point, fmt::format("{}, scene of point {}", origin, point));
+    auto const found = std::ranges::find(values, key, &KeyValue::name);
+    if (found == values.end() || !found->number) break;
+    out.push_back(*found->number);
   }
   if (out.size() == points) return out;
   std::vector<std::string> known;

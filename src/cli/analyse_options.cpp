@@ -5,6 +5,7 @@
 
 #include "src/analysis/kinds/kinds.hpp"
 #include "src/cli/name_value.hpp"
+#include "src/cli/options.hpp"
 
 namespace bagnold {
 namespace {

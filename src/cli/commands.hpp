@@ -10,11 +10,12 @@
 
 #include "src/analysis/analyse.hpp"
 #include "src/cli/command_line.hpp"
-#include "src/config/scene.hpp"
 #include "src/run/machine.hpp"
 #include "src/run/messages.hpp"
 
 namespace bagnold {
+
+struct Scene;
 
 struct SceneOptions {
   std::filesystem::path scene_file;

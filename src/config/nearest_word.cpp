@@ -29,7 +29,7 @@ std::size_t edits(std::string const& a, std::string const& b) {
   return row.back();
 }
 
-constexpr std::size_t longest = 100;  ///< longer words are cut: they cost time
+constexpr std::size_t longest_word = 100;  ///< longer words are cut: they cost time
 
 /// True if one word is the beginning or a part of the other: "--output" is --out, "rate" a
 /// strain_rate.
@@ -54,7 +54,7 @@ std::string bare(std::string const& word) {
 }
 
 std::string nearest_word(std::string const& given, std::vector<std::string> const& candidates) {
-  auto const word = given.substr(0, longest);
+  auto const word = given.substr(0, longest_word);
   auto const is_near = [&](std::string const& candidate) {
     auto const length = std::max(bare(word).size(), bare(candidate).size());
     return edits(bare(word), bare(candidate)) <= length / 3 || is_part(word, candidate);

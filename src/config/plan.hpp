@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "src/config/ramp.hpp"
-#include "src/config/scene.hpp"
 
 namespace bagnold {
+
+struct Scene;
 
 class PieceTable;
 

@@ -12,6 +12,7 @@
 
 #include "kernels/device/initialize_kokkos.hpp"
 #include "src/config/errors.hpp"
+#include "src/config/scene.hpp"
 #include "src/engine/levels/levels.hpp"
 #include "src/engine/make_simulation.hpp"
 #include "src/run/cores.hpp"

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "src/config/scene.hpp"
-
 namespace bagnold {
+
+struct Scene;
 
 /// Backend and threads of a run; none of it changes its bits.
 struct Machine {

@@ -6,11 +6,12 @@
 #include <vector>
 
 #include "src/config/plan.hpp"
-#include "src/config/scene.hpp"
 #include "src/run/run_folder.hpp"
 #include "src/run/warnings/warning.hpp"
 
 namespace bagnold {
+
+struct Scene;
 
 /// End of a call to run a scene; failures are thrown.
 enum class RunEnd { done, stopped };

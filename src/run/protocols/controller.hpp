@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "src/config/plan.hpp"
+#include "src/config/scene.hpp"
 #include "src/engine/simulation.hpp"
 #include "src/statistics/windows.hpp"
 
