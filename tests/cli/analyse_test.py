@@ -104,6 +104,7 @@ class AnalyseTest(CliTest):
         self.near(drop, "Q_down", 21.0)
         self.assertLess(float(drop["Q_down_error"]) / 21.0, 0.1)
         self.assertEqual(none["Q_down"], "")
+        self.assertRegex(self.result.stderr, r"0\.84: no jump down: .*(all intervals lie within it|three times as steep)")
 
     def test_divergence_of_a_quantity(self):
         points = grid(disks__packing_fraction=list(np.linspace(0.70, 0.835, 12)))

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 namespace bagnold::analysis {
 namespace {
@@ -32,9 +33,9 @@ bool stands_out(double steepest, std::size_t low, std::size_t high, std::size_t 
   return steepest >= several * *middle;
 }
 
-}  // namespace
-
-std::optional<Jump> find_jump(Points const& points, Direction direction, double least_factor) {
+/// The jump, or why there is none.
+std::variant<Jump, std::string_view> search(Points const& points, Direction direction,
+                                            double least_factor) {
   check_points(points, 2, "jump");
   auto const log_y = with_logarithms(points, false, true).y;
   double const sign = direction == Direction::up ? 1.0 : -1.0;
@@ -48,13 +49,17 @@ std::optional<Jump> find_jump(Points const& points, Direction direction, double 
   for (std::size_t i = 1; i + 1 < points.size(); ++i)
     if (steepness(i) > steepness(low)) low = i;
   double const steepest = steepness(low);
-  if (!(steepest > 0.0)) return std::nullopt;
+  if (!(steepest > 0.0)) return "no interval goes that way";
   std::size_t high = low + 1;
   while (low > 0 && several * steepness(low - 1) >= steepest) --low;
   while (high + 1 < points.size() && several * steepness(high) >= steepest) ++high;
-  if (!stands_out(steepest, low, high, points.size(), steepness)) return std::nullopt;
-  if (change(low, high) < std::log(least_factor) || !is_clear(points, low, high, change(low, high)))
-    return std::nullopt;
+  if (low == 0 && high + 1 == points.size() && points.size() > 2)
+    return "all intervals lie within it; points further out would tell a jump from a power law";
+  if (!stands_out(steepest, low, high, points.size(), steepness))
+    return "its steepest interval is less than three times as steep as those outside";
+  if (change(low, high) < std::log(least_factor)) return "y changes by less than --least-factor";
+  if (!is_clear(points, low, high, change(low, high)))
+    return "y changes by less than three of its errors";
 
   double const middle = (log_y[low] + log_y[high]) / 2.0;
   std::size_t i = low;
@@ -62,6 +67,20 @@ std::optional<Jump> find_jump(Points const& points, Direction direction, double 
   double const width = points.x[i + 1] - points.x[i];
   double const share = (middle - log_y[i]) / (log_y[i + 1] - log_y[i]);
   return Jump{points.x[i] + share * width, width / std::sqrt(12.0), points.y[low], points.y[high]};
+}
+
+}  // namespace
+
+std::optional<Jump> find_jump(Points const& points, Direction direction, double least_factor) {
+  auto const found = search(points, direction, least_factor);
+  auto const* const jump = std::get_if<Jump>(&found);
+  return jump ? std::optional(*jump) : std::nullopt;
+}
+
+std::string_view why_no_jump(Points const& points, Direction direction, double least_factor) {
+  auto const found = search(points, direction, least_factor);
+  auto const* const reason = std::get_if<std::string_view>(&found);
+  return reason ? *reason : std::string_view{};
 }
 
 }  // namespace bagnold::analysis

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include "src/analysis/fit/points.hpp"
 
@@ -26,5 +27,8 @@ enum class Direction { up, down };
 /// law, in ln x, has no jump. A jump may lie anywhere between two points: that spread, uniform, is
 /// the error.
 std::optional<Jump> find_jump(Points const& points, Direction direction, double least_factor);
+
+/// Why find_jump() finds none, as messages put it behind "no jump: "; empty where it finds one.
+std::string_view why_no_jump(Points const& points, Direction direction, double least_factor);
 
 }  // namespace bagnold::analysis

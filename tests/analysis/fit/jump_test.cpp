@@ -83,4 +83,17 @@ TEST(Jump, NoneWhereThereIsNone) {
 }
 
 }  // namespace
+TEST(Jump, SaysWhyThereIsNone) {
+  auto const why = [](Points const& points) { return why_no_jump(points, Direction::down, 2.0); };
+  EXPECT_EQ(why({{1, 2, 3, 4}, {9, 9, 1, 1}, {}}), "");
+  EXPECT_EQ(why({{1, 2, 3}, {1, 2, 3}, {}}), "no interval goes that way");
+  EXPECT_NE(why({{1, 2, 3}, {9, 3, 1}, {}}).find("all intervals lie within it"), std::string::npos);
+  // with a point outside the same three are a jump
+  EXPECT_EQ(why({{0, 1, 2, 3}, {9, 9, 3, 1}, {}}), "");
+  EXPECT_NE(why({{1, 2, 3, 4}, {9, 9, 8, 8}, {}}).find("--least-factor"), std::string::npos);
+  EXPECT_NE(why({{1, 2}, {3, 1}, {2, 1}}).find("three of its errors"), std::string::npos);
+  EXPECT_NE(why({{1, 2, 3, 4, 5, 6}, {32, 16, 12, 3, 2.5, 1.3}, {}}).find("three times as steep"),
+            std::string::npos);
+}
+
 }  // namespace bagnold::analysis
