@@ -2,12 +2,11 @@
 #
 # What spares the compiler reading the same headers for each source.
 # bagnold_precompile(TARGET HEADER...): headers that most sources of a target include are read once.
-# bagnold_join(TARGET [COUNT]): so many sources, eight, are compiled as one; names of their own must differ among
-# them.
+# bagnold_join(TARGET [COUNT]): so many sources, 8, are compiled as one; names of their own must differ among them.
 # bagnold_join_some(TARGET SOURCE...): these alone, as one.
-# No source may need either: structure.headers compiles each header alone, the nightly check all sources. Off where a compiler is
-# launched by another program, as ccache, which does better with small sources. No precompiled
-# headers for nvcc.
+# No source may need either: structure.headers compiles headers alone, the nightly check all sources. Off where a
+# compiler is launched by another program, as ccache, which does better with small sources. No precompiled headers
+# for nvcc.
 
 if(CMAKE_CXX_COMPILER_LAUNCHER)
   set(bagnold_quick OFF)

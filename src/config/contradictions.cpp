@@ -11,8 +11,6 @@
 #include <vector>
 
 #include "src/config/abilities.hpp"
-#include "src/config/errors.hpp"
-#include "src/config/ladder.hpp"
 #include "src/config/names.hpp"
 #include "src/config/quasi_static.hpp"
 #include "src/config/shown.hpp"
@@ -238,22 +236,6 @@ void find_contradictions(Scene const& scene, std::string const& origin, Mistakes
   look_at_engine(scene, refuse);
   if (!mistakes.about("disks.model")) look_at_bias(scene, refuse);
   if (!mistakes.about("shear.protocol")) look_at_protocol(scene, refuse);
-}
-
-void refuse_unseen_accuracy(Scene const& scene, std::string const& origin) {
-  auto const& asked = scene.integration;
-  if (asked.accuracy >= usual_accuracy || scene.measure.bias || may_change_method(scene)) return;
-  auto not_named = scene;
-  not_named.integration.scheme = automatic;
-  not_named.integration.time_step = automatic;
-  throw InputError(fmt::format(
-      "{}: integration.accuracy = {} (nothing looks at it: {}); set measure.bias = true, which "
-      "tells whether it is held, or leave it out",
-      origin, asked.accuracy,
-      may_change_method(not_named)
-          ? "the scheme or the time step is named"
-          : "scheme = \"auto\" judges no method with measure.contacts, measure.fields, "
-            "measure.rotation or a drive"));
 }
 
 }  // namespace bagnold

@@ -12,8 +12,4 @@ namespace bagnold {
 /// mistake already are not checked.
 void find_contradictions(Scene const& scene, std::string const& origin, Mistakes& mistakes);
 
-/// Throws InputError where an accuracy below usual_accuracy is asked for and nothing in the run
-/// would look at it. The scene has the scheme that it is run with.
-void refuse_unseen_accuracy(Scene const& scene, std::string const& origin);
-
 }  // namespace bagnold

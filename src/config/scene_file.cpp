@@ -317,7 +317,6 @@ Scene scene_of(toml::table table, std::string const& origin, std::filesystem::pa
   mistakes.throw_any();
   if (!reader.has("integration.scheme") && auto_is_default(scene))
     scene.integration.scheme = automatic;
-  refuse_unseen_accuracy(scene, origin);
   if (!scene.start.file.empty())
     scene.start.file =
         std::filesystem::absolute(folder / scene.start.file).lexically_normal().string();

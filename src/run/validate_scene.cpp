@@ -9,7 +9,9 @@
 #include "kernels/physics/species.hpp"
 #include "src/config/cascade.hpp"
 #include "src/config/errors.hpp"
+#include "src/config/ladder.hpp"
 #include "src/config/mistakes.hpp"
+#include "src/config/names.hpp"
 #include "src/config/skin.hpp"
 #include "src/run/messages.hpp"
 #include "src/run/target_error.hpp"
@@ -49,12 +51,30 @@ void refuse_too_many_pairs(Scene const& scene) {
       scene.disks.count, skin(scene), pairs, static_cast<double>(most_pairs)));
 }
 
+/// Throws InputError for an accuracy below usual_accuracy that nothing in the run would look at.
+void refuse_unseen_accuracy(Scene const& scene) {
+  auto const& asked = scene.integration;
+  if (asked.accuracy >= usual_accuracy || scene.measure.bias || may_change_method(scene)) return;
+  auto not_named = scene;
+  not_named.integration.scheme = automatic;
+  not_named.integration.time_step = automatic;
+  throw InputError(fmt::format(
+      "integration.accuracy = {} (nothing looks at it: {}); set measure.bias = true, which tells "
+      "whether it is held, or leave it out",
+      asked.accuracy,
+      may_change_method(not_named)
+          ? "the scheme or the time step is named"
+          : "scheme = \"auto\" judges no method with measure.contacts, measure.fields, "
+            "measure.rotation or a drive"));
+}
+
 }  // namespace
 
 void validate_scene(Scene const& scene, Plan const& plan, bool allow_unstable) {
   Mistakes mistakes;  // reported together
   mistakes.collect("", [&] { refuse_too_many_pairs(scene); });
   mistakes.collect("", [&] { check_feasible(scene, plan, allow_unstable); });
+  mistakes.collect("", [&] { refuse_unseen_accuracy(scene); });
   mistakes.collect("", [&] { check_target(scene); });
   mistakes.collect("", [&] { refuse_less_than_a_window(scene, plan); });
   mistakes.throw_any();
