@@ -191,9 +191,10 @@ int chart_command(ChartOptions const& options) {
   Scene const given = steady(read_scene(options.scene));
   Scene scene = given;
   scene.disks.replicas = 1;
-  scene.measure = {.every = scene.measure.every, .bias = true};  // what a chart does to all methods
-  validated_plan(scene, options.scene.allow_unstable);
-  scene.measure.bias = false;
+  scene.measure = {.every = scene.measure.every};
+  Scene judged = scene;
+  judged.measure.bias = true;  // a chart judges all methods by the accuracy
+  validated_plan(judged, options.scene.allow_unstable);
   if (scene.driven() && std::ranges::count(thermal_drives(), scene.drive.kind) > 0)
     throw InputError(
         fmt::format("drive.kind = \"{}\" (its noise parts two methods at once, so that "

@@ -82,7 +82,6 @@ TEST(Jump, NoneWhereThereIsNone) {
   EXPECT_THROW(find_jump({{1, 2}, {1, -3}, {}}, Direction::up, 2.0), InputError);
 }
 
-}  // namespace
 TEST(Jump, SaysWhyThereIsNone) {
   auto const why = [](Points const& points) { return why_no_jump(points, Direction::down, 2.0); };
   EXPECT_EQ(why({{1, 2, 3, 4}, {9, 9, 1, 1}, {}}), "");
@@ -96,4 +95,5 @@ TEST(Jump, SaysWhyThereIsNone) {
             std::string::npos);
 }
 
+}  // namespace
 }  // namespace bagnold::analysis
