@@ -268,7 +268,7 @@ def figures_table(figures, verdicts):
 
 
 def fraction(state, bands, errors=(0, 0)):
-    """f of state = f fast + (1 - f) slow, and its error."""
+    """f of state = f fast + (1 - f) slow, and its error; nan where an error is."""
     fast, slow = bands
     value = (state - slow) / (fast - slow)
     return value, math.hypot(value * errors[0], (1 - value) * errors[1]) / abs(fast - slow)
@@ -284,8 +284,9 @@ def fractions():
             columns = [f"band_{name}_{side}" for side in ("fast", "slow")]
             theirs, _ = fraction(float(state), P2_BANDS[name])
             ours, error = fraction(float(state), [float(row[key]) for key in columns],
-                                   [float(row[key + "_error"]) for key in columns])
-            lines.append([f"({phi}, {short(rate)})", letter, f"{theirs:.3f}", f"{ours:.3f} ± {error:.3f}"])
+                                   [float(row[key + "_error"] or "nan") for key in columns])
+            lines.append([f"({phi}, {short(rate)})", letter, f"{theirs:.3f}",
+                          f"{ours:.3f}" if math.isnan(error) else f"{ours:.3f} ± {error:.3f}"])
     return grid(["(φ, γ̇)", "fraction", "from P2's bands", "from ours"], lines)
 
 

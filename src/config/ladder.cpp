@@ -63,8 +63,7 @@ bool chooses(Scene const& scene) {
   return scene.integration.scheme == automatic && scene.integration.time_step.word != of_papers &&
          abilities_of(scene).scheme.empty() &&
          time_step(scene) <= rule_time_step(scene, default_scheme) * (1 + 1e-12) &&
-         shear.rate_stays() && !scene.driven() && !measure.contacts && !measure.fields &&
-         !measure.rotation;
+         shear.rate_stays() && !scene.driven() && !measure.contacts;
 }
 
 /// Two steps of two stages in one, where that is stable and a collision loses its energy.
@@ -108,7 +107,8 @@ std::optional<Method> quasi_static(Scene const& scene, Method const& implicit) {
 /// Strain between frames, if there are any: steps are no longer.
 double least_frame_strain(Scene const& scene) {
   double least = std::numeric_limits<double>::infinity();
-  if (scene.measure.profiles) least = scene.measure.frame_strain;
+  auto const& measure = scene.measure;
+  if (measure.profiles || measure.fields || measure.rotation) least = measure.frame_strain;
   if (scene.output.trajectory_strain > 0) least = std::min(least, scene.output.trajectory_strain);
   return least;
 }

@@ -45,6 +45,9 @@ struct Plan {
 
   bool has_one_rate() const { return !ramp && !pieces; }
 
+  /// First step that is measured, where windows are alike.
+  std::int64_t first_step() const { return discarded_windows * window_steps; }
+
   /// First step of a window, and the step after its last one.
   std::int64_t window_begin(std::int64_t window) const;
   std::int64_t window_end(std::int64_t window) const;

@@ -196,15 +196,14 @@ std::shared_ptr<ContactRecord> watch_contacts(Scene const& scene, Plan const& pl
     found->velocities.emplace();
     if (scene.measure.clusters) found->clusters.emplace();
   }
-  auto const record =
-      std::make_shared<ContactRecord>(static_cast<std::size_t>(scene.disks.count), columns,
-                                      plan.discarded_windows * plan.window_steps, found, choice);
+  auto const record = std::make_shared<ContactRecord>(static_cast<std::size_t>(scene.disks.count),
+                                                      columns, plan.first_step(), found, choice);
   frames.know_contacts(record);
   auto contacts = std::make_unique<Contacts>(scene, plan.time_step, record, found);
   constexpr auto never = std::int64_t{1} << 60;
   if (plan.ramp)
     frames.add_observer(std::make_unique<EachFrame>("contacts", std::move(contacts), plan),
-                        plan.frame_steps, plan.discarded_windows * plan.window_steps);
+                        plan.frame_steps, plan.first_step());
   else
     frames.add_observer(std::move(contacts), never, never);
   return record;

@@ -8,11 +8,11 @@
 namespace bagnold {
 
 bool Frames::Observed::waits(std::int64_t from, std::int64_t to) const {
-  return to >= first_step && (from < 0 || to / spacing > from / spacing);
+  return to >= first_step.value_or(0) && (from < 0 || to / spacing > from / spacing);
 }
 
 void Frames::add_observer(std::unique_ptr<FrameObserver> observer, std::int64_t spacing,
-                          std::int64_t first_step) {
+                          std::optional<std::int64_t> first_step) {
   observed_.push_back({std::move(observer), spacing, first_step});
 }
 
@@ -60,7 +60,11 @@ void Frames::load(ObserverState const& numbers) {
 }
 
 void Frames::forget_before(std::int64_t step) {
-  for (auto const& w : observed_) w.observer->forget_before(plan_.strain(step));
+  for (auto& w : observed_) {
+    if (!w.first_step) continue;
+    w.first_step = std::max(*w.first_step, step);
+    w.observer->forget_before(plan_.strain(step));
+  }
 }
 
 std::vector<std::string> Frames::lost() const {

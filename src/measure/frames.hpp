@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "src/config/plan.hpp"
@@ -21,9 +22,9 @@ class Frames {
   /// plan: of the run, for the strain of a step.
   explicit Frames(Plan const& plan = {}) : plan_(plan) {}
 
-  /// spacing: [steps], 1 at least. Frames before first_step are not shown.
+  /// spacing: [steps], 1 at least. Frames before first_step are not shown; without one all are.
   void add_observer(std::unique_ptr<FrameObserver> observer, std::int64_t spacing,
-                    std::int64_t first_step = 0);
+                    std::optional<std::int64_t> first_step = {});
 
   /// First step after `step` at which an observer is due.
   std::int64_t next(std::int64_t step) const;
@@ -37,6 +38,8 @@ class Frames {
   void begin();
   ObserverState save();
   void load(ObserverState const& numbers);
+
+  /// Observers that have a first step forget what they saw before this one, and begin no earlier.
   void forget_before(std::int64_t step);
   std::vector<std::string> lost() const;
   void finish();
@@ -50,7 +53,7 @@ class Frames {
   struct Observed {
     std::unique_ptr<FrameObserver> observer;
     std::int64_t spacing;
-    std::int64_t first_step;
+    std::optional<std::int64_t> first_step;
 
     bool waits(std::int64_t from, std::int64_t to) const;
   };

@@ -36,7 +36,7 @@ std::string motion_of(Scene scene) {
 Frames make_frames(Scene const& scene, Plan const& plan, State const& start,
                    std::filesystem::path const& trajectory, std::string const& version) {
   Frames frames(plan);
-  auto const first = plan.discarded_windows * plan.window_steps;
+  auto const first = plan.first_step();
   auto const measure = [&](char const* name, std::unique_ptr<FrameObserver> observer) {
     if (plan.ramp) observer = std::make_unique<EachFrame>(name, std::move(observer), plan);
     frames.add_observer(std::move(observer), plan.frame_steps, first);

@@ -90,8 +90,8 @@ Longer::Longer(Scene before_, Scene after_)
 void Longer::refuse_mixed_frames(io::Checkpoint const& from) const {
   auto const names = sums_of_frames(after);
   auto const reached = farthest(from);
-  if (names.empty() || !discards_more() || reached <= first_step(plan_before) ||
-      first_step(plan_after) >= reached)
+  if (names.empty() || !discards_more() || reached <= plan_before.first_step() ||
+      plan_after.first_step() >= reached)
     return;
   double const share = after.shear.discard.value_or(0.5);
   throw InputError(fmt::format(
@@ -99,8 +99,8 @@ void Longer::refuse_mixed_frames(io::Checkpoint const& from) const {
       "what "
       "is before {:.6g} and keeps the rest, which nobody can tell apart any more); give at least "
       "--strain {:.6g}, or run the scene anew",
-      after.shear.strain.at(0), names, plan_before.strain(first_step(plan_before)),
-      after.shear.strain.at(0), plan_after.strain(first_step(plan_after)),
+      after.shear.strain.at(0), names, plan_before.strain(plan_before.first_step()),
+      after.shear.strain.at(0), plan_after.strain(plan_after.first_step()),
       before.shear.strain.at(0) / share));
 }
 
@@ -125,8 +125,8 @@ std::vector<std::string> Longer::remarks(io::Checkpoint const& from) const {
   else if (discards_more())
     lines.push_back(fmt::format(
         "shear.discard = {}: what is measured begins at strain {:.6g}, no longer at {:.6g}",
-        *after.shear.discard, plan_after.strain(first_step(plan_after)),
-        plan_before.strain(first_step(plan_before))));
+        *after.shear.discard, plan_after.strain(plan_after.first_step()),
+        plan_before.strain(plan_before.first_step())));
   if (!after.shear.target_error.empty())
     lines.emplace_back("shear.target_error may end it sooner, as it would from the start");
   if (plan_after.trajectory_steps > 0) {

@@ -31,7 +31,7 @@ struct Longer {
   /// Makes the plans of two scenes of one run. InputError if `after` is more than can be run.
   Longer(Scene before, Scene after);
 
-  bool discards_more() const { return first_step(plan_before) != first_step(plan_after); }
+  bool discards_more() const { return plan_before.first_step() != plan_after.first_step(); }
 
   /// Throws InputError where histograms hold frames that the longer run would discard, and others
   /// that it would keep.
@@ -42,11 +42,6 @@ struct Longer {
 
   /// Remarks on results that depend on the length, a line each.
   std::vector<std::string> remarks(io::Checkpoint const& from) const;
-
- private:
-  static std::int64_t first_step(Plan const& plan) {
-    return plan.discarded_windows * plan.window_steps;
-  }
 };
 
 /// Throws InputError where the run in a folder cannot be made longer.

@@ -230,7 +230,7 @@ RunTime RunTimeTrial::time_of(Scene const& run, Plan const& plan, double budget)
   double system = size * slower * steps + start_takes(run, size, slower);
   auto const& measure = run.measure;
   if (measure.profiles || measure.fields || measure.rotation)
-    system += size * frame * frames(plan.frame_steps, plan.discarded_windows * plan.window_steps);
+    system += size * frame * frames(plan.frame_steps, plan.first_step());
   if (plan.trajectory_steps > 0)
     system += disks * bytes_of_a_frame / bytes_per_second * frames(plan.trajectory_steps, 0);
   return run_time(static_cast<double>(run.disks.replicas) * system + pictures_take(run));

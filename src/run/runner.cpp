@@ -62,10 +62,11 @@ Runner::Runner(RunFolder const& folder, Run run, Machine const& machine, RunMoni
 void Runner::measure_bias() {
   auto const replicas = run_.replicas.size();
   course_.reset(new bias::SharedCourse{{}, {run_.scene, replicas}, machine_.backend});
-  for (std::size_t r = 0; r < replicas; ++r) {
-    course_->course.load(r, run_.replicas[r].saved_pairs);
-    pairs_.emplace_back(*course_, r);
-  }
+  for (std::size_t r = 0; r < replicas; ++r) course_->course.load(r, run_.replicas[r].saved_pairs);
+  for (std::size_t r = 0; r < replicas; ++r)
+    pairs_.emplace_back(*course_, r, [this, r](std::int64_t dropped) {
+      run_.replicas[r].measurement.frames.forget_before(without(dropped).first_step());
+    });
   said_changes_ = course_->course.changes().size();
   drop_refused();
 }
@@ -80,11 +81,16 @@ void Runner::say_changes() {
 void Runner::drop_refused() {
   if (!course_) return;
   std::lock_guard const lock(course_->mutex);
-  auto const dropped = course_->course.dropped() / whole_.window_steps;
-  if (dropped == whole_.dropped_windows) return;
-  whole_.dropped_windows = dropped;
-  whole_ = shortened(run_.scene, whole_, whole_.windows);
+  auto const dropped = course_->course.dropped();
+  if (dropped / whole_.window_steps == whole_.dropped_windows) return;
+  whole_ = without(dropped);
   run_.plan = shortened(run_.scene, whole_, run_.plan.windows);
+}
+
+Plan Runner::without(std::int64_t dropped) const {
+  Plan plan = whole_;
+  plan.dropped_windows = dropped / plan.window_steps;
+  return shortened(run_.scene, plan, plan.windows);
 }
 
 bool Runner::start(std::vector<std::optional<Snapshot>> snapshots) {
@@ -186,7 +192,9 @@ void Runner::add_observers(std::size_t r) {
   }
   if (!replica.saved_frames) return frames.begin();
   frames.load(*std::exchange(replica.saved_frames, {}));
-  if (replica.discards_more) frames.forget_before(whole_.discarded_windows * whole_.window_steps);
+  auto const first = whole_.first_step();
+  bool const none_yet = whole_.dropped_windows > 0 && steps_[r] < first;
+  if (replica.discards_more || none_yet) frames.forget_before(first);
   for (auto const& lost : frames.lost()) warn(lost);
 }
 
@@ -412,10 +420,6 @@ void Runner::finish() {
     run_.replicas[r].end_motion = mean_motion(states.back(), run_.scene);
   }
   if (course_) run_.bias = course_->course.findings();
-  for (auto& replica : run_.replicas)
-    if (whole_.dropped_windows > 0)
-      replica.measurement.frames.forget_before(run_.plan.discarded_windows *
-                                               run_.plan.window_steps);
   write_result_file(folder_, run_);
   io::write_states(folder_.state(), std::move(states));
   auto const list = estimates(run_);

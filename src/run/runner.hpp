@@ -57,7 +57,8 @@ class Runner {
   void measure_bias();                ///< makes what pairs need, if the scene asks for them
   void say_changes();                 ///< of the method, by scheme = "auto"
   void drop_refused();                ///< leaves out windows of a method that was refused since
-  bool awaits_pairs() const;          ///< true if a replica has still to take one where it is
+  Plan without(std::int64_t dropped) const;  ///< whole_, but for so many steps of a refused method
+  bool awaits_pairs() const;  ///< true if a replica has still to take one where it is
   void note_engine(std::size_t replica, Snapshot const& at);
   ReplicaScheduler::Request request() const;
   io::SystemCheckpoint checkpoint_of(std::size_t replica);

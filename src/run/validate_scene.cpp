@@ -64,8 +64,7 @@ void refuse_unseen_accuracy(Scene const& scene) {
       asked.accuracy,
       may_change_method(not_named)
           ? "the scheme or the time step is named"
-          : "scheme = \"auto\" judges no method with measure.contacts, measure.fields, "
-            "measure.rotation or a drive"));
+          : "scheme = \"auto\" judges no method with measure.contacts or a drive"));
 }
 
 }  // namespace

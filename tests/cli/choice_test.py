@@ -6,6 +6,7 @@ import re
 import unittest
 
 import h5py
+import numpy
 from bagnold import CliTest, Raw, discarded_windows, read_series, read_summary
 
 # A place where the method may change is a strain of 0.03; a step of two stages is 0.2.
@@ -74,7 +75,7 @@ class Chosen(Choice):
 
     def test_accuracy_that_nothing_looks_at(self):
         """Refused, with the reason, where it would be held by chance alone."""
-        for change, reason in (({"measure__contacts": True}, "measure.contacts"), ({"measure__fields": True}, "measure.fields"),
+        for change, reason in (({"measure__contacts": True}, "measure.contacts"), ({"drive__kind": "stokes", "drive__drag": 0.01}, "a drive"),
                                ({"integration__scheme": "two-stage-leapfrog"}, "named"), ({"integration__time_step": 0.4}, "named")):
             with self.subTest(**change):
                 scene = {**DENSE, "disks__count": 1024, "integration__accuracy": 0.002, **change}
@@ -84,7 +85,8 @@ class Chosen(Choice):
 
     def test_refused_later(self):
         """On the edge of inertia a method that was taken is left: windows before that are in no average."""
-        changes = {**DENSE, "disks__count": 64, "shear__strain_rate": 1.5e-3, "shear__strain": 7.0}
+        changes = {**DENSE, "disks__count": 72, "shear__strain_rate": 1.5e-3, "shear__strain": 7.0,
+                   "measure__fields": True, "measure__frame_strain": 0.12}
         for seed in range(1, 31):
             out = self.folder / f"seed{seed}"
             said = self.run_scene(self.scene(**{**changes, "disks__seed": seed}), out).stdout
@@ -99,7 +101,14 @@ class Chosen(Choice):
             strain = read_series(out)["strain"]
             windows, window = len(strain), strain[1] - strain[0]
             dropped = round(found["dropped_strain"] / window)
-            self.assertEqual(discarded_windows(out), dropped + math.ceil((windows - dropped) / 2))
+            discarded = discarded_windows(out)
+            self.assertEqual(discarded, dropped + math.ceil((windows - dropped) / 2))
+            frames = math.floor(windows * window / 0.12 + 1e-6) - math.ceil(discarded * window / 0.12 - 1e-6) + 1
+            with h5py.File(out / "result.h5") as file:
+                found = file["histograms/local_phi"]
+                counts = found["density"][...] * numpy.diff(found["edges"][...]) * 72 * frames
+            self.assertEqual(round(counts.sum()), 72 * frames)
+            self.assertLess(abs(counts - counts.round()).max(), 1e-6, "of these frames and no others")
             return
         self.fail("no seed leaves a method")
 
@@ -131,7 +140,8 @@ class Framed(Choice):
 
 class Continued(Choice):
     def test_killed_and_resumed(self):
-        changes = {**DENSE, "disks__count": 512, "shear__strain": 4.0, "output__checkpoint_minutes": 0.0003}
+        changes = {**DENSE, "disks__count": 512, "shear__strain": 4.0, "output__checkpoint_minutes": 0.0003,
+                   "measure__fields": True, "measure__frame_strain": 0.1}
         whole = self.run_new("whole", **changes)
         self.assertEqual(read_summary(whole)["bias"]["method"], IMPLICIT)
         out = self.folder / "out"

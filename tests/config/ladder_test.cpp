@@ -61,7 +61,6 @@ TEST(Ladder, NothingToChoose) {
   };
   unsuited([](Scene& s) { s.integration.scheme = default_scheme; });
   unsuited([](Scene& s) { s.measure.contacts = true; });
-  unsuited([](Scene& s) { s.measure.fields = true; });
   unsuited([](Scene& s) {
     s.shear.protocol = "ramp";
     s.shear.strain_rate_high = 1e-3;
@@ -72,6 +71,18 @@ TEST(Ladder, NothingToChoose) {
   for (double const dt : {0.4, 1.0})  // longer than the rule: kept
     unsuited([&](Scene& s) { s.integration.time_step = dt; });
   EXPECT_EQ(resolved(laddered("CD")).integration.scheme, automatic);
+}
+
+/// Frames may be measured; steps are then no longer than between two of them.
+TEST(Ladder, WithFrames) {
+  Scene scene = laddered("CD_rot");
+  for (bool Scene::Measure::*one : {&Scene::Measure::fields, &Scene::Measure::rotation}) {
+    scene.measure = {};
+    scene.measure.*one = true;
+    EXPECT_EQ(ladder_of(scene).methods, ladder_of(laddered("CD_rot")).methods);
+    scene.measure.frame_strain = 1.5 * time_step(scene) * scene.shear.strain_rate;
+    EXPECT_FALSE(may_change_method(scene));
+  }
 }
 
 /// Windows hold whole steps of every method, places of changes whole windows, and so does the run.

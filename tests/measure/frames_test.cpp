@@ -31,6 +31,9 @@ class Steps final : public FrameObserver {
   }
   void save(ObserverState&) override {}
   void load(ObserverState const&) override {}
+  void forget_before(double strain) override {
+    std::erase_if(seen_, [&](auto step) { return 0.5 * static_cast<double>(step) < strain; });
+  }
   void report(std::vector<FrameObserver const*> const&, FrameResults&) const override {}
 
  private:
@@ -66,6 +69,26 @@ TEST(Frames, AreTheFirstStopsFromEachMultipleOn) {
 TEST(Frames, DoNotDependOnHowTheRunIsCut) {
   for (std::int64_t const steps : {2, 5, 8, 30, 1000})
     EXPECT_EQ(seen_in_calls_of(steps), seen_in_calls_of(1)) << steps;
+}
+
+/// One that measures begins anew; one that sees the whole run, as a trajectory, goes on.
+TEST(Frames, BeginAnew) {
+  std::vector<std::vector<std::int64_t>> seen(3);
+  Frames frames(Plan{.time_step = 0.5, .strain_rate = 1});
+  frames.add_observer(std::make_unique<Steps>(seen[0]), 7);
+  frames.add_observer(std::make_unique<Steps>(seen[1]), 7, 14);
+  frames.add_observer(std::make_unique<Steps>(seen[2]), 7, 63);
+  Sevens simulation;
+  OpenWindows windows;
+  Sampling const sampling{.last_step = 70};
+  for (std::int64_t from = 0; from < 70; from = simulation.step()) {
+    simulation.advance(7, sampling, windows);
+    frames.show(simulation, from);
+    if (simulation.step() == 28) frames.forget_before(42);
+  }
+  EXPECT_EQ(seen[0], (std::vector<std::int64_t>{7, 14, 21, 28, 35, 42, 49, 56, 63, 70}));
+  EXPECT_EQ(seen[1], (std::vector<std::int64_t>{42, 49, 56, 63, 70}));
+  EXPECT_EQ(seen[2], (std::vector<std::int64_t>{63, 70}));
 }
 
 }  // namespace

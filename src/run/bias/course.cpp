@@ -19,10 +19,11 @@ namespace bagnold::bias {
 
 namespace {
 
-constexpr std::array<std::size_t, 5> schedule = {4, 6, 9, 13, most_pairs};
+constexpr std::array<std::size_t, 13> schedule = {4,  6,   9,   13,  20,  30, 45,
+                                                  68, 100, 150, 225, 340, 510};
 
-/// Looks at a method that the run does not step by: one more where a pair costs its stretch alone.
-constexpr std::size_t looks_of_a_try = 3, looks_beside_the_run = 4;
+/// Pairs for a method that the run does not step by: more where one costs its stretch alone.
+constexpr std::size_t pairs_of_a_try = 9, pairs_beside_the_run = 13;
 constexpr int most_skips = 5;  ///< in turn, if others are to be judged
 constexpr std::size_t numbers_of_pair = 1 + 2 * Averages::count;
 
@@ -165,10 +166,10 @@ void Course::look() {
   for (; looks_ < schedule.size() && schedule[looks_] <= pairs; ++looks_) due = true;
   if (!due || pairs < 2 || !reason_.empty()) return;
   auto verdict = judged().verdict;
-  auto const last = !chooses() || holds()   ? schedule.size()
-                    : own() == Own::neither ? looks_of_a_try
-                                            : looks_beside_the_run;
-  if (verdict == Verdict::none && looks_ >= last) verdict = Verdict::open;
+  auto const most = !chooses() || holds()   ? most_pairs(tolerance_)
+                    : own() == Own::neither ? pairs_of_a_try
+                                            : pairs_beside_the_run;
+  if (verdict == Verdict::none && pairs >= most) verdict = Verdict::open;
   if (verdict != std::exchange(verdict_, verdict)) verdicts_.push_back({pairs, verdict});
 }
 

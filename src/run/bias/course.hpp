@@ -51,13 +51,15 @@ struct Findings : Trial {
 /// Strain between looks at p_kin/p while a run steps by a method that damps all.
 inline constexpr double watch_strain = 0.1;
 
-/// Pairs after which a method without a verdict is `open`.
-inline constexpr std::size_t most_pairs = 20;
+/// Pairs after which the method of a run is `open` if it has no verdict: more where less than
+/// usual_accuracy is asked for, as their errors fall with the root of their number.
+constexpr std::size_t most_pairs(double accuracy) { return accuracy < usual_accuracy ? 510 : 20; }
 
 /// Pairs of all replicas, when the next ones begin, and the method of scheme = "auto".
 ///
-/// Replicas take pairs in rounds, each one pair at the same place of a grid. After 4, 6, 9, 13 and
-/// 20 pairs, and once there is a verdict after each round, all pairs so far are judged together.
+/// Replicas take pairs in rounds, each one pair at the same place of a grid. After 4, 6, 9, 13, 20
+/// pairs and so on by halves, and once there is a verdict after each round, all pairs so far are
+/// judged together.
 /// Without a verdict the next round is at the next place, with one at twice the strain, or three
 /// times it with scheme = "auto". So the course depends on the pairs alone, not on when they were
 /// taken.

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <thread>
+#include <utility>
 
 #include "kernels/physics/sums/sums.hpp"
 #include "src/config/errors.hpp"
@@ -75,8 +76,10 @@ bool ReplicaPairs::take(Simulation& run, statistics::Windows const& windows,
       return false;
     }
     auto const method = course.method();
+    auto const dropped = course.dropped();
     lock.unlock();
     if (run.method() != method) run.take_method(method);
+    if (std::exchange(dropped_, dropped) != dropped) left_(dropped);
   } while (awaited(run.step()));  // a pair ends where the next one begins
   return true;
 }

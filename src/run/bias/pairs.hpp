@@ -5,6 +5,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "src/run/bias/course.hpp"
 #include "src/statistics/windows.hpp"
@@ -24,7 +25,13 @@ struct SharedCourse {
 /// and one stretch of a pair may be its own (Own).
 class ReplicaPairs {
  public:
-  ReplicaPairs(SharedCourse& shared, std::size_t replica) : shared_(shared), replica_(replica) {}
+  /// shared: with the pairs of all replicas. left(step): called by the replica's thread at the step
+  /// at which the method of the run is left, and what was before is left out.
+  ReplicaPairs(SharedCourse& shared, std::size_t replica, std::function<void(std::int64_t)> left)
+      : shared_(shared),
+        replica_(replica),
+        left_(std::move(left)),
+        dropped_(shared.course.dropped()) {}
 
   /// First step after `step` at which the run stops for a pair.
   std::int64_t next(std::int64_t step) const;
@@ -55,6 +62,8 @@ class ReplicaPairs {
 
   SharedCourse& shared_;
   std::size_t replica_;
+  std::function<void(std::int64_t)> left_;
+  std::int64_t dropped_;              ///< Course.dropped() as far as it was told
   std::optional<State> start_;        ///< of the pair under way
   std::optional<Averages> coarse_;    ///< its first stretch, once done
   std::unique_ptr<Stretch> stretch_;  ///< under way

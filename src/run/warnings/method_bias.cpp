@@ -56,8 +56,8 @@ std::optional<Warning> method_bias(FinishedRun const& finished) {
   } else if (found.judgement.verdict != bias::Verdict::refused) {
     warning.remedy =
         "a longer run or more disks tell more; the default scheme and step need no change for it";
-    warning.command =
-        longer_run(run, bias::most_pairs / std::max(1.0, static_cast<double>(found.pairs)));
+    auto const most = static_cast<double>(bias::most_pairs(found.tolerance));
+    warning.command = longer_run(run, most / std::max(1.0, static_cast<double>(found.pairs)));
   } else if (is_implicit(found.methods.coarse.integration.scheme)) {
     warning.remedy = "take the default scheme, or a shorter step";
     warning.command = fmt::format(

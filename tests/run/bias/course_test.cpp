@@ -81,6 +81,23 @@ TEST(BiasCourse, EndsOpen) {
   EXPECT_EQ(course.next(0) / course.methods().grid, 40);
 }
 
+/// More pairs tell a smaller bias: where one is asked for, a method is open after 510 of them.
+TEST(BiasCourse, AsksLongerForASmallerBias) {
+  auto scene = scene_of(1e-4, "implicit-damping", 1.6);
+  scene.integration.accuracy = 1e-3;
+  Course edge(scene, 1), right(scene, 1);
+  for (int k = 0; k < 510; ++k) {
+    EXPECT_EQ(edge.findings().judgement.verdict, Verdict::none) << k;
+    edge.add(0, pair_of(k, 9e-4, 1e-3));
+  }
+  EXPECT_EQ(edge.findings().judgement.verdict, Verdict::open);
+  int pairs = 0;
+  for (; right.findings().judgement.verdict == Verdict::none && pairs < 510; ++pairs)
+    right.add(0, pair_of(pairs, 0, 3e-3));
+  EXPECT_EQ(right.findings().judgement.verdict, Verdict::accepted);
+  EXPECT_GT(pairs, 20);
+}
+
 /// Replicas wait for each other at the place that depends on others, and their order is of no
 /// account.
 TEST(BiasCourse, ReplicasShareOneSum) {
