@@ -232,6 +232,8 @@ def strains(name):
         return {}
     if isinstance(rates[0], list):
         rates, found = sum(rates, []), sum(found, [])
+    elif isinstance(found[0], list):  # one for each packing fraction, alike at the lowest rate
+        found = found[-1]
     return {float(rate): f"{strain:g}" for rate, strain in zip(rates, found)}
 
 
