@@ -45,7 +45,8 @@ class FrameObserver {
   /// Inverse of save(), before the first frame of a resumed run.
   virtual void load(ObserverState const& numbers) = 0;
 
-  /// Forgets the frames before this strain, as more of a run that was made longer is discarded.
+  /// Forgets the frames before this strain: more is discarded of a run that was made longer, or
+  /// that left its method.
   /// Observers that cannot separate their frames forget all, and are called only if no later frame
   /// was shown.
   virtual void forget_before(double /*strain*/) {}

@@ -193,7 +193,8 @@ void Runner::add_observers(std::size_t r) {
   if (!replica.saved_frames) return frames.begin();
   frames.load(*std::exchange(replica.saved_frames, {}));
   auto const first = whole_.first_step();
-  bool const none_yet = whole_.dropped_windows > 0 && steps_[r] < first;
+  auto const dropped = whole_.dropped_windows * whole_.window_steps;
+  bool const none_yet = dropped > 0 && (steps_[r] < first || steps_[r] <= dropped);
   if (replica.discards_more || none_yet) frames.forget_before(first);
   for (auto const& lost : frames.lost()) warn(lost);
 }

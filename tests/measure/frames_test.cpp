@@ -40,22 +40,28 @@ class Steps final : public FrameObserver {
   std::vector<std::int64_t>& seen_;
 };
 
+/// Runs to the end in calls of so many steps, and shows each stop; then(step) follows.
+template <class Then>
+void show_run(Frames& frames, std::int64_t end, std::int64_t steps, Then const& then) {
+  Sevens simulation;
+  OpenWindows windows;
+  Sampling sampling;
+  sampling.last_step = end;
+  for (std::int64_t from = 0; from < end; from = simulation.step()) {
+    simulation.advance(std::min(steps, frames.next(from) - from), sampling, windows);
+    frames.show(simulation, from);
+    then(simulation.step());
+  }
+}
+
 std::vector<std::vector<std::int64_t>> seen_in_calls_of(std::int64_t steps) {
   std::vector<std::vector<std::int64_t>> seen(3);
   Frames frames(Plan{.time_step = 0.5, .strain_rate = 1});
   frames.add_observer(std::make_unique<Steps>(seen[0]), 10);
   frames.add_observer(std::make_unique<Steps>(seen[1]), 10, 40);
   frames.add_observer(std::make_unique<Steps>(seen[2]), 3, 60);
-  Sevens simulation;
-  OpenWindows windows;
-  Sampling sampling;
-  sampling.last_step = 75;
-  frames.show(simulation, -1);
-  while (simulation.step() < 75) {
-    auto const from = simulation.step();
-    simulation.advance(std::min(steps, frames.next(from) - from), sampling, windows);
-    frames.show(simulation, from);
-  }
+  frames.show(Sevens(), -1);
+  show_run(frames, 75, steps, [](std::int64_t) {});
   return seen;
 }
 
@@ -78,14 +84,9 @@ TEST(Frames, BeginAnew) {
   frames.add_observer(std::make_unique<Steps>(seen[0]), 7);
   frames.add_observer(std::make_unique<Steps>(seen[1]), 7, 14);
   frames.add_observer(std::make_unique<Steps>(seen[2]), 7, 63);
-  Sevens simulation;
-  OpenWindows windows;
-  Sampling const sampling{.last_step = 70};
-  for (std::int64_t from = 0; from < 70; from = simulation.step()) {
-    simulation.advance(7, sampling, windows);
-    frames.show(simulation, from);
-    if (simulation.step() == 28) frames.forget_before(42);
-  }
+  show_run(frames, 70, 7, [&](std::int64_t step) {
+    if (step == 28) frames.forget_before(42);
+  });
   EXPECT_EQ(seen[0], (std::vector<std::int64_t>{7, 14, 21, 28, 35, 42, 49, 56, 63, 70}));
   EXPECT_EQ(seen[1], (std::vector<std::int64_t>{42, 49, 56, 63, 70}));
   EXPECT_EQ(seen[2], (std::vector<std::int64_t>{63, 70}));
