@@ -16,6 +16,7 @@ Scene stage_of(Scene const& cascade, std::size_t stage, std::string const& befor
     scene.start.file = before;
     scene.start.copies = false;
     scene.start.rescale = true;
+    scene.start.relax = false;  // the contacts of the rate before are those of the flow
   }
   return scene;
 }

@@ -9,6 +9,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <set>
 
 #include "src/config/keys.hpp"
 #include "src/config/oscillation.hpp"
@@ -93,13 +94,25 @@ std::size_t discarded(Run const& run) {
   return std::min(static_cast<std::size_t>(run.plan.discarded_windows), most_windows(run));
 }
 
-/// The values under one name in the records of all replicas: a number, or a row of R.
-io::Value record_of(Run const& run, std::map<std::string, double> Replica::*record,
-                    std::string const& name) {
-  std::vector<double> values;
-  for (auto const& replica : run.replicas) values.push_back((replica.*record).at(name));
-  if (values.size() == 1) return values.front();
-  return values;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Adds the records of all replicas: under each name a number, or a row of R. NaN where a replica
+/// has no such name: engine = "auto" may have chosen another engine for it.
+void add_records(Run const& run, std::map<std::string, double> Replica::*record,
+                 std::string const& prefix, io::Attributes& attributes) {
+  std::set<std::string> names;
+  for (auto const& replica : run.replicas)
+    for (auto const& [name, value] : replica.*record) names.insert(name);
+  for (auto const& name : names) {
+    std::vector<double> values;
+    for (auto const& replica : run.replicas) {
+      auto const found = (replica.*record).find(name);
+      values.push_back(found == (replica.*record).end() ? nan : found->second);
+    }
+    io::Value value = values;
+    if (values.size() == 1) value = values.front();
+    attributes.push_back({prefix + name, std::move(value)});
+  }
 }
 
 std::vector<std::int64_t> seeds(Run const& run) {
@@ -119,8 +132,6 @@ std::vector<Frames const*> frames_of(Run const& run) {
   for (auto const& replica : run.replicas) frames.push_back(&replica.measurement.frames);
   return frames;
 }
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Series of value(replica, window): NaN where a replica has not reached that window yet.
 template <class Value>
@@ -207,10 +218,12 @@ std::vector<NamedEstimate> estimates(Run const& run) {
   if (run.scene.shear.oscillates()) return estimates_of_cycles(run);
   if (!run.plan.has_one_rate() || run.plan.stages > 1) return list;  // there is no one flow
   auto const windows = windows_of(run);
+  auto const most = most_windows(run);
+  double const window = run.plan.by_time && most > 0
+                            ? path_of(run, most) / static_cast<double>(most)
+                            : run.plan.strain(run.plan.window_steps);
   for (auto const& observable : observables(run.scene, run.box_length))
-    list.push_back({{observable, windows},
-                    estimate(run, observable.value),
-                    run.plan.strain(run.plan.window_steps)});
+    list.push_back({{observable, windows}, estimate(run, observable.value), window});
   for (auto const& of_frames : Frames::observables(frames_of(run)))
     list.push_back({of_frames,
                     statistics::estimate(of_frames.samples, 0, of_frames.observable.value),
@@ -280,12 +293,9 @@ void write_result_file(RunFolder const& folder, Run const& run) {
       {"time_step", run.plan.time_step},
       {"steps", run.plan.steps},
       {"window_steps", run.plan.window_steps}};
-  Replica const& first = run.replicas.front();
   if (run.replicas.size() > 1) result.attributes.push_back({"seeds", seeds(run)});
-  for (auto const& [name, value] : first.start_record)
-    result.attributes.push_back({name, record_of(run, &Replica::start_record, name)});
-  for (auto const& [name, value] : first.engine)
-    result.attributes.push_back({"engine_" + name, record_of(run, &Replica::engine, name)});
+  add_records(run, &Replica::start_record, "", result.attributes);
+  add_records(run, &Replica::engine, "engine_", result.attributes);
   result.discarded_windows = static_cast<std::int64_t>(discarded(run));
   result.replicas = run.replicas.size();
   if (run.scene.shear.by_pieces()) result.axis = "time";  // the strain may come back

@@ -23,11 +23,22 @@ namespace {
 /// Throws InputError for a run shorter than a window: nothing is left when its transient is
 /// discarded.
 void refuse_less_than_a_window(Scene const& scene, Plan const& plan) {
-  if (!plan.has_one_rate() || plan.steps >= plan.window_steps) return;
+  auto const& shear = scene.shear;
+  double const window = scene.output.sample_strain * (1 - 1e-9);
+  if (plan.by_time && shear.time * shear.strain_rate < window)
+    throw InputError(fmt::format(
+        "shear.time = {} (must be at least {:.4g} tau_e, a window of averages: "
+        "output.sample_strain = {} at shear.strain_rate = {}); raise shear.time or lower "
+        "output.sample_strain",
+        shear.time, scene.output.sample_strain / shear.strain_rate, scene.output.sample_strain,
+        shear.strain_rate));
+  bool const is_short = shear.changes_box() ? double{shear.strain} < window
+                                            : plan.has_one_rate() && plan.steps < plan.window_steps;
+  if (!is_short) return;
   throw InputError(fmt::format(
       "shear.strain = {} (must be at least output.sample_strain = {}, a window of averages); raise "
       "shear.strain or lower output.sample_strain",
-      scene.shear.strain.at(0), scene.output.sample_strain));
+      shear.strain.at(0), scene.output.sample_strain));
 }
 
 /// Least number of pairs in the lists of evenly placed disks, for disks within d_s + skin of each
@@ -67,6 +78,15 @@ void refuse_unseen_accuracy(Scene const& scene) {
           : "scheme = \"auto\" judges no method with measure.contacts or a drive"));
 }
 
+/// Throws InputError for velocities in contact in a run that may end early: where their averages
+/// begin depends on where it ends.
+void refuse_correlations_with_target(Scene const& scene) {
+  if (scene.shear.target_error.empty() || !scene.measure.correlations) return;
+  throw InputError(
+      "shear.target_error does not go with measure.correlations (where its contacts begin to count "
+      "depends on where the run ends); give shear.strain alone");
+}
+
 }  // namespace
 
 void validate_scene(Scene const& scene, Plan const& plan, bool allow_unstable) {
@@ -75,6 +95,7 @@ void validate_scene(Scene const& scene, Plan const& plan, bool allow_unstable) {
   mistakes.collect("", [&] { check_feasible(scene, plan, allow_unstable); });
   mistakes.collect("", [&] { refuse_unseen_accuracy(scene); });
   mistakes.collect("", [&] { check_target(scene); });
+  mistakes.collect("", [&] { refuse_correlations_with_target(scene); });
   mistakes.collect("", [&] { refuse_less_than_a_window(scene, plan); });
   mistakes.throw_any();
 }

@@ -78,6 +78,62 @@ class Flows(CliTest):
                                          "shear__strain_rate": 0.01, "shear__strain": 0.5})
         np.testing.assert_array_equal(read_series(alone)["packing_fraction"], phi[6])
 
+    def test_powers_are_those_of_the_box_as_it_is(self):
+        """A drag takes its share of the power of the shear wherever the box began."""
+        driven = {**GONE, **PRESSURE, **FLOWS["dilute"], "disks__elasticity": 1.0, "shear__pressure": 3e-3, "disks__mass": "equal",
+                  "shear__strain_rate": 0.01, "shear__strain": 40.0, "disks__count": 128, "disks__replicas": 4,
+                  "drive__kind": "stokes", "drive__drag": 0.1, "output__sample_strain": None}
+        for phi in (0.5, 0.8):
+            summary = read_summary(self.run_new(f"from{phi}", **{**driven, "disks__packing_fraction": phi}))
+            found = summary["observables"]
+            self.assertLess(abs(found["energy_gap"]["mean"]), 0.03, phi)
+            self.assertNotIn("energy_balance", [one["name"] for one in summary["warnings"]])
+            self.assertAlmostEqual(found["packing_fraction"]["mean"], 0.794, delta=0.004)
+            self.assertAlmostEqual(found["drag_power"]["mean"], 0.655, delta=0.03)
+
+    def test_the_work_of_the_box_is_no_lost_energy(self):
+        """A box that shrinks presses on contacts: 11% of the power of the shear here, whatever the time step."""
+        summary = read_summary(self.run_new("shrinks", **{
+            **GONE, **PRESSURE, "disks__model": "CD", "disks__mass": "equal", "disks__elasticity": 1.0, "disks__count": 128,
+            "disks__replicas": 3, "disks__packing_fraction": 0.72, "shear__pressure": 1e-3, "shear__strain_rate": 1e-4,
+            "shear__strain": 1.0, "output__sample_strain": None}))
+        self.assertAlmostEqual(summary["observables"]["energy_gap"]["mean"], -0.1, delta=0.03)
+        self.assertNotIn("energy_balance", [one["name"] for one in summary["warnings"]])
+
+    def test_a_stress_that_is_not_reached_is_told(self):
+        """Of a box too heavy for the time: its averages are of another stress."""
+        heavy = {**GONE, **STRESS, "disks__model": "CD", "disks__packing_fraction": 0.80, "disks__elasticity": 1.0,
+                 "shear__strain_rate": 1e-4, "shear__time": 3e3, "output__sample_strain": None}
+        for stress, asked in ((1e-2, 1e-2), ([1e-2, 5e-2], 5e-2)):
+            summary = read_summary(self.run_new(f"heavy{asked}", **{**heavy, "shear__stress": stress}))
+            told = [one for one in summary["warnings"] if one["name"] == "stress_not_held"]
+            self.assertEqual(len(told), 1)
+            self.assertLess(told[0]["numbers"]["sigma"], 0.95 * told[0]["numbers"]["stress"])
+            self.assertNotIn("arrest", [one["name"] for one in summary["notes"]])
+        light = read_summary(self.run_new("light", **{**heavy, "shear__stress": 1e-2, "shear__strain_rate": 5e-3, "shear__time": 1e4}))
+        self.assertNotIn("stress_not_held", [one["name"] for one in light["warnings"]])
+
+    def test_correlations_are_told_in_the_strain_that_is_found(self):
+        """Not in that of the strain rate it begins with, which is nine times smaller here."""
+        out = self.run_new("found", **{**GONE, **STRESS, "disks__model": "CD", "disks__packing_fraction": 0.80,
+                                       "disks__elasticity": 1.0, "shear__stress": 1e-2, "shear__strain_rate": 1e-3,
+                                       "shear__box_inertia": 10.0, "output__sample_strain": 0.005})
+        windows = len(read_series(out)["strain"])
+        window = read_series(out)["strain"][-1] / windows
+        self.assertGreater(window, 0.04)
+        for name in ("p", "sigma", "mu"):
+            self.assertGreaterEqual(read_summary(out)["observables"][name]["correlation_strain"], 0.49 * window, name)
+
+    def test_the_remedy_of_deep_overlaps(self):
+        out = self.folder / "deep"
+        result = self.bagnold("run", self.scene(**{
+            **GONE, **PRESSURE, **FLOWS["dense"], "shear__pressure": 0.03, "shear__strain_rate": 0.01, "shear__strain": 5.0}), "--out", out)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        note = next(one for one in read_summary(out)["notes"] if one["name"] == "large_overlap")
+        self.assertEqual(note["remedy"], "lower shear.pressure")
+        words = shlex.split(note["command"].replace("DIR", str(out)))
+        self.assertEqual(self.bagnold(*words[1:], "--quiet").returncode, 0)
+
     def test_a_state_keeps_its_box(self):
         scene = {**PRESSURE, **FLOWS["dense"], "shear__strain_rate": 0.01, "shear__pressure": 0.02, "disks__packing_fraction": 0.80}
         first = self.run_new("first", **{**scene, "shear__strain": 2.0})

@@ -384,6 +384,23 @@ class CommandLine(CliTest):
         for word in ("integration.time_step", "output.sample_strain", "did you mean B_p"):
             self.assertIn(word, result.stderr)
 
+    def test_less_than_a_window(self):
+        """Of a given stress or pressure too; it would be made up to a window without a word."""
+        held = {"shear__strain": None, "shear__discard": None, "integration__time_step": None, "output__sample_strain": 0.01,
+                "shear__strain_rate": 1e-3}
+        for changes, key, good in (
+                ({"shear__protocol": "stress", "shear__stress": 1e-3, "shear__time": 5.0}, "shear.time", 10),
+                ({"shear__protocol": "pressure", "shear__pressure": 1e-3, "shear__strain": 0.005}, "shear.strain", 0.01)):
+            path = self.scene(**{**held, **changes})
+            self.assert_clean_error(self.bagnold("validate", path), 2, key, "output.sample_strain", "raise")
+            self.assertEqual(self.bagnold("validate", path, "--set", f"{key}={good}").returncode, 0)
+
+    def test_velocities_in_contact_and_a_target(self):
+        path = self.scene(shear__target_error=Raw("{ B_p = 0.1 }"), measure__contacts=True)
+        self.assertEqual(self.bagnold("validate", path).returncode, 0)
+        self.assert_clean_error(self.bagnold("validate", path, "--set", "measure.correlations=true"), 2,
+                                "shear.target_error", "measure.correlations", "shear.strain alone")
+
     def test_the_table_is_short_and_whole_with_all(self):
         """Digits by the error, 1.89(10)e4; what is left out is in summary.json."""
         path = self.scene(shear__strain=16.0, output__sample_strain=2.0**-6)

@@ -257,6 +257,18 @@ class Ramp(ProtocolTest):
         self.refused(self.scene(**RAMP, measure__frame_strain=0.1),
                      "measure.frame_strain", "belongs to")
 
+    def test_a_step_that_is_proposed_can_be_taken(self):
+        """It divides the pieces of the ramp."""
+        out = self.folder / "coarse"
+        result = self.bagnold("run", self.scene(**{**RAMP, "disks__model": "CD_rot", "shear__ramp_every": 1.0,
+                                                   "integration__time_step": 0.5}), "--out", out)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        command = next(one["command"] for one in read_summary(out)["warnings"] if one["name"] == "contact_network")
+        step = re.search(r"integration.time_step=(\S+)", command).group(1)
+        self.assertAlmostEqual(1 / float(step), round(1 / float(step)), places=9)
+        result = self.bagnold("validate", out / "scene.toml", "--set", f"integration.time_step={step}")
+        self.assertEqual(result.returncode, 0, result.stderr)
+
     def test_picture(self):
         self.run_new("ramp", **{**RAMP, "output__plot": True})
         self.assertGreater((self.folder / "ramp/plot.png").stat().st_size, 20000)

@@ -67,6 +67,24 @@ class SameBits(Replicas):
             self.assertEqual(list(file.attrs["seeds"]), [5, 6, 7])
             self.assertEqual(file.attrs["start_overlap"].shape, (REPLICAS,))
 
+    def test_replicas_by_different_engines(self):
+        """In a loose flow engine = "auto" steps some replicas and others go by events: each tells what it has."""
+        loose = {"disks__model": "CD_n", "disks__packing_fraction": 0.78, "disks__elasticity": 10.0, "disks__replicas": 8,
+                 "disks__mass": "area", "shear__strain_rate": 3e-4, "shear__strain": 2.0, "disks__seed": 1,
+                 "output__sample_strain": None, "measure__every": 10, "integration__time_step": None}
+        out = self.run_new("out", **loose)
+        with h5py.File(out / "result.h5") as file:
+            counts = {name: value for name, value in file.attrs.items() if name.startswith("engine_")}
+        self.assertEqual({np.shape(value) for value in counts.values()}, {(8,)})
+        missing = np.isnan(np.array(list(counts.values())))
+        self.assertTrue((missing.any(axis=1) & ~missing.all(axis=1)).any())
+        self.assertFalse(missing.all(axis=1).any())
+        alone = self.run_new("alone", **{**loose, "disks__replicas": 1, "disks__seed": 5})
+        with h5py.File(alone / "result.h5") as file:
+            for name, value in file.attrs.items():
+                if name.startswith("engine_"):
+                    self.assertEqual(counts[name][4], value, name)
+
     def test_one_replica_has_no_axis(self):
         out = self.run_new("out", disks__replicas=1)
         self.assertEqual(read_state(out)["position"].shape, (64, 2))

@@ -50,6 +50,14 @@ TEST(Protocols, KeysOfAnotherAreRefused) {
   }
 }
 
+/// A rate goes on from the contacts of the rate before, also where the first start was relaxed.
+TEST(Protocols, RatesOfACascadeAreNotRelaxed) {
+  auto cascade = parse(cascade_text);
+  cascade.start.relax = true;
+  EXPECT_TRUE(stage_of(cascade, 0, "").start.relax);
+  EXPECT_FALSE(stage_of(cascade, 1, "before/state.h5").start.relax);
+}
+
 TEST(Protocols, PiecesAreWhatTheyAre) {
   EXPECT_EQ(parse(sequence_text).shear.pieces,
             (std::vector<SequencePiece>{{1e-4, 2}, {-1e-4, 2}, {0, 1e4}}));

@@ -24,7 +24,8 @@ std::function<double(Controller::Averages)> Controller::quantity(std::string_vie
 void Controller::end_piece(Simulation& simulation, WindowSums const& piece,
                            statistics::Windows& windows) {
   auto sums = piece.sums;
-  append_control(sums, piece.weight, {rate_, scene_.disks.packing_fraction, length_});
+  append_control(sums, piece.weight, {rate_, scene_.disks.packing_fraction, length_},
+                 scene_.rotates(), scene_.driven());
   if (window_.sums.empty()) window_.sums.resize(sums.size());
   std::vector<double> averages(sums.size());
   for (std::size_t c = 0; c < sums.size(); ++c) {

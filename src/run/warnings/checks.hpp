@@ -74,6 +74,9 @@ Check contact_durations;
 /// Contacts of disks that roll, by implicit damping: short ones are missed.
 Check implicit_contacts;
 
+/// Averages at another stress than the given one, of a box that has not come to its speed.
+Check stress_not_held;
+
 /// Flow that has stopped, or nearly so, at given stress.
 Check arrest;
 
@@ -108,7 +111,7 @@ inline constexpr Check* checks_of_pieces[] = {contact_network, stress_drift, few
 
 /// Checks of a flow at given stress, whose strain rate is not known before.
 inline constexpr Check* checks_at_stress[] = {large_overlap, contact_network, steady_state,
-                                              net_momentum, arrest};
+                                              net_momentum,  stress_not_held, arrest};
 
 /// Checks of a flow at given pressure, whose packing fraction is not known before.
 inline constexpr Check* checks_at_pressure[] = {
@@ -118,6 +121,10 @@ inline constexpr Check* checks_at_pressure[] = {
 
 /// "the mean motion against the shear flow, (-0.03, 0) d_s/tau_e, 97% of the kinetic energy"
 std::string mean_motion_in_words(std::array<double, 2> const& velocity, double share);
+
+/// A time step of about `digits` digits, as a command can give it: of a ramp or an oscillation the
+/// next smaller one that divides their pieces, exactly.
+std::string given_step(Run const& run, double time_step, int digits);
 
 /// Command that runs the scene with half its time step.
 std::string half_the_step(FinishedRun const& finished);

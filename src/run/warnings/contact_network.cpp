@@ -23,7 +23,7 @@ std::optional<Warning> contact_network(FinishedRun const& finished) {
                   taken, borne, scheme),
       fmt::format("take at most {:.3g}, which six contacts a disk bear, or halve it and compare",
                   sure),
-      changed_run("integration.time_step", fmt::format("{:.3g}", sure))};
+      changed_run("integration.time_step", given_step(finished.run, sure, 3))};
 }
 
 }  // namespace bagnold

@@ -11,11 +11,30 @@ namespace {
 
 constexpr double most_overlap = 0.02;
 
+/// What decides on the overlap, and the command that lowers it; "" where a command would need more
+/// than one key.
+Warning with_remedy(Warning warning, Scene const& scene) {
+  auto const& shear = scene.shear;
+  auto const tenth = [](double value) { return fmt::format("{:.3g}", value / 10); };
+  if (shear.changes_box()) {
+    warning.remedy = "lower shear.pressure";
+    if (!shear.inertial_number)
+      warning.command = changed_run("shear.pressure", tenth(shear.pressure));
+  } else if (shear.finds_rate()) {
+    warning.remedy = "lower shear.stress";
+    warning.command = changed_run("shear.stress", tenth(shear.stress));
+  } else {
+    warning.remedy = "lower shear.strain_rate or disks.packing_fraction";
+    warning.command = changed_run("shear.strain_rate", tenth(shear.strain_rate));
+  }
+  return warning;
+}
+
 }  // namespace
 
 double mean_overlap(FinishedRun const& finished) {
   auto const& disks = finished.run.scene.disks;
-  double const area = finished.run.box_area();
+  double const area = finished.box_area();
   double const contacts = static_cast<double>(disks.count) * finished.mean("Z") / 2;
   return std::pow(2 * finished.mean("p_el") * area / contacts, 1 / (disks.force_exponent - 1));
 }
@@ -23,15 +42,15 @@ double mean_overlap(FinishedRun const& finished) {
 std::optional<Warning> large_overlap(FinishedRun const& finished) {
   double const overlap = mean_overlap(finished);
   if (!(overlap > most_overlap)) return {};
-  return Warning{
-      "large_overlap",
-      {{"mean_overlap", overlap}},
-      fmt::format("disks in contact overlap by {:.2g}% on average: soft bodies, not grains",
-                  100 * overlap),
-      "lower shear.strain_rate or disks.packing_fraction",
-      changed_run("shear.strain_rate",
-                  fmt::format("{:.3g}", finished.run.scene.shear.strain_rate / 10)),
-      /*is_note=*/true};
+  return with_remedy(
+      {"large_overlap",
+       {{"mean_overlap", overlap}},
+       fmt::format("disks in contact overlap by {:.2g}% on average: soft bodies, not grains",
+                   100 * overlap),
+       "",
+       "",
+       /*is_note=*/true},
+      finished.run.scene);
 }
 
 }  // namespace bagnold

@@ -29,7 +29,7 @@ double most_share(Scene const& scene) {
 /// and sum m dv^2 = 2 p_kin L_x L_y. For a ramp sum m dv^2 is that at its end. With a drive, which
 /// changes u, the mean of u^2 is taken as its value at the end.
 double share_of(MeanMotion const& at_end, FinishedRun const& finished) {
-  double const kinetic = 2 * finished.mean("p_kin") * finished.run.box_area();
+  double const kinetic = 2 * finished.mean("p_kin") * finished.box_area();
   if (!(kinetic > 0)) return at_end.share;
   auto const& disks = finished.run.scene.disks;
   bool const by_area = finished.run.scene.mass_by_area();

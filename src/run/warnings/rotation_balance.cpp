@@ -20,7 +20,7 @@ double energy(FinishedRun const& finished, std::size_t window) {
   double const spin2 = (finished.in_window("spin_var", window) + mean * mean) * rate * rate;
   double const inertia =
       disk_mass(run.scene.mass_by_area(), big_diameter) * big_diameter * big_diameter / 8;
-  double const density = static_cast<double>(run.scene.disks.count) / run.box_area();
+  double const density = static_cast<double>(run.scene.disks.count) / finished.box_area();
   return density * inertia * spin2 / 2;
 }
 

@@ -36,6 +36,9 @@ struct FinishedRun {
 
   double measured_strain() const;  ///< of each replica
 
+  /// L_x L_y; where a pressure is held, that at the mean packing fraction, [d_s^2].
+  double box_area() const;
+
   /// Value of a name of /series in a window, or in a frame if it is measured on frames; mean over
   /// replicas.
   double in_window(std::string_view name, std::size_t window) const;

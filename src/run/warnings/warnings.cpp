@@ -8,6 +8,7 @@
 #include <limits>
 #include <span>
 
+#include "src/config/oscillation.hpp"
 #include "src/run/warnings/checks.hpp"
 
 namespace bagnold {
@@ -27,6 +28,11 @@ double FinishedRun::mean(std::string_view name) const {
 double FinishedRun::measured_strain() const {
   return path_of(run, static_cast<std::size_t>(run.plan.windows)) -
          path_of(run, static_cast<std::size_t>(run.plan.discarded_windows));
+}
+
+double FinishedRun::box_area() const {
+  if (!run.scene.shear.changes_box()) return run.box_area();
+  return run.box_area() * run.scene.disks.packing_fraction / mean("packing_fraction");
 }
 
 double FinishedRun::in_window(std::string_view name, std::size_t window) const {
@@ -65,9 +71,18 @@ std::string by_scheme(std::string_view scheme, std::string_view suffix) {
       fmt::format("--set integration.scheme={} --set integration.time_step=auto", scheme), suffix);
 }
 
+std::string given_step(Run const& run, double time_step, int digits) {
+  auto const& shear = run.scene.shear;
+  if (!shear.ramps() && !shear.oscillates()) return fmt::format("{:.{}g}", time_step, digits);
+  double const piece =
+      shear.ramps() ? shear.ramp_every
+                    : oscillation_period(run.scene) / static_cast<double>(shear.cycle_pieces);
+  return fmt::format("{}", piece / std::ceil(piece / time_step * (1 - 1e-12)));
+}
+
 std::string half_the_step(FinishedRun const& finished) {
   return changed_run("integration.time_step",
-                     fmt::format("{:.6g}", finished.run.plan.time_step / 2));
+                     given_step(finished.run, finished.run.plan.time_step / 2, 6));
 }
 
 namespace {
