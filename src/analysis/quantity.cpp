@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "src/analysis/fit/chance.hpp"
@@ -68,11 +69,13 @@ Quantity::Quantity(SweepTable const& table, std::string const& name, std::option
     if (!phi_j) throw InputError("phi_J-phi needs phi_J; give --phi-j, 0.84335 in P1");
     number_ = table.numbers("disks.packing_fraction");
     for (double& phi : number_) phi = *phi_j - phi;
-  } else if (name.find('.') != std::string::npos) {
+  } else if (analysis::is_key(name)) {
     number_ = table.numbers(name);
   } else {
     observable_ = &observable(table, name);
     errors_ = seed_errors(table, *observable_);
+    if (auto const bias = table.observables.find(name + "_bias"); bias != table.observables.end())
+      bias_ = &bias->second;
   }
 }
 
@@ -192,7 +195,38 @@ double Quantity::widened() const {
   return first_ ? std::max(first_->widened(), second_->widened()) : errors_.factor;
 }
 
+Quantity::Bias Quantity::bias(std::span<std::size_t const> rows) const {
+  if (first_) {
+    auto const a = first_->bias(rows), b = second_->bias(rows);
+    if (!divides_)
+      return {a.mean * b.mean, a.bias * b.mean + a.mean * b.bias,
+              std::hypot(a.error * b.mean, a.mean * b.error)};
+    double const mean = a.mean / b.mean;
+    return {mean, (a.bias - mean * b.bias) / b.mean, std::hypot(a.error, mean * b.error) / b.mean};
+  }
+  if (!bias_) return {of_merged(rows).mean, 0.0, 0.0};
+  double sum = 0.0, squares = 0.0, count = 0.0;
+  for (auto const row : rows) {
+    double const value = bias_->mean[row], error = bias_->error[row];
+    if (!std::isfinite(value) || !std::isfinite(error)) continue;
+    sum += value;
+    squares += error * error;
+    count += 1.0;
+  }
+  double const mean = of_merged(rows).mean;
+  if (count == 0.0) return {mean, 0.0, 0.0};
+  return {mean, sum / count, std::sqrt(squares) / count};
+}
+
 Value Quantity::of(std::span<std::size_t const> rows) const {
+  auto out = without_bias(rows);
+  auto const method = bias(rows);
+  if (std::abs(method.bias) > 0.0 || method.error > 0.0)
+    out.error = std::hypot(out.error, method.bias, method.error);
+  return out;
+}
+
+Value Quantity::without_bias(std::span<std::size_t const> rows) const {
   auto out = of_merged(rows);
   if (!first_ || is_key()) return out;
   if (auto const* own = own_errors()) {
@@ -220,8 +254,22 @@ Value Quantity::of_merged(std::span<std::size_t const> rows) const {
   return {rows.empty() ? unknown : number_[rows.front()], 0.0};
 }
 
-double Quantity::resampled(std::span<std::size_t const> rows, Draw const& draw) const {
-  if (draw.replica == 0 || is_key()) return of(rows).mean;
+std::vector<std::size_t> Quantity::present(std::span<std::size_t const> rows) const {
+  std::vector<Quantity const*> parts;
+  add_parts(parts);
+  std::vector<std::size_t> found;
+  std::ranges::copy_if(rows, std::back_inserter(found), [&](std::size_t row) {
+    return std::ranges::all_of(parts, [&](auto const* part) {
+      return !part->observable_ || std::isfinite(part->observable_->mean[row]);
+    });
+  });
+  return found;
+}
+
+double Quantity::resampled(std::span<std::size_t const> all, Draw const& draw) const {
+  if (draw.replica == 0 || is_key()) return of(all).mean;
+  auto const rows = present(all);
+  if (rows.empty()) return unknown;
   bool const is_own = first_ && rows.size() == 1 && own_errors();
   if (first_ && !is_own) {
     double const first = first_->resampled(rows, draw), second = second_->resampled(rows, draw);

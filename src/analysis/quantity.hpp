@@ -43,14 +43,20 @@ class Quantity {
   /// Keeps a reference to the table. Throws InputError for an unknown name, with the nearest one.
   Quantity(SweepTable const& table, std::string const& name, std::optional<double> phi_j = {});
 
-  /// Value of one datum. rows: rows of the table that are its seeds.
+  /// Value of one datum. rows: rows of the table that are its seeds. Where the bias of the method
+  /// was measured its error is (error^2 + bias^2 + bias_error^2)^(1/2). All seeds have the same
+  /// bias, so the mean over seeds has all of it; that of a ratio or product is to first order.
   Value of(std::span<std::size_t const> rows) const;
 
-  /// Value of one datum resampled: n - 1 of its n seeds, drawn with replacement. All quantities
+  /// The same with the statistical error alone.
+  Value without_bias(std::span<std::size_t const> rows) const;
+
+  /// Value of one datum resampled: n - 1 of its n seeds, of those that have a value, drawn with
+  /// replacement. All quantities
   /// share the draw. With n - 1 the variance of the mean is right; with n it would be too small by
   /// (n - 1) / n (Rao and Wu, J. Am. Stat. Assoc. 83, 231 (1988)). A single seed is shifted by a
   /// normal number times its error instead; each observable has its own number.
-  double resampled(std::span<std::size_t const> rows, Draw const& draw) const;
+  double resampled(std::span<std::size_t const> all, Draw const& draw) const;
 
   /// True if the quantity is made of keys alone, so exact.
   bool is_key() const {
@@ -90,9 +96,19 @@ class Quantity {
   /// factor; NaN for fewer than statistics::fewest_replicas.
   double error_of_seeds(std::span<std::size_t const> rows) const;
 
+  /// Mean of one datum, the bias of the method in it and the error of that.
+  struct Bias {
+    double mean, bias, error;
+  };
+  Bias bias(std::span<std::size_t const> rows) const;
+
+  /// Rows in which all observables that it is made of have a value.
+  std::vector<std::size_t> present(std::span<std::size_t const> rows) const;
+
   std::string name_;
   std::vector<double> number_;            ///< of a key or phi_J-phi, one a row
   Measured const* observable_ = nullptr;  ///< of an observable
+  Measured const* bias_ = nullptr;        ///< of the method in it, where it was measured
   SeedErrors errors_{};                   ///< of an observable
   std::shared_ptr<Quantity const> first_, second_;
   bool divides_ = false;  ///< first_ / second_; else their product

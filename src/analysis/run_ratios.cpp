@@ -66,7 +66,9 @@ class RunSeries {
   }
 
   /// A table of each replica: of each column the sum of its values by weight, and of its weights.
+  /// None before the first window has ended.
   std::vector<statistics::Windows> tables(std::vector<Column> const& columns) const {
+    if (evaluations_.empty()) return {};
     std::size_t const windows = shape_.back(), replicas = evaluations_.size() / windows;
     std::vector<statistics::Windows> out;
     for (std::size_t r = 0; r < replicas; ++r) {
@@ -118,6 +120,7 @@ double error_of_long_blocks(std::vector<statistics::Windows> const& tables,
 /// error of long blocks is smaller than chance allows (once in a hundred), it is taken.
 double error_of_blocks(std::vector<statistics::Windows> const& tables,
                        statistics::Function const& f) {
+  if (tables.empty()) return unknown;
   constexpr double by_chance = 0.55;
   std::vector<statistics::Windows const*> replicas;
   for (auto const& table : tables) replicas.push_back(&table);

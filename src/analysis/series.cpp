@@ -115,8 +115,7 @@ std::pair<double, double> two_rates(SweepTable const& table, Request const& requ
 
 std::string running_key(Request const& request, std::string const& x) {
   if (!request.along.empty()) return request.along;
-  bool const is_key = x.find('.') != std::string::npos && x.find('/') == std::string::npos;
-  return is_key ? x : "disks.packing_fraction";
+  return is_key(x) && x.find('/') == std::string::npos ? x : "disks.packing_fraction";
 }
 
 std::vector<Series> make_series(SweepTable const& table, Request const& request,

@@ -66,18 +66,6 @@ void read_observables(io::Hdf5Reader const& file, SweepTable& table) {
   }
 }
 
-/// Adds the bias of the method, where one was measured: error^2 + bias^2 + bias_error^2.
-void add_biases(SweepTable& table) {
-  for (auto& [name, measured] : table.observables) {
-    auto const bias = table.observables.find(name + "_bias");
-    if (bias == table.observables.end()) continue;
-    auto const& [value, error] = bias->second;
-    for (std::size_t k = 0; k < value.size(); ++k)
-      if (std::isfinite(value[k]) && std::isfinite(error[k]))
-        measured.error[k] = std::hypot(measured.error[k], value[k], error[k]);
-  }
-}
-
 /// Drops values of points with few collisions: they describe no flow. B_p = 1e-32 +- 0 is not to be
 /// averaged in.
 void drop_few_collisions(SweepTable& table, std::vector<std::string> const& warnings) {
@@ -127,13 +115,12 @@ SweepTable read_csv_table(std::filesystem::path const& path) {
     throw InputError(fmt::format("{}: holds no row of values; make it again", table.origin));
   for (std::size_t column = 0; column < rows.columns.size(); ++column) {
     auto const& name = rows.columns[column];
-    if (name.find('.') != std::string::npos)
+    if (is_key(name))
       table.keys[name] = key_column(rows, column);
     else if (!name.ends_with(error_ending) && std::ranges::count(texts, name) == 0)
       table.observables[name] = {cells(table, rows, name),
                                  cells(table, rows, name + std::string(error_ending))};
   }
-  add_biases(table);
   if (auto const found = std::ranges::find(rows.columns, "warnings"); found != rows.columns.end())
     drop_few_collisions(
         table, key_column(rows, static_cast<std::size_t>(found - rows.columns.begin())).texts);
@@ -146,20 +133,25 @@ std::vector<KeyValue> values_of(SweepTable const& table, std::size_t point,
   return key_values(table.scenes[point], name, std::filesystem::path(table.origin).parent_path());
 }
 
-/// True for scene keys that distinguish runs of a table: those of the flow and its rate.
+/// True for scene keys that distinguish runs of a table: those of the flow and how it is sheared,
+/// not for how long.
 bool is_physics(std::string_view key) {
-  return key.starts_with("disks.") || key.starts_with("drive.") || key == "shear.strain_rate" ||
-         key == "shear.ramp_rate";
+  constexpr std::string_view of_shear[] = {
+      "protocol",  "strain_rate",     "ramp_rate", "strain_rate_high", "pieces",
+      "amplitude", "period",          "peak_rate", "stress",           "box_inertia",
+      "pressure",  "inertial_number", "response"};
+  if (key.starts_with("shear."))
+    return std::ranges::count(of_shear, key.substr(std::string_view("shear.").size())) > 0;
+  return key.starts_with("disks.") || key.starts_with("drive.");
 }
 
-/// Values of a scene's physical keys, as numbers or texts.
+/// Values of a scene's physical keys, as numbers or texts; no key without a value.
 std::map<std::string, KeyColumn> physics_of(SweepTable const& table) {
   std::map<std::string, KeyColumn> found;
   for (auto const& [name, number, text] : values_of(table, 0, table.origin)) {
     if (!is_physics(name)) continue;
-    auto& column = found[name];
-    if (number) column.numbers = {*number};
-    if (text) column.texts = {*text};
+    if (number) found[name].numbers = {*number};
+    if (text) found[name].texts = {*text};
   }
   return found;
 }
@@ -170,6 +162,7 @@ void tell_apart(std::vector<SweepTable>& tables) {
   std::vector<std::map<std::string, KeyColumn>> all;
   for (auto const& table : tables) all.push_back(physics_of(table));
   for (auto const& [key, first] : all.front()) {
+    if (std::ranges::any_of(all, [&](auto const& other) { return !other.contains(key); })) continue;
     auto const differs = [&](auto const& other) {
       auto const& value = other.at(key);
       return value.numbers != first.numbers || value.texts != first.texts;
@@ -185,23 +178,58 @@ void tell_apart(std::vector<SweepTable>& tables) {
   }
 }
 
-/// Throws InputError for two points with the same state and seed: they are one run, not two.
+/// Replicas of each point, [P]: as the keys or, where they do not vary, the first scene says; 1
+/// where nothing does.
+std::vector<double> replicas_of(SweepTable const& table) {
+  constexpr auto key = "disks.replicas";
+  if (auto const varied = table.keys.find(key); varied != table.keys.end())
+    return varied->second.numbers;
+  std::vector<double> replicas(table.points, 1.0);
+  if (table.scenes.empty()) return replicas;
+  auto const values = values_of(table, 0, table.origin);
+  auto const found = std::ranges::find(values, key, &KeyValue::name);
+  if (found != values.end() && found->number) std::ranges::fill(replicas, *found->number);
+  return replicas;
+}
+
+/// Throws InputError for two points that share a system: of the same state and seed, or of seeds so
+/// near that their replicas have some in common.
 void refuse_twice(SweepTable const& table) {
-  std::set<std::vector<std::string>> seen;
+  constexpr auto seed_key = "disks.seed";
+  auto const replicas = replicas_of(table);
+  std::map<std::vector<std::string>, std::vector<double>> seen;
   for (std::size_t point = 0; point < table.points; ++point) {
     std::vector<std::string> place;
-    for (auto const& [name, column] : table.keys)
-      place.push_back(fmt::format(
-          "{} = {}", name,
-          column.is_text() ? column.texts[point] : fmt::format("{}", column.numbers[point])));
-    if (!seen.insert(place).second)
+    double seed = 0.0;
+    for (auto const& [name, column] : table.keys) {
+      if (name == seed_key && !column.is_text())
+        seed = column.numbers[point];
+      else
+        place.push_back(fmt::format(
+            "{} = {}", name,
+            column.is_text() ? column.texts[point] : fmt::format("{}", column.numbers[point])));
+    }
+    auto& seeds = seen[place];
+    for (double const other : seeds) {
+      if (!(std::abs(seed - other) < replicas[point])) continue;
+      if (table.keys.contains(seed_key)) place.push_back(fmt::format("{} = {}", seed_key, seed));
+      auto const both = fmt::format("{}: {}", table.origin, fmt::join(place, ", "));
       throw InputError(
-          fmt::format("{}: {} is in both; leave it out of one, or give it another seed",
-                      table.origin, fmt::join(place, ", ")));
+          seed == other
+              ? both + " is in both; leave it out of one, or give it another seed"
+              : fmt::format("{} has {} replicas, some of which are those of the seed {}; leave one "
+                            "of them out",
+                            both, replicas[point], other));
+    }
+    seeds.push_back(seed);
   }
 }
 
 }  // namespace
+
+bool is_key(std::string_view name) {
+  return name.find('.') != std::string_view::npos || name == "piece";
+}
 
 std::string SweepTable::left_out() const {
   if (hardly_met == 0) return {};
@@ -249,7 +277,6 @@ SweepTable read_sweep_table(std::filesystem::path const& path) {
   io::Hdf5Reader const file(table.origin, io::read_file(file_path));
   read_keys(file, table);
   read_observables(file, table);
-  add_biases(table);
   if (table.observables.empty() && file.has("/pieces"))
     throw InputError(
         fmt::format("{}: its points are sequences, whose averages are of pieces; give {}, a row a "

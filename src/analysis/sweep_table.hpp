@@ -6,9 +6,14 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace bagnold::analysis {
+
+/// True for the name of a column that says which run or part of a run a row is of, not what it
+/// measured: a scene key, which has a dot, or the number of a piece.
+bool is_key(std::string_view name);
 
 /// Values of one scene key, one a point: numbers or texts, the other is empty.
 struct KeyColumn {
@@ -53,14 +58,15 @@ struct SweepTable {
 /// length), `/points/scene` and `/points/folder` [P], `/observables/NAME` and
 /// `/observables/NAME_error` [P], `/warnings` [P] (names). Means of a point that warns of
 /// few_collisions tell its start, not its flow: they are NaN. Files come from anywhere: Hdf5Reader
-/// refuses what is not plain. Or a table NAME.csv like `sweep.csv`: columns with a dot in their
-/// names are keys, others observables. Throws InputError, naming the file.
+/// refuses what is not plain. Or a table NAME.csv like `sweep.csv` or `pieces.csv`, whose columns
+/// are keys (is_key) and observables. Throws InputError, naming the file.
 SweepTable read_sweep_table(std::filesystem::path const& path);
 
 /// Several sweeps as one, their points one after another. Keys are those that any of them varies,
-/// looked up in the scenes of the others, and those of the disks, the rate and the drive in which
-/// one sweep differs from another; observables those of any, NaN where one has none. Throws
-/// InputError: a key that a sweep does not tell, or the same state and seed in two of them.
+/// looked up in the scenes of the others, and those of the disks, the shear and the drive in which
+/// one sweep differs from another, but for lengths of runs; observables those of any, NaN where one
+/// has none. Throws InputError: a key that a sweep does not tell, or the same system, as a run or
+/// as a replica of one, in two of them.
 SweepTable merge_tables(std::vector<SweepTable> tables);
 
 }  // namespace bagnold::analysis

@@ -8,8 +8,8 @@
 
 namespace bagnold {
 
-/// Value of a key of a scene: a number or a text; neither where it is a list, or a word in the
-/// place of a number.
+/// Value of a key of a scene: a number or a text, of lists too; neither where it is a word in the
+/// place of a number, or a table.
 struct KeyValue {
   std::string name;  ///< "disks.elasticity"
   std::optional<double> number;

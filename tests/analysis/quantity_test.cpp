@@ -234,6 +234,67 @@ TEST(Quantity, RatiosWithoutSeries) {
                    Quantity(table, "sigma/p").of(rows).mean);
 }
 
+/// error^2 + bias^2 + bias_error^2 of one run; all seeds have the bias, so it does not average out.
+TEST(Quantity, BiasesAreAddedToErrors) {
+  SweepTable table;
+  table.origin = "made";
+  table.points = 4;
+  table.keys["disks.seed"].numbers = {1, 2, 3, 4};
+  table.observables["p"] = {{1.0, 1.0, 1.0, 1.0}, {0.1, 0.1, 0.1, 0.1}};
+  table.observables["p_bias"] = {{-0.2, -0.2, -0.2, nothing}, {0.2, 0.2, 0.2, nothing}};
+  table.observables["sigma"] = {{0.5, 0.5, 0.5, 0.5}, {0.01, 0.01, 0.01, 0.01}};
+  std::vector<std::size_t> const one{0}, all{0, 1, 2, 3}, last{3};
+  Quantity const p(table, "p");
+  EXPECT_NEAR(p.of(one).error, 0.3, 1e-15);
+  EXPECT_NEAR(p.without_bias(one).error, 0.1, 1e-15);
+  EXPECT_NEAR(p.of(last).error, 0.1, 1e-15);
+  double const of_bias = 0.2 * 0.2 + 0.2 * 0.2 / 3;
+  EXPECT_NEAR(p.of(all).error, std::sqrt(0.1 * 0.1 / 4 + of_bias), 1e-15);
+  EXPECT_DOUBLE_EQ(p.of(all).mean, 1.0);
+  // to first order: sigma/p is 20% too large, p/sigma too small, what both have is not in the ratio
+  EXPECT_NEAR(Quantity(table, "sigma/p").of(one).error,
+              0.5 * std::hypot(0.1, 0.02, std::sqrt(0.2 * 0.2 + 0.2 * 0.2)), 1e-15);
+  EXPECT_NEAR(Quantity(table, "p*sigma").of(one).error,
+              0.5 * std::hypot(0.1, 0.02, std::sqrt(0.2 * 0.2 + 0.2 * 0.2)), 1e-15);
+  table.observables["sigma_bias"] = {{-0.1, -0.1, -0.1, nothing}, {0.0, 0.0, 0.0, nothing}};
+  EXPECT_NEAR(Quantity(table, "sigma/p").of(one).error, 0.5 * std::hypot(0.1, 0.02, 0.2), 1e-15);
+  EXPECT_NEAR(Quantity(table, "p*sigma").of(one).error,
+              0.5 * std::hypot(0.1, 0.02, std::hypot(0.4, 0.2)), 1e-15);
+}
+
+/// Seeds without a value are not drawn: of one that has it the spread is its error.
+TEST(Quantity, ResamplingLeavesOutSeedsWithoutAValue) {
+  auto table = small_table();
+  table.observables["sigma"] = table.observables["p"];
+  table.observables["sigma"].mean[1] = table.observables["sigma"].mean[2] = nothing;
+  std::vector<std::size_t> const seeds{0, 1, 2}, none{1, 2};
+  for (auto const* name : {"sigma", "sigma/p"}) {
+    Quantity const sigma(table, name);
+    double squares = 0.0;
+    for (std::uint32_t replica = 1; replica <= 4000; ++replica)
+      squares += std::pow(sigma.resampled(seeds, {7, replica, 0}) -
+                              sigma.of(std::vector<std::size_t>{0}).mean,
+                          2) /
+                 4000;
+    double const error = sigma.of(std::vector<std::size_t>{0}).error;
+    EXPECT_NEAR(std::sqrt(squares), error, 0.05 * error) << name;
+    EXPECT_TRUE(std::isnan(sigma.resampled(none, {7, 1, 0}))) << name;
+  }
+}
+
+/// A run that is stopped before its first window has ended has no error yet.
+TEST(Quantity, RatiosOfRunsWithoutAWindow) {
+  io::TestFolder const folder;
+  std::mt19937_64 random(30);
+  auto table = runs_of_series(folder.path(), 1, 300, random);
+  io::Result result;
+  for (auto const* name : {"evaluations", "p", "sigma"})
+    result.series.push_back({name, "1", "made", {}});
+  io::write_result(table.runs.front() / "result.h5", result);
+  std::vector<std::size_t> const rows{0};
+  EXPECT_NEAR(Quantity(table, "sigma/p").of(rows).mean, 0.3, 0.02);
+}
+
 /// The variance of a mean over 3 seeds, each of variance 1, is 1/3: resampling tells that on
 /// average, from 3 values at a time.
 TEST(Quantity, ResamplingHasTheRightSpread) {

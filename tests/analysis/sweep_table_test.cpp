@@ -77,18 +77,6 @@ TEST_F(SweepTableFile, IsRead) {
   EXPECT_TRUE(found.failed(2));
 }
 
-/// error^2 + bias^2 + bias_error^2, where a bias was measured: 0.1^2 + 0.2^2 + 0.2^2 = 0.3^2.
-TEST_F(SweepTableFile, AddsBiasesToErrors) {
-  auto const found = table([](io::Hdf5Writer& file) {
-    put_good(file);
-    file.dataset("/observables/p_bias", std::vector<double>{-0.2, std::nan(""), 0.2}, {count});
-    file.dataset("/observables/p_bias_error", std::vector<double>{0.2, std::nan(""), 0.2}, {count});
-  });
-  EXPECT_NEAR(found.observables.at("p").error[0], 0.3, 1e-15);
-  EXPECT_EQ(found.observables.at("p").error[1], 0.2);
-  EXPECT_TRUE(std::isnan(found.observables.at("p").error[2]));
-}
-
 TEST_F(SweepTableFile, HasNoValuesOfDisksThatHardlyMet) {
   auto const put = [](io::Hdf5Writer& file) {
     put_good(file);
@@ -207,6 +195,14 @@ TEST_F(CsvTable, IsReadAsTheFileIs) {
   EXPECT_EQ(found.observables.size(), 2u);
 }
 
+/// Rows of pieces.csv are of different flows, no seeds of one.
+TEST_F(CsvTable, ThePieceIsAKey) {
+  auto const found = table("disks.seed,piece,p\n1,1,1.0\n1,2,0.1\n2,1,1.2\n2,2,0.1\n");
+  EXPECT_EQ(found.numbers("piece"), (std::vector<double>{1, 2, 1, 2}));
+  EXPECT_FALSE(found.observables.contains("piece"));
+  EXPECT_EQ(seed_groups(found), (std::vector<std::vector<std::size_t>>{{0, 2}, {1, 3}}));
+}
+
 TEST_F(CsvTable, OddOnesAreRefused) {
   EXPECT_THROW(table(""), InputError);
   EXPECT_THROW(table("disks.seed,p\n"), InputError);
@@ -244,6 +240,65 @@ TEST_F(SweepTableFile, SweepsOfOneKeyEachAreMergedByTheirScenes) {
   auto const merged = merge_tables({base, other});
   EXPECT_EQ(merged.numbers("disks.packing_fraction"),
             (std::vector<double>{0.8, 0.8, 0.8, 0.7, 0.71, 0.72}));
+}
+
+class MergedSweeps : public SweepTableFile {
+ protected:
+  /// put_good as a sweep of this scene.
+  SweepTable sweep_of(Scene const& scene) {
+    auto found = table(put_good);
+    found.scenes.assign(count, write_scene(scene));
+    return found;
+  }
+
+  static Scene scene_of(std::string const& protocol) {
+    Scene scene;
+    scene.disks = {"CD", 64, 0.8, 1.0, "equal"};
+    scene.shear.protocol = protocol;
+    scene.shear.strain_rate = 1e-4;
+    scene.shear.strain = 1.0;
+    return scene;
+  }
+};
+
+/// What is held or how the rate changes tells flows apart, how long they last does not.
+TEST_F(MergedSweeps, AreToldApartByHowTheyAreSheared) {
+  auto held = scene_of("pressure"), other = held;
+  held.shear.pressure = 1e-2;
+  other.shear.pressure = 1e-3;
+  EXPECT_EQ(merge_tables({sweep_of(held), sweep_of(other)}).numbers("shear.pressure"),
+            (std::vector<double>{1e-2, 1e-2, 1e-2, 1e-3, 1e-3, 1e-3}));
+  auto stress = scene_of("stress");
+  stress.shear.time = 1e4;
+  auto stresses = stress;
+  stress.shear.stress = NumberOrList({1e-3, 2e-3});
+  stresses.shear.stress = NumberOrList({1e-3, 3e-3});
+  auto const merged = merge_tables({sweep_of(stress), sweep_of(stresses)});
+  EXPECT_EQ(merged.keys.at("shear.stress").texts[0], "[0.001, 0.002]");
+  EXPECT_EQ(merged.keys.at("shear.stress").texts[count], "[0.001, 0.003]");
+  auto const once = scene_of("steady");
+  auto longer = once;
+  longer.shear.strain = 2.0;
+  EXPECT_THROW(merge_tables({sweep_of(once), sweep_of(longer)}), InputError);
+}
+
+TEST_F(MergedSweeps, OfReplicasThatAreInBothAreRefused) {
+  auto scene = scene_of("steady");
+  scene.disks.replicas = 4;
+  auto const first = sweep_of(scene);
+  auto second = first;
+  second.keys["disks.seed"].numbers = {4, 4, 5};  // the systems 1 to 4, and 4 to 7
+  try {
+    merge_tables({first, second});
+    ADD_FAILURE();
+  } catch (InputError const& error) {
+    EXPECT_NE(
+        std::string(error.what()).find("has 4 replicas, some of which are those of the seed 1"),
+        std::string::npos)
+        << error.what();
+  }
+  second.keys["disks.seed"].numbers = {5, 5, 6};
+  EXPECT_EQ(merge_tables({first, second}).points, 2 * count);
 }
 
 }  // namespace

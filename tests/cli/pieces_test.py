@@ -292,6 +292,10 @@ class Sequence(CliTest):
             np.testing.assert_array_equal(file["pieces/sigma"][:], [float(row["sigma"]) for row in rows])
         refused = self.bagnold("analyse", "kink", out, "--out", self.folder / "kink")
         self.assert_clean_error(refused, 2, "pieces.csv")
+        result = self.bagnold("analyse", "table", out / "pieces.csv", "--x", "piece", "--y", "p", "--out", self.folder / "t")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        with open(self.folder / "t.csv", newline="") as file:
+            self.assertEqual({row["piece"] for row in csv.DictReader(file)}, {"1", "2"})
         path.write_text(path.read_text().replace("discard = 0.5", "discard = 0.25"))
         self.assert_clean_error(self.bagnold("sweep", path, "--out", out), 2, "only a steady run can be made longer")
 

@@ -119,6 +119,10 @@ Fit fit_from(Model const& model, Points const& points, Fixed const& fixed, Value
   residuals(inside, residual);
   out.chi2 = residual.squaredNorm();
   out.freedom = points.size() - free.size();
+  auto const size = out.value.size();
+  out.covariance.assign(size * size, 0.0);
+  out.error.assign(size, 0.0);
+  if (free.empty()) return out;
 
   Eigen::MatrixXd jacobian(residuals.values(), residuals.inputs());
   residuals.df(inside, jacobian);
@@ -127,9 +131,6 @@ Fit fit_from(Model const& model, Points const& points, Fixed const& fixed, Value
         slope_of(model.parameters[free[k]], out.value[free[k]]);
   Fit of_free{{}, {}, {}, out.chi2, out.freedom};
   set_covariance(of_free, jacobian, points.weighted());
-  auto const size = out.value.size();
-  out.covariance.assign(size * size, 0.0);
-  out.error.assign(size, 0.0);
   for (std::size_t k = 0; k < free.size(); ++k) {
     out.error[free[k]] = of_free.error[k];
     for (std::size_t l = 0; l < free.size(); ++l)

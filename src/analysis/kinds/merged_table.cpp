@@ -11,7 +11,7 @@ namespace bagnold::analysis {
 namespace {
 
 /// A row for each datum: varied keys but the seed, how many seeds, every observable, and what else
-/// is asked for.
+/// is asked for. Biases have columns of their own, as in the table of the sweep.
 Rows rows_of(SweepTable const& table, std::vector<Curve> const& curves,
              std::vector<std::string> const& asked, std::optional<double> phi_j) {
   Rows out;
@@ -36,7 +36,7 @@ Rows rows_of(SweepTable const& table, std::vector<Curve> const& curves,
       for (auto const& key : keys) row.push_back(key_text(table, key, datum.rows.front()));
       row.push_back(fmt::format("{}", datum.rows.size()));
       for (auto const& quantity : quantities) {
-        auto const merged = quantity.of(datum.rows);
+        auto const merged = quantity.without_bias(datum.rows);
         row.push_back(cell(merged.mean));
         row.push_back(cell(merged.error));
       }

@@ -79,6 +79,16 @@ TEST(LevenbergMarquardt, FindsTheParametersOfExactPoints) {
   }
 }
 
+/// A law of others, all of it given: how well points agree.
+TEST(LevenbergMarquardt, NothingFree) {
+  Points const points{{1, 2, 3}, {1.2, 2.0, 2.9}, {0.1, 0.1, 0.1}};
+  auto const found = fit(friction_law_model(), points, {{"mu_J", 0.0}, {"c", 1.0}, {"b", 1.0}});
+  EXPECT_EQ(found.value, (std::vector<double>{0, 1, 1}));
+  EXPECT_EQ(found.error, std::vector<double>(3, 0.0));
+  EXPECT_NEAR(found.chi2, 4.0 + 0.0 + 1.0, 1e-12);
+  EXPECT_EQ(found.freedom, 3u);
+}
+
 /// 1000 noisy sets: pulls of mean 0 and variance 1, chi2 as many as degrees of freedom.
 TEST(LevenbergMarquardt, ErrorsAreRight) {
   std::mt19937_64 random(5);
