@@ -91,7 +91,8 @@ Standing without_process(fs::path const& folder, bool begun, RunStatus& status) 
   auto const failed = folder / "failed_state.h5";
   if (fs::exists(failed) && (!begun || age_of(failed) <= checkpoint_age(folder)))
     status.why = fmt::format("numerical failure, its state is in {}", failed.string());
-  auto const words = last_words(folder / "log.txt");
+  auto words = last_words(folder / "log.txt");
+  if (words.starts_with("note: ") || words.starts_with("warning: ")) words.clear();  // no end
   if (words.starts_with("stopped")) return Standing::stopped;
   if (words.empty() && status.why.empty()) return begun ? Standing::stopped : Standing::not_begun;
   if (!words.empty()) status.why = words;

@@ -122,24 +122,38 @@ PlacedPoints placed_among(std::vector<Known> const& known_points, Sweep sweep,
   Numbers numbers(known_points);
   bool const is_new = known_points.empty();
   PlacedPoints placed;
-  std::set<std::size_t> not_there;  // or to be made longer: what starts from it is another point
-  for (std::size_t k = 0; k < sweep.points.size() && !is_new; ++k) {
-    auto& point = sweep.points[k];
+  std::vector<Known*> found(sweep.points.size(), nullptr);
+  auto const scene_of = [&](Point& point) {
     if (point.previous)
       point.scene.start.file = "../" + sweep.points[*point.previous].folder + "/state.h5";
-    auto const scene = read_in(folder / "points", write_scene(point.scene), point.folder);
-    bool const starts_anew = point.previous && not_there.contains(*point.previous);
-    Known* known = starts_anew ? nullptr : places.exact(scene);
-    if (known == nullptr) not_there.insert(k);
-    if (known == nullptr && !starts_anew) {
-      known = places.shorter(scene);
-      if (known != nullptr) placed.longer.push_back(k);
-    }
-    if (known != nullptr) {
-      known->taken = true;
-      ++placed.kept;
-    }
-    point.folder = known != nullptr ? known->folder : numbers.next(point.folder);
+    return read_in(folder / "points", write_scene(point.scene), point.folder);
+  };
+  auto const take = [&](std::size_t k, Known* known) {
+    found[k] = known;
+    if (known == nullptr) return;
+    known->taken = true;
+    ++placed.kept;
+    sweep.points[k].folder = known->folder;
+  };
+  // What starts from a point that is not there, or that is made longer, is another point.
+  std::set<std::size_t> not_there;
+  auto const starts_anew = [&](Point const& point) {
+    return point.previous && not_there.contains(*point.previous);
+  };
+  for (std::size_t k = 0; k < sweep.points.size() && !is_new; ++k) {
+    auto& point = sweep.points[k];
+    if (!starts_anew(point)) take(k, places.exact(scene_of(point)));
+    if (found[k] == nullptr) not_there.insert(k);
+  }
+  for (std::size_t k = 0; k < sweep.points.size() && !is_new; ++k) {
+    if (found[k] != nullptr) continue;
+    auto& point = sweep.points[k];
+    auto const scene = scene_of(point);
+    if (!starts_anew(point)) take(k, places.shorter(scene));
+    if (found[k] != nullptr)
+      placed.longer.push_back(k);
+    else
+      point.folder = numbers.next(point.folder);
   }
   for (auto const& point : places.all())
     if (!point.taken) placed.left.push_back({point.folder, point.scene});

@@ -83,6 +83,12 @@ SweepEnd run_chain(Sweep const& sweep, std::filesystem::path const& name, std::i
 SweepEnd collect(Sweep const& sweep, std::filesystem::path const& name,
                  SweepOptions const& options) {
   auto const placed = place_points(sweep, name);
+  if (!placed.longer.empty())
+    throw InputError(fmt::format(
+        "--collect: {} asks for more strain than {} of its points have; put the file back as it "
+        "was, {} is its copy, or run `bagnold sweep {} --out {}`, which goes on with them",
+        sweep.origin, placed.longer.size(), (name / "sweep.toml").string(), sweep.origin,
+        name.string()));
   auto const folder = SweepFolder::make(name, placed);
   say_changes(placed);
   return write_tables(placed.sweep, folder, monitor_of(options));

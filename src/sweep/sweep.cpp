@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "src/config/cascade.hpp"
 #include "src/config/errors.hpp"
@@ -146,6 +147,7 @@ class Expansion {
     check_(point.scene, point.plan);
     point.scene = resolved(std::move(point.scene));
     refuse_double(point);
+    if (!point.previous) refuse_shared_systems(point);
     sweep_.chains[chain].push_back(index);
     sweep_.points.push_back(std::move(point));
   }
@@ -171,6 +173,8 @@ class Expansion {
       auto const before = "../" + sweep_.points[*point.previous].folder + "/state.h5";
       values.push_back({"start.kind", "\"state\"", "sweep.chain"});
       values.push_back({"start.file", "\"" + before + "\"", "sweep.chain"});
+      if (std::ranges::count(sweep_.keys, "start.relax") == 0)  // contacts are those of the flow
+        values.push_back({"start.relax", "false", "sweep.chain"});
     }
     point.scene = parse_point(sweep_.text, sweep_.origin, folder_, values);
   }
@@ -194,12 +198,29 @@ class Expansion {
           fmt::format("is the same scene as {}; leave one out", sweep_.points[same->second].name));
   }
 
+  /// R replicas have the seeds seed .. seed + R - 1: points whose seeds are nearer share systems,
+  /// and a mean over seeds would count these twice.
+  void refuse_shared_systems(Point const& point) {
+    auto alike = point.scene;
+    auto const seed = std::exchange(alike.disks.seed, 0);
+    auto const replicas = alike.disks.replicas;
+    auto& others = seeds_[write_scene(alike)];
+    for (auto const& [other, name] : others)
+      if (std::max(seed, other) - std::min(seed, other) < replicas)
+        throw InputError(
+            fmt::format("disks.seed = {} (shares systems with {}: disks.replicas = {} has the "
+                        "seeds from disks.seed to disks.seed + {}); take seeds at least {} apart",
+                        seed, name, replicas, replicas - 1, replicas));
+    others.emplace_back(seed, point.name);
+  }
+
   Sweep& sweep_;
   std::filesystem::path folder_;
   SweepTable const& table_;
   bool cascade_ = false, cascade_known_ = false;  ///< what the points are, after the first
   PointCheck const& check_;
   std::map<std::string, std::size_t> seen_;
+  std::map<std::string, std::vector<std::pair<std::int64_t, std::string>>> seeds_;  ///< by the rest
 };
 
 }  // namespace

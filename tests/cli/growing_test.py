@@ -79,6 +79,26 @@ class Growing(SweepTest):
         anew = self.run_new("anew", shear__strain=0.4507, output__trajectory_strain=0.05)
         self.assert_same_results(anew, self.points(out)[0])
 
+    def test_a_larger_strain_beside_those_there(self):
+        """Wherever it stands in the list: a run is made longer only if its own strain is no longer there."""
+        out, said = self.grown({"grid": {"shear.strain": [0.5, 0.25]}}, {"grid": {"shear.strain": [1.0, 0.5, 0.25]}})
+        self.assertIn("2 points", said)
+        self.assertIn("1 are new", said)
+        self.assertEqual([row["folder"] for row in rows(out)], ["0003_strain=1", "0001_strain=0.5", "0002_strain=0.25"])
+        self.assert_as_anew(out, {"grid": {"shear.strain": [1.0, 0.5, 0.25]}})
+
+    def test_tables_of_a_file_that_asks_for_more_strain(self):
+        """Collecting runs nothing, so it takes nothing away."""
+        out = self.folder / "out"
+        self.sweep(self.sweep_file(grid=SEEDS), out, "--quiet")
+        before = files_of(out)
+        longer = self.sweep_file(grid=SEEDS, shear__strain=4.0)
+        self.assert_clean_error(self.bagnold("sweep", longer, "--out", out, "--collect"), 2, "more strain than 3",
+                                "goes on with them")
+        after = files_of(out)
+        self.assertEqual({k: v for k, v in after.items() if ".lock" not in k},
+                         {k: v for k, v in before.items() if ".lock" not in k})
+
     def test_more_strain_at_given_pressure(self):
         after = {"grid": {"disks.seed": [1, 2]}, "shear__protocol": "pressure", "shear__pressure": 0.02,
                  "shear__strain": 2.0}

@@ -97,6 +97,16 @@ class Status(SweepTest):
             path.unlink()
         self.assertIn("not begun", self.status(out))
 
+    def test_remarks_are_no_failure(self):
+        """A run that waits to go on, or was killed, where its log ends with a note or a warning."""
+        out = self.run_new("out")
+        (out / "summary.json").unlink()
+        for last in ("note: box_size: 3 is few", "warning: steady_state: still drifts"):
+            (out / "log.txt").write_text(f"bagnold: {last}\n")
+            self.assertIn("stopped: strain", self.status(out))
+        (out / "log.txt").write_text("bagnold: the disk is full\n")
+        self.assertIn("failed: strain", self.status(out))
+
     def test_a_cascade(self):
         changes = {"shear__protocol": "cascade", "shear__strain_rate": None,
                    "shear__strain_rates": [2.0**-6, 2.0**-7]}

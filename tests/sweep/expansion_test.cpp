@@ -122,6 +122,21 @@ grid = { "shear.strain_rate" = [1e-2, 1e-3], "disks.seed" = [1, 2] })");
   EXPECT_EQ(sweep.points[3].scene.start.file, "../0002_strain_rate=0.01_seed=2/state.h5");
 }
 
+/// A start that is relaxed is that of the first point; the others begin in the contacts of a flow.
+TEST(SweepExpansion, AChainIsRelaxedWhereItBegins) {
+  auto const sweep = expand(R"([start]
+relax = true
+[sweep]
+chain = "shear.strain_rate"
+grid = { "shear.strain_rate" = [1e-2, 1e-3] })");
+  EXPECT_TRUE(sweep.points[0].scene.start.relax);
+  EXPECT_FALSE(sweep.points[1].scene.start.relax);
+  auto const asked = expand(R"([sweep]
+chain = "shear.strain_rate"
+zip = { "shear.strain_rate" = [1e-2, 1e-3], "start.relax" = [false, true] })");
+  EXPECT_TRUE(asked.points[1].scene.start.relax);
+}
+
 TEST(SweepExpansion, AChainAlongZipTakesWholeRows) {
   auto const sweep = expand(R"([sweep]
 chain = "shear.strain_rate"

@@ -42,6 +42,8 @@ TEST(SweepRefusal, NamesKeyValueReasonAndRemedy) {
             {"point 2", "disks.seed = \"x\"", "integer"}},
            {"[sweep]\ngrid = { \"disks.seed\" = [9007199254740993] }", {"disks.seed", "2^53"}},
            {"[sweep]\ngrid = { \"disks.seed\" = [1, 2, 1] }", {"point 3", "same scene as point 1"}},
+           {"[sweep]\ngrid = { \"disks.seed\" = [9, 5, 7], \"disks.replicas\" = [4] }",
+            {"point 3", "disks.seed = 7", "shares systems with point 1", "seeds at least 4 apart"}},
            {"[sweep]\ngrid = { \"shear.strain\" = [1, 1e9] }\n[output]\nsample_strain = 1e-3",
             {"point 2", "sample_strain"}},
            {"[sweep]\nchain = \"disks.packing_fraction\"\n"
@@ -65,6 +67,17 @@ TEST(SweepRefusal, NamesKeyValueReasonAndRemedy) {
       EXPECT_NE(message.find(word), std::string::npos) << table << "\n" << message;
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
   }
+}
+
+/// Seeds of replicas that touch no others, also of chains, whose points share them.
+TEST(SweepRefusal, NotOfReplicasOfTheirOwn) {
+  EXPECT_EQ(refusal("[sweep]\nchain = \"shear.strain_rate\"\n"
+                    "grid = { \"disks.seed\" = [5, 1, 9], \"shear.strain_rate\" = [1e-3, 1e-4], "
+                    "\"disks.replicas\" = [4] }"),
+            "accepted");
+  EXPECT_EQ(refusal("[sweep]\nzip = { \"disks.seed\" = [1, 2], \"disks.elasticity\" = [1, 2], "
+                    "\"disks.replicas\" = [4, 4] }"),
+            "accepted");
 }
 
 TEST(SweepRefusal, OfCascades) {
