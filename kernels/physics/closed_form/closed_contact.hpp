@@ -53,8 +53,8 @@ struct StartSpins<true> {
 /// The rate of shear is constant during a contact and a relative velocity holds that of the image,
 /// so there is no other force on the relative motion.
 ///
-///     auto const classes = ContactClasses<Law::rotates>::make(law, table);
-///     auto const& c = classes(species_i, species_j);
+///     auto const c = ContactClass<Law::rotates>::of_constants(k_n, k_t, table, species_i,
+///                                                             species_j);
 ///     auto const centre = c.centre(i, image_of_j);
 ///     auto const contact = ClosedContact<Law::rotates>::begin(c, pair_motion(i, image_of_j));
 ///     contact.duration;                 // T, [tau_e]; the end is contact.end, a PairMotion

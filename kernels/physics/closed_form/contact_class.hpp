@@ -2,22 +2,14 @@
 #pragma once
 
 #include <cmath>
-#include <concepts>
 #include <numbers>
 
 #include "kernels/physics/closed_form/contact_phase.hpp"
 #include "kernels/physics/closed_form/node_numbers.hpp"
-#include "kernels/physics/laws/contact.hpp"
 #include "kernels/physics/motion.hpp"
-#include "kernels/physics/repulsion/repulsion.hpp"
 #include "kernels/physics/species.hpp"
 
 namespace bagnold {
-
-/// True if a contact of two disks alone is solved in closed form: a linear spring and linear
-/// dashpots.
-template <class Law, class Repulsion>
-concept HasClosedForm = LinearLaw<Law> && std::same_as<Repulsion, HarmonicRepulsion>;
 
 /// A disk, or the image of one, at one instant.
 template <bool Rotates>
@@ -68,7 +60,6 @@ struct ContactClass {
   Real push[3];                   ///< (q a - b)^2 + omega^2, q = 0, 1, 2, [1 / tau_e^2]
   Real centrifugal_gain[3];       ///< of l^2 in exp(-q a s): 1/(d_ij push), [tau_e^2 / d_s]
   Real half_period;               ///< pi/omega, duration of a head-on contact, [tau_e]
-  Real restitution;               ///< exp(-pi b/omega), P1 Eq. (7)
   ContactPhase<Real> end;         ///< at half_period
   ContactPhase<AtNodes> nodes;    ///< at the nodes between 0 and half_period
 
@@ -76,12 +67,6 @@ struct ContactClass {
   /// form. Contacts are overdamped for Q below d_ij/(2 sqrt(mu)) for k_n = 1/Q, which is 0.564 to
   /// 0.588 for masses by area, 0.707 to 0.990 for equal ones.
   bool underdamped() const { return rates.frequency > 0; }
-
-  template <LinearLaw Law>
-  static ContactClass of(Law const& law, SpeciesTable const& table, Species i, Species j) {
-    static_assert(Law::rotates == Rotates);
-    return of_constants(law.normal_damping(), law.tangential_damping(), table, i, j);
-  }
 
   /// k_n, k_t of a law, [m / tau_e].
   static ContactClass of_constants(Real normal, Real tangential, SpeciesTable const& table,
@@ -125,7 +110,6 @@ struct ContactClass {
       c.nodes.slide.v[k] = p.slide;
       c.nodes.slide_time.v[k] = p.slide_time;
     }
-    c.restitution = c.end.decay;
     return c;
   }
 
@@ -167,20 +151,7 @@ template <bool Rotates>
 struct ContactClasses {
   ContactClass<Rotates> of[2][2];
 
-  template <LinearLaw Law>
-  static ContactClasses make(Law const& law, SpeciesTable const& table) {
-    ContactClasses all;
-    for (Species i = 0; i < 2; ++i)
-      for (Species j = 0; j < 2; ++j) all.of[i][j] = ContactClass<Rotates>::of(law, table, i, j);
-    return all;
-  }
-
   ContactClass<Rotates> const& operator()(Species i, Species j) const { return of[i][j]; }
-
-  /// True if every contact of two disks alone ends.
-  bool underdamped() const {
-    return of[0][0].underdamped() && of[0][1].underdamped() && of[1][1].underdamped();
-  }
 };
 
 }  // namespace bagnold

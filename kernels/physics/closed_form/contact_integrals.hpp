@@ -27,12 +27,8 @@ namespace bagnold {
 /// A negative weight subtracts a part: if a contact is cut at phase s, the sums up to its duration
 /// are corrected by -1 times the integrals from s to duration.
 ///
-///     ContactIntegrals const integrals{c};
-///     integrals.add_pair_columns(columns, contact, 0, contact.duration);
-///     integrals.add_motion_columns(columns, contact, centre, m_i, m_j, strain_rate, 0, T);
-///     integrals.add_contact_motion(motion, contact, 0, T);
-///     // several of them at once, from the same nodes, which is faster:
-///     integrals.over(contact, 0, T, [&](auto const& nodes) {
+///     ContactIntegrals<Law::rotates> const integrals{c};
+///     integrals.over(contact, 0, contact.duration, [&](auto const& nodes) {
 ///       nodes.add_pair_columns(columns, 1);
 ///       nodes.add_motion_columns(columns, centre, m_i, m_j, strain_rate, 1);
 ///       nodes.add_contact_motion(motion, 1);
@@ -156,24 +152,6 @@ struct ContactIntegrals {
     }
   }
 
-  template <class Columns>
-  void add_pair_columns(Columns& to, Closed const& contact, Real from, Real until,
-                        Real weight = 1) const {
-    over(contact, from, until, [&](auto const& nodes) { nodes.add_pair_columns(to, weight); });
-  }
-  template <class Columns>
-  void add_motion_columns(Columns& to, Closed const& contact, PairCentre const& centre, Real mass_i,
-                          Real mass_j, Real strain_rate, Real from, Real until,
-                          Real weight = 1) const {
-    over(contact, from, until, [&](auto const& nodes) {
-      nodes.add_motion_columns(to, centre, mass_i, mass_j, strain_rate, weight);
-    });
-  }
-  void add_contact_motion(ContactMotion& to, Closed const& contact, Real from, Real until,
-                          Real weight = 1) const {
-    over(contact, from, until, [&](auto const& nodes) { nodes.add_contact_motion(to, weight); });
-  }
-
  private:
   /// Columns to which integrals are added.
   template <class Columns>
@@ -236,8 +214,5 @@ struct ContactIntegrals {
     return c.reduced_mass * slid * (slid - c.distance * mean);
   }
 };
-
-template <bool Rotates>
-ContactIntegrals(ContactClass<Rotates> const&) -> ContactIntegrals<Rotates>;
 
 }  // namespace bagnold

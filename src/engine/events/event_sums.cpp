@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "kernels/cpu/events/node_roots.hpp"
+#include "kernels/physics/repulsion/repulsion.hpp"
 
 namespace bagnold::events {
 

@@ -27,13 +27,14 @@ struct Found {
   Found& add(TwoDisks<Law> const& disks, ClosedContact<Law::rotates> const& contact, Real from,
              Real until, Real weight = 1) {
     auto const c = disks.contact_class();
-    ContactIntegrals const integrals{c};
+    ContactIntegrals<Law::rotates> const integrals{c};
     auto const centre = c.centre(disks.i, disks.image_of_j());
-    integrals.add_pair_columns(sums.value, contact, from, until, weight);
-    integrals.add_motion_columns(sums.value, contact, centre, disks.mass(disks.species_i),
-                                 disks.mass(disks.species_j), disks.box.strain_rate, from, until,
-                                 weight);
-    integrals.add_contact_motion(motion, contact, from, until, weight);
+    integrals.over(contact, from, until, [&](auto const& nodes) {
+      nodes.add_pair_columns(sums.value, weight);
+      nodes.add_motion_columns(sums.value, centre, disks.mass(disks.species_i),
+                               disks.mass(disks.species_j), disks.box.strain_rate, weight);
+      nodes.add_contact_motion(motion, weight);
+    });
     return *this;
   }
 };

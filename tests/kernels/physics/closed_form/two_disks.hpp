@@ -9,6 +9,7 @@
 #include "kernels/physics/box/sheared_box.hpp"
 #include "kernels/physics/closed_form/contact_integrals.hpp"
 #include "kernels/physics/laws/laws.hpp"
+#include "kernels/physics/repulsion/repulsion.hpp"
 
 namespace bagnold::test {
 
@@ -28,7 +29,8 @@ struct TwoDisks {
 
   SpeciesTable table() const { return make_species_table(mass_by_area); }
   ContactClass<rotates> contact_class() const {
-    return ContactClasses<rotates>::make(law, table())(species_i, species_j);
+    return ContactClass<rotates>::of_constants(law.normal_damping(), law.tangential_damping(),
+                                               table(), species_i, species_j);
   }
   DiskMotion<rotates> image_of_j() const {
     auto of = j;
