@@ -22,7 +22,7 @@ struct Analysis {
   Report report;
   std::filesystem::path results;  ///< PREFIX.csv
   std::filesystem::path drawn;    ///< PREFIX.drawn.csv, what the picture shows
-  std::filesystem::path picture;  ///< PREFIX.png, for draw_analysis() (src/run/plot.hpp)
+  std::filesystem::path picture;  ///< PREFIX.png, for draw_plot() (src/run/plot.hpp)
 };
 
 /// Analyses the tables of sweeps (folders, or files as of read_sweep_table), joined, and writes its

@@ -77,7 +77,7 @@ int analyse_command(AnalyseOptions const& options) {
   for (auto const& note : made.report.notes) warn(note);
   say_commands(made, options);
   made.picture.replace_extension(options.format);
-  if (!made.report.drawn.rows.empty()) warn(draw_analysis(made.drawn, made.picture));
+  if (!made.report.drawn.rows.empty()) warn(draw_plot(made.drawn, made.picture));
   return 0;
 }
 

@@ -219,7 +219,7 @@ int chart_command(ChartOptions const& options) {
   auto const drawn = folder / "chart.drawn.csv";
   io::replace_text(drawn, analysis::to_csv(picture_of(chart).drawn));
   if (!options.scene.quiet) print(chart, scene);
-  if (auto const wrong = draw_analysis(drawn, folder / "chart.png"); !wrong.empty()) warn(wrong);
+  if (auto const wrong = draw_plot(drawn, folder / "chart.png"); !wrong.empty()) warn(wrong);
   if (!options.scene.quiet) fmt::print("\nresults in {}\n", folder.string());
   return stop_signal() == 0 ? done : 128 + stop_signal();
 }

@@ -82,7 +82,7 @@ void plot_sweep(fs::path const& folder, std::string const& format) {
   auto made = analysis::analyse(folder, {.kind = "table"});
   made.picture.replace_extension(format);
   for (auto const& note : made.report.notes) warn(note);
-  if (!made.report.drawn.rows.empty()) refuse(draw_analysis(made.drawn, made.picture));
+  if (!made.report.drawn.rows.empty()) refuse(draw_plot(made.drawn, made.picture));
   say_drawn(made.picture, "; `bagnold analyse table --help` for other axes");
   auto const picture = folder / ("sweep." + format);
   if (draw_plot(folder, picture).empty()) say_drawn(picture, "");

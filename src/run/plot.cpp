@@ -61,11 +61,6 @@ std::string draw_frames(std::filesystem::path const& result, std::filesystem::pa
   return draw(result, folder, true, {"--frames"});
 }
 
-std::string draw_analysis(std::filesystem::path const& drawn,
-                          std::filesystem::path const& picture) {
-  return draw(drawn, picture);
-}
-
 std::string draw_figure(std::filesystem::path const& recipe, std::filesystem::path const& picture) {
   return draw(recipe, picture, false);
 }

@@ -50,13 +50,6 @@ struct LinePair {
   Real beyond;                      ///< r_ij^2 - d_ij^2
   Real velocity2;
 
-  /// True if they may have touched before `from`, less than `deviation` off their lines for a time
-  /// `wait`, or overlap there. r - d > dev + |v| wait holds where
-  /// (r^2 - d^2)^2 > 8 (dev^2 + v^2 wait^2), as r + d > 2 d >= 2.
-  bool may_touch_before(Real deviation, Real wait) const {
-    return !(beyond > 0 && beyond * beyond > 8 * (deviation * deviation + velocity2 * wait * wait));
-  }
-
   /// When they touch, or `never`. Of disks that overlap and approach each other: at once.
   Real touch() const {
     if (approach >= 0) return never;

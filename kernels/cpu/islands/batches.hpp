@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <utility>
+
 #include "kernels/cpu/islands/islands.hpp"
 #include "kernels/cpu/steps/block_system.hpp"
 
@@ -29,14 +31,11 @@ struct Batches {
     return true;
   }
 
-  struct Stretch {
-    std::uint32_t first_island, end_island;
-  };
-  /// Islands of a batch.
-  Stretch stretch(std::uint32_t b) const { return stretches_[b]; }
+  /// First island of a batch, and the one after its last.
+  std::pair<std::uint32_t, std::uint32_t> stretch(std::uint32_t b) const { return stretches_[b]; }
 
  private:
-  std::vector<Stretch> stretches_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> stretches_;
 
   template <class T>
   static void need(Blocks::Array<T>& array, std::size_t size, char const* label) {

@@ -24,7 +24,7 @@ class BatchIslands {
   };
 
   std::uint32_t slot(std::uint32_t b, std::uint32_t local) const {
-    return islands.disks[islands.first_disk[batches_.stretch(b).first_island] + local].slot;
+    return islands.disks[islands.first_disk[batches_.stretch(b).first] + local].slot;
   }
   void add_units(LookaheadScratch& scratch);
   void run_batch(std::uint32_t b, BlockDisks const& disks, Lookahead const& lookahead,

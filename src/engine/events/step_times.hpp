@@ -29,9 +29,6 @@ class StepTimes {
   /// Takes the rate from a step on, up to its next change.
   void move_to(std::int64_t step);
 
-  /// Step at which the rate changes next, counted.
-  std::int64_t next_change() const { return last_; }
-
   /// End of a counted step at the present rate.
   Real time(std::int64_t step) const {
     return step == last_ ? end_ : base_ + pace_ * static_cast<Real>(step - first_);

@@ -23,11 +23,6 @@ void PairList::build(Material const& material, std::vector<Vec2<Real>> position,
   search(material);
 }
 
-void PairList::rebuild(Material const& material, std::vector<Vec2<Real>> position,
-                       Clock const& clock, std::int64_t step) {
-  build(material, std::move(position), {clock, step});
-}
-
 ShearedBox PairList::box(Moment const& now, ShearMark const& mark) {
   ShearedBox box = now.clock.box(now.step, mark);
   box.offset += now.part * (now.clock.offset(now.step + 1, mark) - box.offset);

@@ -23,10 +23,6 @@ class PairList {
   /// Searches for the pairs of disks in the box at a moment.
   void build(Material const& material, std::vector<Vec2<Real>> position, Moment const& now);
 
-  /// Builds the list again from saved positions, at the beginning of a step.
-  void rebuild(Material const& material, std::vector<Vec2<Real>> position, Clock const& clock,
-               std::int64_t step);
-
   /// Box at a moment, with its offset counted from the beginning of the step of this list, or of
   /// another one.
   ShearedBox box(Moment const& now) const { return box(now, mark_); }

@@ -53,8 +53,8 @@ QuasiStaticEngine<Rotates>::QuasiStaticEngine(quasi_static::Material material,
   if (snapshot.list_position.empty()) {
     renew_list(0);
   } else {
-    list_.rebuild(material_, vectors(snapshot.list_position), clock_.at(snapshot.list_step),
-                  snapshot.list_step);
+    list_.build(material_, vectors(snapshot.list_position),
+                {clock_.at(snapshot.list_step), snapshot.list_step});
     matrix_.order(count(), list_.contacts());
   }
 }
