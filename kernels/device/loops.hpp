@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <string>
-
 #include "kernels/device/side_by_side.hpp"
 #include "kernels/device/team.hpp"
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <compare>
-#include <cstdlib>
 #include <numeric>
 
 #include "src/analysis/csv.hpp"

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "kernels/physics/laws/cd_nt.hpp"
 #include "kernels/physics/repulsion/repulsion.hpp"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vector>
-
 #include "kernels/device/neighbors/neighbor_search.hpp"
 #include "src/engine/device_copy.hpp"
 #include "src/state/state.hpp"

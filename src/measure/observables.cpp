@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "kernels/physics/sums/sums.hpp"
 #include "src/config/time_step.hpp"

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstddef>
 
 #include "kernels/physics/vec2.hpp"
 

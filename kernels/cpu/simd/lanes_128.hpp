@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
+
 #include "kernels/cpu/simd/level.hpp"
 
 /// Two doubles in a register (SSE2, NEON).

@@ -5,7 +5,6 @@
 #error "kernels/cpu is for the host alone: hide its users from nvcc (cmake/host_only.cmake)"
 #endif
 
-#include <cmath>
 #include <cstdint>
 #include <string_view>
 

@@ -5,7 +5,6 @@
 
 #include <Eigen/QR>
 #include <algorithm>
-#include <cmath>
 
 #include "src/analysis/fit/covariance.hpp"
 #include "src/analysis/fit/weights.hpp"

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <numeric>
 
 #include "src/analysis/kinds/kinds.hpp"
 #include "src/analysis/kinds/model_kinds.hpp"

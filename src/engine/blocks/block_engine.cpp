@@ -2,7 +2,6 @@
 #include "src/engine/blocks/block_engine.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 #include "src/engine/device_copy.hpp"

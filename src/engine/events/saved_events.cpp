@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/engine/events/saved_events.hpp"
 
-#include <utility>
-
 #include "src/config/errors.hpp"
 #include "src/engine/events/saved_values.hpp"
 

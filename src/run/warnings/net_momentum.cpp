@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "kernels/physics/species.hpp"
 #include "src/config/strain_rates.hpp"
