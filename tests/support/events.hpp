@@ -135,10 +135,19 @@ inline double energy_gap(Scene const& scene, State const& before, std::vector<do
   return (work - lost - (stored_energy(scene, after) - stored_energy(scene, before))) / lost;
 }
 
+/// All that the events know to touch now, i < j.
 inline std::vector<std::pair<std::uint32_t, std::uint32_t>> known_contacts(
     Simulation const& simulation, bool rotates) {
-  return rotates ? dynamic_cast<EventEngine<true> const&>(simulation).touching()
-                 : dynamic_cast<EventEngine<false> const&>(simulation).touching();
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
+  auto const collect = [&](auto const& engine) {
+    for (auto const& pair : events::touching_pairs(engine.all(), engine.now()))
+      found.emplace_back(pair.i, pair.j);
+  };
+  if (rotates)
+    collect(dynamic_cast<EventEngine<true> const&>(simulation));
+  else
+    collect(dynamic_cast<EventEngine<false> const&>(simulation));
+  return found;
 }
 
 }  // namespace bagnold::test

@@ -30,10 +30,9 @@ class EventEngine final : public Simulation {
   std::map<std::string, double> counters() const override;
   State state() const override;
 
-  /// All that touch now, i < j.
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> touching() const {
-    return system_.touching(now());
-  }
+  /// Present time on the clock of events, since the build of the lists.
+  double now() const { return system_.all().times.time(step_ - list_step_); }
+  events::EventState<Rotates> const& all() const { return system_.all(); }
 
  private:
   template <class Self, class Visit>
@@ -57,7 +56,6 @@ class EventEngine final : public Simulation {
     visit("events_window_begun", self.begun_);
   }
 
-  double now() const { return system_.all().times.time(step_ - list_step_); }
   ShearedBox box_at(std::int64_t step) const;
   double* columns_of(std::int64_t window, OpenWindows& windows) const;
   void open_window();

@@ -93,9 +93,6 @@ class EventSystem {
         sampling, windows);
   }
 
-  /// All that touch at a time that has been reached, i < j.
-  TouchingPairs touching(Real time) const { return who_touches(s_.disks, time); }
-
  private:
   bool by_blocks() const { return blocks_ && !s_.log.on; }
 

@@ -89,20 +89,8 @@ std::vector<TouchingPair<Rotates>> touching_pairs(EventState<Rotates> const& sta
   return all;
 }
 
-template <bool Rotates>
-TouchingPairs who_touches(EventDisks<Rotates> const& disks, Real time) {
-  TouchingPairs all;
-  for_each_touch(disks, time, [&](std::uint32_t i, Neighbor n) {
-    all.push_back(std::minmax(disks.name[i], disks.name[n.index()]));
-  });
-  std::ranges::sort(all);
-  return all;
-}
-
 template class EventWindows<false>;
 template class EventWindows<true>;
-template TouchingPairs who_touches(EventDisks<false> const&, Real);
-template TouchingPairs who_touches(EventDisks<true> const&, Real);
 template std::vector<TouchingPair<false>> touching_pairs(EventState<false> const&, Real);
 template std::vector<TouchingPair<true>> touching_pairs(EventState<true> const&, Real);
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <utility>
 #include <vector>
 
 #include "src/engine/events/event_state.hpp"
@@ -37,8 +36,6 @@ class EventWindows {
 extern template class EventWindows<false>;
 extern template class EventWindows<true>;
 
-using TouchingPairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
-
 /// A contact at a time.
 template <bool Rotates>
 struct TouchingPair {
@@ -50,9 +47,5 @@ struct TouchingPair {
 /// All that touch at a time that has been reached, with their motion.
 template <bool Rotates>
 std::vector<TouchingPair<Rotates>> touching_pairs(EventState<Rotates> const& state, Real time);
-
-/// Names of all disks that touch at a time that has been reached, i < j, in their order.
-template <bool Rotates>
-TouchingPairs who_touches(EventDisks<Rotates> const& disks, Real time);
 
 }  // namespace bagnold::events
