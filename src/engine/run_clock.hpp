@@ -71,12 +71,21 @@ struct RunClock : Clock {
     initial_offset *= factor;
   }
 
-  /// Puts the pieces from a step on into a snapshot.
-  void save_pieces(Snapshot& snapshot, std::int64_t from) const {
-    if (!pieces_) return;
-    auto pieces = *pieces_;
-    pieces.forget_before(from);
-    snapshot.arrays[pieces_name] = pieces.numbers();
+  /// What a snapshot at a step knows of time: the start, the lists built so far, the last of them
+  /// at list_step, and the pieces from there on.
+  Snapshot snapshot(std::int64_t step, std::int64_t list_step, std::int64_t builds) const {
+    Snapshot s;
+    s.list_step = list_step;
+    s.step = step;
+    s.initial_offset = initial_offset;
+    s.initial_time = initial_time;
+    s.list_builds = builds;
+    if (pieces_) {
+      auto pieces = *pieces_;
+      pieces.forget_before(list_step);
+      s.arrays[pieces_name] = pieces.numbers();
+    }
+    return s;
   }
 
  private:

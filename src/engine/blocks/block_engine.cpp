@@ -64,15 +64,9 @@ void BlockEngine::advance(std::int64_t steps, Sampling const& sampling, OpenWind
 }
 
 Snapshot BlockEngine::snapshot() const {
-  Snapshot s;
+  Snapshot s = disks_.clock.snapshot(disks_.system.step, disks_.list.step, lists_.builds);
   s.state = disks_.state();
   s.list_position = lists_.at_build();
-  s.list_step = disks_.list.step;
-  s.step = disks_.system.step;
-  s.initial_offset = disks_.clock.initial_offset;
-  s.initial_time = disks_.clock.initial_time;
-  s.list_builds = lists_.builds;
-  disks_.clock.save_pieces(s, disks_.list.step);
   auto& self = const_cast<BlockEngine&>(*this);  // saving changes nothing
   self.for_each_memory(WriteDown{s.memory});
   self.for_each_counter(WriteDown{s.counters});

@@ -74,15 +74,9 @@ class EnsembleEngine final : public Ensemble {
 
   Snapshot snapshot(std::size_t system) const override {
     auto const& p = progress_[system];
-    Clock const& clock = clocks_[system];
-    Snapshot s;
+    Snapshot s = clocks_[system].snapshot(p.step, p.list_mark.step, p.list_builds);
     s.state = raw_state(system);
     s.list_position = pairs(to_host(part(views_.at_build, system)));
-    s.list_step = p.list_mark.step;
-    s.step = p.step;
-    s.initial_offset = clock.initial_offset;
-    s.initial_time = clock.initial_time;
-    s.list_builds = p.list_builds;
     return s;
   }
 

@@ -223,7 +223,8 @@ void EventEngine<Rotates>::add_motions(State& state) const {
 
 template <bool Rotates>
 Snapshot EventEngine<Rotates>::snapshot() const {
-  Snapshot s;
+  // without known touches it begins anew
+  Snapshot s = clock_.snapshot(step_, list_step_, touches_known_ ? builds_ : builds_ - 1);
   if (given_)
     s.state = *given_;
   else
@@ -236,11 +237,6 @@ Snapshot EventEngine<Rotates>::snapshot() const {
     auto const& position = all.lists.at_build(i);
     s.list_position[all.disks.name[i]] = {position.x, position.y};
   }
-  s.list_step = list_step_;
-  s.step = step_;
-  s.initial_offset = clock_.initial_offset;
-  s.initial_time = clock_.initial_time;
-  s.list_builds = touches_known_ ? builds_ : builds_ - 1;  // else it begins anew
   if (touches_known_) {
     s.arrays = events::save(all, now());
     visit_memory(*this, WriteDown{s.memory});

@@ -151,14 +151,9 @@ void QuasiStaticEngine<Rotates>::add_sums(std::int64_t window, OpenWindows& wind
 
 template <bool Rotates>
 Snapshot QuasiStaticEngine<Rotates>::snapshot() const {
-  Snapshot s;
+  Snapshot s = clock_.snapshot(step_, list_.step(), builds_);
   s.state = raw_state();
   s.list_position = pairs(list_.position());
-  s.list_step = list_.step();
-  s.step = step_;
-  s.initial_offset = clock_.initial_offset;
-  s.initial_time = clock_.initial_time;
-  s.list_builds = builds_;
   visit_counters(*this, WriteDown{s.counters});
   return s;
 }

@@ -128,15 +128,9 @@ class ReferenceEngine final : public Simulation {
   double strain() const override { return clock_.strain(step_); }
 
   Snapshot snapshot() const override {
-    Snapshot s;
-    clock_.save_pieces(s, list_.step);
+    Snapshot s = clock_.snapshot(step_, list_.step, builds_);
     s.state = raw_state();
     s.list_position = pairs(order_.in_first_order(to_host(system_.disks.at_build)));
-    s.list_step = list_.step;
-    s.step = step_;
-    s.initial_offset = clock_.initial_offset;
-    s.initial_time = clock_.initial_time;
-    s.list_builds = builds_;
     return s;
   }
 
