@@ -14,7 +14,7 @@ import numpy as np
 
 from .analysis_page import LABELS, draw_curve, keep_in_view, label, pretty, read
 from .figure_data import band_edges, histogram, points_of, principal_axes, profile, together
-from .style import BLUE, COLOURS, DASHED, GREY, MARKERS, VERMILION, plt, save
+from .style import BLUE, COLOURS, DASHED, GREY, MARKERS, VERMILION, colour_of, plt, save
 
 from matplotlib.collections import EllipseCollection
 
@@ -61,11 +61,6 @@ def say(axes, text):
     """Writes into a panel that there is nothing to draw."""
     axes.text(0.5, 0.5, text, transform=axes.transAxes, ha="center", va="center", color=GREY)
     axes.set(xticks=[], yticks=[])
-
-
-def colour_of(k, count):
-    """Colour of a curve: distinct colours for few curves, a sequence for many."""
-    return COLOURS[k] if count <= len(COLOURS) else plt.cm.viridis(0.92 * k / (count - 1))
 
 
 # -------------------------------------------------------------------------------- kinds of panels

@@ -11,8 +11,10 @@ import numpy as np
 
 from . import histogram_page, ramp_page
 from .labels import add_heading, plain_ticks, scene_line, with_unit
+from .packing_page import with_images
 from .run_page import plain
 from .style import BLUE, DASHED, GREEN, GREY, ORANGE, VERMILION, plt, save
+from ..frames import Box
 from ..hdf5 import open_hdf5
 
 from matplotlib.collections import EllipseCollection
@@ -89,18 +91,6 @@ def draw_disks(figure, axes, place, diameter, value, limits, label, bar_width):
     bar.outline.set_edgecolor("#888888")
 
 
-def with_images(place, length, height, offset):
-    """Indices and positions of all disks, and of the images that overlap the box."""
-    index, places = [], []
-    for row in (-1, 0, 1):
-        for column in (-2, -1, 0, 1, 2):
-            there = place + [column * length + row * offset, row * height]
-            near = ((there > -0.7) & (there < [length + 0.7, height + 0.7])).all(axis=1)
-            index.append(np.nonzero(near)[0])
-            places.append(there[near])
-    return np.concatenate(index), np.concatenate(places)
-
-
 def two_boxes(aspect):
     """A figure with two boxes of this height over width, beside each other or, of flat ones, one above the other;
     and the width of one in inches."""
@@ -120,7 +110,7 @@ def fields_page(file):
     x, y, diameter, phi, rate = file["samples/fields"][()].T
     _, strain, length, offset = file["samples/fields_frame"][0]
     height = file.attrs.get("box_aspect", 1) * length
-    index, places = with_images(np.stack([x, y], axis=1), length, height, offset)
+    index, places = with_images(np.stack([x, y], axis=1), np.full(len(x), 0.7), Box(length, height, offset))
     figure, axes, inches = two_boxes(height / length)
     for one, value, label in ((axes[0], phi, r"$\phi$ within $4\,d_s$"),
                               (axes[1], rate, r"$\dot\gamma\tau_e$ within $4\,d_s$")):

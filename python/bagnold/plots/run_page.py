@@ -13,7 +13,7 @@ import numpy as np
 
 from .labels import (add_heading, log_ticks, plain_ticks, power_of_ten, scale_of,
                      scene_line, short_power, with_unit)
-from .style import BLUE, COLOURS, DASHED, DOTTED, GREEN, GREY, ORANGE, SKY, VERMILION, plt
+from .style import BLUE, COLOURS, DASHED, DOTTED, GREEN, GREY, ORANGE, SKY, VERMILION, colour_of, plt
 from ..errors import InputError
 from ..files import regular
 from ..hdf5 import open_hdf5
@@ -425,11 +425,6 @@ def passes_of(run):
     return found
 
 
-def colour_of(cycle, cycles):
-    """Colour of a cycle, counted from 1."""
-    return COLOURS[cycle - 1] if cycles <= len(COLOURS) else plt.cm.viridis(0.92 * (cycle - 1) / (cycles - 1))
-
-
 def draw_loop(axes, run, name, label):
     """One quantity against the strain rate, a line a pass, one colour a cycle; as in P2 Fig. 31 up is filled and
     down open."""
@@ -439,7 +434,7 @@ def draw_loop(axes, run, name, label):
     axes.set_xscale("log")
     axes.set_yscale(scale_of(shown[shown > 0]))
     for cycle, way, windows in passes:
-        colour = colour_of(cycle, passes[-1][0])
+        colour = colour_of(cycle - 1, passes[-1][0])
         every = max(1, len(windows) // 40)
         for row in values:
             axes.plot(run["strain_rate"][windows], np.where(row[windows] > 0, row[windows], np.nan),
@@ -458,7 +453,7 @@ def name_passes(axes, run, others):
     """Names colours and lines of the loops, of many cycles the first and the last, and other lines."""
     cycles = passes_of(run)[-1][0]
     named = range(1, cycles + 1) if cycles <= len(COLOURS) else (1, cycles)
-    handles = [Line2D([], [], color=colour_of(cycle, cycles), label=f"cycle {cycle}") for cycle in named]
+    handles = [Line2D([], [], color=colour_of(cycle - 1, cycles), label=f"cycle {cycle}") for cycle in named]
     for way, fill, text in (("-", "#444444", "up"), (DASHED, "white", "down")):
         handles.append(Line2D([], [], color="#444444", ls=way, marker="o", ms=3.2, mfc=fill, label=text))
     axes.legend(handles=[*handles, *others], loc="lower left", bbox_to_anchor=(0.0, 1.0), ncol=len(COLOURS) + 4, borderaxespad=0.1,

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from .labels import add_heading, log_ticks, plain_ticks, power_of_ten, scaled_ticks, scene_line, with_unit
-from .run_page import MANY_WINDOWS, colour_of, smooth
-from .style import GREY, plt
+from .run_page import MANY_WINDOWS, smooth
+from .style import GREY, colour_of, plt
 
 from matplotlib.lines import Line2D
 
@@ -61,7 +61,7 @@ def draw_lines(axes, run, name, pieces, where, value=lambda run, name, piece: me
     """A line a piece, with a band of its error, or if there are many windows pale below its running mean."""
     count = max(piece.number for piece in pieces)
     for piece in pieces:
-        colour = colour_of(piece.number, count)
+        colour = colour_of(piece.number - 1, count)
         x, (mean, error) = where(piece), value(run, name, piece)
         marker = "o" if len(x) < 40 else None
         if error is not None:
@@ -78,7 +78,7 @@ def draw_against_strain(axes, run, name, pieces):
         axes.axhline(0.0, color=GREY, lw=0.8, zorder=0)
     for piece in pieces:  # a ring where it begins
         axes.plot(piece.strain(run)[0], run[name][piece.windows][0], "o", ms=5, mfc="white", mew=1.2, zorder=3,
-                  color=colour_of(piece.number, max(one.number for one in pieces)))
+                  color=colour_of(piece.number - 1, max(one.number for one in pieces)))
     axes.set_xlabel(r"strain $\gamma$")
     plain_ticks(axes.xaxis)
     scaled_ticks(axes.yaxis, SYMBOLS[name], run.unit.get(name, ""))
@@ -108,7 +108,7 @@ def draw_stop(axes, run, name, pieces):
     for piece in pieces:
         mean = run[name][piece.windows]
         axes.plot(piece.time(run)[mean < 0], -mean[mean < 0], "o", ms=3, mfc="white", zorder=3,
-                  color=colour_of(piece.number, count))
+                  color=colour_of(piece.number - 1, count))
     shown = np.concatenate([np.abs(run[name][piece.windows]) for piece in pieces])
     axes.set_ylabel(with_unit(r"$|\sigma|$" if name == "sigma" else SYMBOLS[name], run.unit.get(name, "")))
     axes.set_xlabel(r"time since the stop  $[\tau_e]$")
@@ -133,7 +133,7 @@ def name_pieces(figure, run, pieces):
     wanted = run.scene["shear"]["pieces"]
     drawn = sorted({piece.number for piece in pieces})
     named = drawn if len(drawn) <= MOST_NAMED else [drawn[0], drawn[-1]]
-    handles = [Line2D([], [], lw=2, color=colour_of(number, drawn[-1]), label=name_of(number, *wanted[number - 1]))
+    handles = [Line2D([], [], lw=2, color=colour_of(number - 1, drawn[-1]), label=name_of(number, *wanted[number - 1]))
                for number in named]
     figure.legend(handles=handles, loc="upper left", bbox_to_anchor=(0.07, 0.915), ncol=4, borderaxespad=0.0,
                   columnspacing=2.0)

@@ -33,6 +33,11 @@ STYLE = {
 NO_DATE = {"svg": {"Date": None}, "pdf": {"CreationDate": None}}
 
 
+def colour_of(k, count):
+    """Colour of a curve: distinct colours for few curves, a sequence for many."""
+    return COLOURS[k] if count <= len(COLOURS) else plt.cm.viridis(0.92 * k / (count - 1))
+
+
 def save(figure, target, dpi=110, colours=None):
     """Saves a picture whole or not at all, so that an existing picture is complete. Its form is that of the name: .pdf,
     .svg, else PNG, which is small with few colours."""

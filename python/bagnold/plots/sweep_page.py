@@ -11,7 +11,7 @@ import numpy as np
 from ..errors import InputError
 from .labels import KEYS, add_heading, log_ticks, plain_ticks, scale_of, scene_line, symbol_of, with_unit
 from .run_page import add_slopes
-from .style import COLOURS, MARKERS, plt
+from .style import MARKERS, colour_of, plt
 
 RATE = "shear.strain_rate"
 PREFERRED = (RATE, "disks.elasticity", "disks.packing_fraction", "disks.count")  # of keys with as many values
@@ -81,10 +81,6 @@ def merged(sweep, name, rows):
     if len(values) == 1 or (len(values) == 2 and np.isfinite(errors).all()):
         return values.mean(), np.sqrt(np.sum(errors**2)) / len(values)
     return values.mean(), values.std(ddof=1) / np.sqrt(len(values))
-
-
-def colour_of(k, count):
-    return COLOURS[k] if count <= len(COLOURS) else plt.cm.viridis(0.92 * k / (count - 1))
 
 
 def draw_panel(axes, sweep, name, along, curves):
