@@ -7,6 +7,7 @@ import os
 from typing import Any
 
 import h5py
+import numpy as np
 
 from .errors import FileError
 from .files import regular
@@ -29,3 +30,16 @@ def unlocked(path: str | os.PathLike[str], mode: str) -> Any:
         if "locking flag" not in str(error):
             raise
         return h5py.File(path, mode)  # opened by the caller too, with a lock, as HDF5 then wants it of all
+
+
+def plain(value: Any) -> Any:
+    """An attribute as a text, a number or an array."""
+    if isinstance(value, bytes):
+        return value.decode(errors="replace")
+    return value.item() if isinstance(value, np.generic) else value
+
+
+def columns_of(table: Any) -> dict[str, Any]:
+    """Columns of a dataset of /samples by their names, without units."""
+    rows, names = table[()], str(plain(table.attrs["columns"])).split(", ")
+    return {name.split(" [")[0]: rows[:, k] for k, name in enumerate(names)}

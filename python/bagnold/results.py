@@ -19,7 +19,7 @@ from .contacts import ContactFrames
 from .errors import FileError, InputError, NotOfThisRun, needed
 from .files import regular
 from .frames import Array, Frame, Frames, read_states
-from .hdf5 import open_hdf5
+from .hdf5 import columns_of, open_hdf5, plain
 from .observables import Observable, Warning, number, observable
 from .scene import Scene
 
@@ -43,8 +43,8 @@ class Series(Mapping[str, Array]):
                 raise FileError(f"{path} has no /series: it is no result of Bagnold")
             group = file["series"]
             self._names = list(group)
-            self._units = {name: _plain(group[name].attrs.get("unit", "")) for name in group}
-            self._words = {name: _plain(group[name].attrs.get("description", "")) for name in group}
+            self._units = {name: plain(group[name].attrs.get("unit", "")) for name in group}
+            self._words = {name: plain(group[name].attrs.get("description", "")) for name in group}
             self.discarded = int(group.attrs.get("discarded_windows", 0))
 
     def __getitem__(self, name: str) -> Array:
@@ -274,7 +274,7 @@ class Run:
     def about(self) -> dict[str, Any]:
         """Provenance of the result: version, git, compiler, seed, engine_NAME, ..."""
         with open_hdf5(self._file("result.h5")) as file:
-            return {name: _plain(value) for name, value in file.attrs.items()}
+            return {name: plain(value) for name, value in file.attrs.items()}
 
     # ------------------------------------------------------------------------------ configurations
 
@@ -341,10 +341,7 @@ class Run:
     def samples(self) -> dict[str, dict[str, Array]]:
         """/samples: tables of rows that belong together, ``{column: [rows]}``."""
         with open_hdf5(self._file("result.h5")) as file:
-            group = file.get("samples", {})
-            return {name: {column.split(" [")[0]: data[()][:, k] for k, column in
-                           enumerate(str(_plain(data.attrs["columns"])).split(", "))}
-                    for name, data in group.items()}
+            return {name: columns_of(table) for name, table in file.get("samples", {}).items()}
 
     def loop(self, name: str) -> dict[str, Branch]:
         """Hysteresis loop of an observable of a ramp: "up" and "down"."""
@@ -452,10 +449,3 @@ def _opened(path: pathlib.Path) -> Any:
         return open(regular(path), "rb")
     except OSError as error:
         raise FileError(f"{path} cannot be read: {error}") from error
-
-
-def _plain(value: Any) -> Any:
-    """An attribute as a text, a number or an array."""
-    if isinstance(value, bytes):
-        return value.decode(errors="replace")
-    return value.item() if isinstance(value, np.generic) else value

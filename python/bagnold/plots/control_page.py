@@ -45,7 +45,7 @@ def draw(run):
     if shear["protocol"] == "stress":
         run.x, run.x_label = run["time"] - run["time"][0] + run.number("window_steps") * run.number("time_step"), \
             r"time $t$  [$\tau_e$]"
-        run.rate = run.state["strain_rate"] if run.state else np.nan
+        run.rate = run.state.strain_rate if run.state else np.nan
     if np.ndim(shear.get("stress", 0)) == 1:
         run.discarded = 0  # there is a part of each stress
     figure = plt.figure(figsize=(15.5, 10.0))

@@ -11,7 +11,7 @@ import h5py
 import numpy as np
 
 from ..files import regular
-from ..hdf5 import open_hdf5
+from ..hdf5 import columns_of, open_hdf5
 from ..scene import Scene
 
 
@@ -41,11 +41,7 @@ class Point:
     def columns(self, path):
         """The columns of a /samples dataset by their names, without units."""
         with open_hdf5(os.path.join(self.folder, "result.h5")) as file:
-            data = file[path]
-            names = data.attrs["columns"]
-            names = (names.decode() if isinstance(names, bytes) else names).split(", ")
-            data = data[()]
-            return {name.split(" [")[0]: data[:, k] for k, name in enumerate(names)}
+            return columns_of(file[path])
 
 
 class Stored:

@@ -12,10 +12,9 @@ import numpy as np
 from . import histogram_page, ramp_page
 from .labels import add_heading, plain_ticks, scene_line, with_unit
 from .packing_page import with_images
-from .run_page import plain
 from .style import BLUE, DASHED, GREEN, GREY, ORANGE, VERMILION, plt, save
 from ..frames import Box
-from ..hdf5 import open_hdf5
+from ..hdf5 import open_hdf5, plain
 
 from matplotlib.collections import EllipseCollection
 

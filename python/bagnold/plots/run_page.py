@@ -14,9 +14,11 @@ import numpy as np
 from .labels import (add_heading, log_ticks, plain_ticks, power_of_ten, scale_of,
                      scene_line, short_power, with_unit)
 from .style import BLUE, COLOURS, DASHED, DOTTED, GREEN, GREY, ORANGE, SKY, VERMILION, colour_of, plt
+from ..contacts import pairs_within
 from ..errors import InputError
 from ..files import regular
-from ..hdf5 import open_hdf5
+from ..frames import read_states
+from ..hdf5 import columns_of, open_hdf5, plain
 from ..observables import rounded
 
 from matplotlib.collections import EllipseCollection, LineCollection
@@ -42,7 +44,8 @@ class Run:
             self.unit = {k: plain(d.attrs.get("unit", "")) for k, d in group.items()}
             self.discarded = int(group.attrs.get("discarded_windows", 0))
             self.about = {k: plain(v) for k, v in file.attrs.items()}
-            self.path, self.tables = path, {k: columns_of(file, k) for k in ("cycles", "pieces") if f"samples/{k}" in file}
+            tables = [name for name in ("cycles", "pieces") if f"samples/{name}" in file]
+            self.path, self.tables = path, {name: columns_of(file["samples"][name]) for name in tables}
         self.scene = tomllib.loads(str(self.about.get("scene", "")))
         shapes = {values.shape for values in self.each.values()}
         if any(values.size == 0 for values in self.each.values()):
@@ -101,18 +104,6 @@ def mean_of_rows(values):
     return np.where(count > 0, total / np.maximum(count, 1), np.nan)
 
 
-def columns_of(file, name):
-    data = file["samples"][name]
-    names = str(plain(data.attrs["columns"])).split(", ")
-    return {column.split(" [")[0]: data[()][:, k] for k, column in enumerate(names)}
-
-
-def plain(value):
-    """An attribute as str or number, whichever way it was stored."""
-    value = value.decode(errors="replace") if isinstance(value, bytes) else value
-    return value.item() if isinstance(value, np.generic) else value
-
-
 def read_observables(path):
     try:
         with open(regular(path), encoding="utf-8") as file:
@@ -123,15 +114,7 @@ def read_observables(path):
 
 def read_state(path):
     try:
-        with open_hdf5(path) as file:
-            group = file["state"]
-            state = {k: group[k][()] for k in ("position", "velocity", "diameter")}
-            if state["diameter"].ndim == 2:  # replicas: the first one is drawn
-                state = {k: values[0] for k, values in state.items()}
-            box = {k: float(group.attrs[k]) for k in ("box_length", "offset")}
-            box["strain_rate"] = float(group.attrs.get("strain_rate", np.nan))
-            height = float(group.attrs.get("box_aspect", 1)) * box["box_length"]
-            return {**state, **box, "box_height": height}
+        return read_states(path)[0]  # of replicas the first one
     except (OSError, KeyError, TypeError, ValueError):
         return None
 
@@ -281,10 +264,10 @@ def draw_profile(figure, spot, run):
     state = run.state
     if state is None or not run.rate > 0:
         return say(axes, "no state.h5 beside the result" if state is None else "at rest")
-    height = state["box_height"]
-    y = state["position"][:, 1] / height
+    height = state.box.height
+    y = state.position[:, 1] / height
     rows = np.floor(y)
-    velocity = state["velocity"][:, 0] / (run.rate * height) - rows  # at the image inside the box
+    velocity = state.velocity[:, 0] / (run.rate * height) - rows  # at the image inside the box
     y -= rows
     bins = int(np.clip(height / 1.5, 5, 60))
     which = np.minimum((y * bins).astype(int), bins - 1)
@@ -302,23 +285,6 @@ def draw_profile(figure, spot, run):
     axes.set_xlabel(r"$v_x / (\dot\gamma L_y)$")
     axes.set_ylabel("$y / L_y$")
     axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncol=2, borderaxespad=0.1)
-
-
-def contacts(position, diameter, length, height, offset):
-    """Segments between centres and relative overlaps 1 - r/d of all pairs in contact."""
-    segments, overlaps = [], []
-    for i in range(len(diameter) - 1):
-        away = position[i + 1:] - position[i]
-        rows = np.rint(away[:, 1] / height)
-        away[:, 1] -= rows * height
-        away[:, 0] -= rows * offset
-        away[:, 0] -= length * np.rint(away[:, 0] / length)
-        overlap = 1 - np.hypot(*away.T) / ((diameter[i] + diameter[i + 1:]) / 2)
-        touching = overlap > 0
-        for j_away in away[touching]:
-            segments.append((position[i], position[i] + j_away))
-        overlaps.extend(overlap[touching])
-    return np.array(segments).reshape(-1, 2, 2), np.array(overlaps)
 
 
 def with_images(position, diameter, tilt, length, height):
@@ -341,10 +307,10 @@ def draw_packing(figure, spot, run):
     state = run.state
     if state is None or not run.rate > 0:
         return say(axes, "no state.h5 beside the result")
-    length, height, offset = state["box_length"], state["box_height"], state["offset"]
-    tilt = offset - length * np.rint(offset / length)
-    position, diameter = state["position"].copy(), state["diameter"]
-    excess = (state["velocity"][:, 0] - run.rate * position[:, 1]) / run.rate  # in gammadot d_s
+    length, height = state.box.length, state.box.height
+    tilt = state.box.tilt if state.box.tilt > -length / 2 else length / 2  # halfway it leans along the shear
+    position, diameter = state.position.copy(), state.diameter
+    excess = (state.velocity[:, 0] - run.rate * position[:, 1]) / run.rate  # in gammadot d_s
     rows = np.floor(position[:, 1] / height)
     position -= np.outer(rows, [tilt, height])
     position[:, 0] -= length * np.floor((position[:, 0] - tilt * position[:, 1] / height) / length)
@@ -368,8 +334,10 @@ def draw_packing(figure, spot, run):
     coloured.set_clip_path(cell)
     strongest = np.nan
     if len(diameter) <= MOST_CONTACTS:
-        segments, overlap = contacts(position, diameter, length, height, offset)
+        i, j, away, _ = pairs_within(position, state.box, diameter, 0.0)
+        overlap = 1 - np.hypot(*away.T) / ((diameter[i] + diameter[j]) / 2)
         if len(overlap):
+            segments = np.stack([position[i], position[i] - away], axis=1)
             strongest = overlap.max()
             copies = [(c * length + r * tilt, r * height) for r in (-1, 0, 1) for c in (-1, 0, 1)]
             drawn = np.concatenate([segments + np.array(shift) for shift in copies])
