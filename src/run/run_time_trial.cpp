@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/run/run_time_trial.hpp"
 
-#include <time.h>
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -16,6 +14,7 @@
 #include "src/measure/contacts.hpp"
 #include "src/measure/make_frames.hpp"
 #include "src/run/run_measured.hpp"
+#include "src/run/stretch_size.hpp"
 #include "src/start/start.hpp"
 
 namespace bagnold {
@@ -33,12 +32,6 @@ constexpr double bytes_per_second = 150e6, bytes_of_a_frame = 56;  // of a disk 
 double trial_rate(Scene const& scene) {
   double const rate = typical_rate(scene);
   return rate > 0 ? rate : first_trial_rate;
-}
-
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 /// Factor by which a step of a disk takes longer in a system of this size, beyond the caches

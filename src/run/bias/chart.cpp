@@ -4,9 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <ctime>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -31,12 +29,6 @@ namespace {
 constexpr std::int64_t finest_parts = 8;  ///< of the usual step
 constexpr std::int64_t fewest_instants = 30;
 constexpr char serial[] = "serial";
-
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 Scene steps_alone(Scene scene) {
   scene.integration.engine = steps_engine;
@@ -113,13 +105,7 @@ class Path {
     windows_ = {};
     simulation->advance(1, sampling, windows_);  // finds the neighbours
     auto const first = cpu_seconds();
-    StretchSize size;
-    while (simulation->step() < steps) {
-      auto const begun = std::chrono::steady_clock::now();
-      simulation->advance(std::min(size.steps(), steps - simulation->step()), sampling, windows_);
-      size.took(std::chrono::steady_clock::now() - begun);
-      if (!go_on()) return false;
-    }
+    if (!StretchSize().step(*simulation, sampling, windows_, go_on)) return false;
     seconds_ = (cpu_seconds() - first) * static_cast<double>(steps) /
                static_cast<double>(std::max<std::int64_t>(1, steps - 1));
     return true;
@@ -164,22 +150,14 @@ Chart chart(Scene const& given, State const& start, ChartRequest const& request)
   auto const run = make_simulation(to_warm_up, first_snapshot(start), serial);
   OpenWindows unused;
   StretchSize size;
-  auto const go_to = [&](std::int64_t step) {
-    while (run->step() < step) {
-      auto const begun = std::chrono::steady_clock::now();
-      run->advance(std::min(size.steps(), step - run->step()), {.last_step = step}, unused);
-      size.took(std::chrono::steady_clock::now() - begun);
-      if (!go_on()) return false;
-    }
-    return true;
-  };
   std::vector<std::vector<Pair>> pairs(all.size());
   std::vector<std::vector<double>> seconds(all.size());
   std::vector<bool> failed(all.size(), false);
   auto const warm = request.warm_up > 0 ? multiple(request.warm_up) : 0;
   auto const next = multiple(request.apart);
   for (std::size_t k = 0; k < request.states; ++k) {
-    if (!go_to(warm + static_cast<std::int64_t>(k) * next)) break;
+    auto const step = warm + static_cast<std::int64_t>(k) * next;
+    if (!size.step(*run, {.last_step = step}, unused, go_on)) break;
     State const state = run->state();
     Path finer(made.finest, state, finest);
     what = fmt::format("state {} of {}, the finest method", k + 1, request.states);

@@ -2,7 +2,6 @@
 #include "src/run/bias/stretch.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <string_view>
 #include <vector>
 
@@ -38,14 +37,7 @@ Stretch::Stretch(Scene const& scene, State const& start, std::string const& back
       sampling_{.window_steps = third * every, .every = every, .last_step = 3 * third * every} {}
 
 bool Stretch::advance(std::function<bool()> const& go_on) {
-  while (simulation_->step() < sampling_.last_step) {
-    auto const begun = std::chrono::steady_clock::now();
-    simulation_->advance(std::min(size_.steps(), sampling_.last_step - simulation_->step()),
-                         sampling_, thirds_);
-    size_.took(std::chrono::steady_clock::now() - begun);
-    if (!go_on()) return false;
-  }
-  return true;
+  return size_.step(*simulation_, sampling_, thirds_, go_on);
 }
 
 Averages Stretch::averages() const { return averages_of(scene_, box_length_, thirds_); }
