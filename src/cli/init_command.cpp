@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <map>
 #include <memory>
-#include <sstream>
 #include <vector>
 
 #include "src/cli/exit_code.hpp"
@@ -107,19 +106,16 @@ std::string explained(Scene const& scene, std::string const& name) {
       "runs it. `bagnold schema --out\n# scene.schema.json` tells an editor what keys there are; "
       "those that are not here have defaults.\ntitle = \"\"\n",
       name);
-  std::istringstream lines(write_scene(scene));
-  std::string table, head;
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with('[')) {
-      table = line.substr(1, line.size() - 2) + ".";
-      head = "\n" + line + "\n";
-    }
-    auto const at = line.find(" = ");
-    if (at == std::string::npos) continue;
-    auto const key = table + line.substr(0, at);
+  std::string table;
+  for (auto const& [key, value] : written_keys(scene)) {
     if (std::ranges::count(shown_keys, key) == 0) continue;
-    text += head + fmt::format("{:<30} # {}\n", line, comments.at(key));
-    head.clear();
+    auto const dot = key.find('.');
+    if (key.substr(0, dot) != table) {
+      table = key.substr(0, dot);
+      text += fmt::format("\n[{}]\n", table);
+    }
+    auto const line = fmt::format("{} = {}", key.substr(dot + 1), value);
+    text += fmt::format("{:<30} # {}\n", line, comments.at(key));
   }
   return text;
 }

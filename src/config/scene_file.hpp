@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "src/config/scene.hpp"
@@ -21,6 +22,9 @@ Scene read_kept_scene(std::filesystem::path const& file);
 /// A scene as TOML text that reads back to the same scene, bit for bit; with `derived` values of
 /// interest as comments.
 std::string write_scene(Scene const& scene);
+
+/// The keys of that text, "table.key", and their values in TOML, in its order.
+std::vector<std::pair<std::string, std::string>> written_keys(Scene const& scene);
 
 /// Reads a scene from text. `origin` names the text in messages; start.file is relative to
 /// `folder`.

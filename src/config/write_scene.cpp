@@ -57,19 +57,25 @@ std::string toml_value(std::map<std::string, double> const& table) {
 
 }  // namespace
 
+std::vector<std::pair<std::string, std::string>> written_keys(Scene const& scene) {
+  std::vector<std::pair<std::string, std::string>> keys;
+  for_each_key(scene, [&](Key const& key, auto const& member) {
+    if (key.name == "start.file" && scene.start.file.empty()) return;
+    if (belongs(key, scene.shear.protocol)) keys.emplace_back(key.name, toml_value(member));
+  });
+  return keys;
+}
+
 std::string write_scene(Scene const& scene) {
   std::string text, table;
-  for_each_key(scene, [&](Key const& key, auto const& member) {
-    auto const dot = key.name.find('.');
-    if (key.name == "start.file" && scene.start.file.empty()) return;
-    if (!belongs(key, scene.shear.protocol)) return;
-    if (dot != std::string_view::npos && key.name.substr(0, dot) != table) {
-      table = key.name.substr(0, dot);
+  for (auto const& [key, value] : written_keys(scene)) {
+    auto const dot = key.find('.');
+    if (dot != std::string::npos && key.substr(0, dot) != table) {
+      table = key.substr(0, dot);
       text += fmt::format("\n[{}]\n", table);
     }
-    auto const name = dot == std::string_view::npos ? key.name : key.name.substr(dot + 1);
-    text += fmt::format("{} = {}\n", name, toml_value(member));
-  });
+    text += fmt::format("{} = {}\n", dot == std::string::npos ? key : key.substr(dot + 1), value);
+  }
   return text;
 }
 

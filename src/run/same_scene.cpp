@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <map>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -16,18 +15,9 @@ namespace bagnold {
 
 namespace {
 
-/// Values by the names of their keys, "table.key", as a scene is written.
 std::map<std::string, std::string> values_of(Scene const& scene) {
-  std::map<std::string, std::string> values;
-  std::istringstream lines(write_scene(scene));
-  std::string table;
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with('['))
-      table = line.substr(1, line.size() - 2) + ".";
-    else if (auto const at = line.find(" = "); at != std::string::npos)
-      values[table + line.substr(0, at)] = line.substr(at + 3);
-  }
-  return values;
+  auto const keys = written_keys(scene);
+  return {keys.begin(), keys.end()};
 }
 
 /// "disks.seed = 2, there it is 1; ..." of the keys that differ, three at most.
