@@ -83,24 +83,6 @@ struct FigureOptions {
   bool quiet = false;
 };
 
-struct ExportOptions {
-  std::filesystem::path folder;  ///< of a run
-  std::string format;            ///< "lammps", "extxyz", "gsd" or "vtk"
-  std::string frames = ":";      ///< "A:B"
-  std::filesystem::path file;    ///< "": trajectory.ENDING in the folder
-  bool contacts = false;
-  bool quiet = false;
-};
-
-/// Texts that the Python package reads; "": not given.
-struct ImportOptions {
-  std::filesystem::path file;   ///< configuration of another program
-  std::filesystem::path state;  ///< to write
-  std::string format;           ///< "lammps", "dump" or "extxyz"; "": as the file looks
-  std::string frame, unit, time_unit, rate, diameters, atom_style, bounds, tolerance;
-  bool quiet = false;
-};
-
 /// A command of the program: its words on the command line, and what it does once they are read.
 struct Command {
   Words words;
