@@ -104,12 +104,15 @@ def _of_run(run: Run) -> str:
     averages = f'<div class="wide">{html.observables(run)}</div>' if run.summary.get("observables") else ""
     pictures = _pictures([lambda: plots.run(run), lambda: plots.profiles(run), lambda: plots.fields(run),
                           lambda: plots.histograms(run)])
-    longer = "" if scene.get("shear.protocol", "steady") != "steady" else (
+    steady = scene.get("shear.protocol", "steady") == "steady"
+    longer = "" if not steady else (
         f"bagnold resume {_quoted(run.folder)} --strain {2 * float(scene['shear.strain']):g}   # twice as long, bit for bit")
     commands = "\n".join(line for line in (
-        longer, f"bagnold run {_quoted(run.folder)}/scene.toml --set disks.seed=2 --out ...   # another start",
-        f"bagnold check-limit {_quoted(run.folder)}/scene.toml   # is the rate small enough?",
-        f"python3 -c \"import bagnold; print(bagnold.load({str(run.folder)!r})['p'])\"") if line)
+        longer, f"bagnold run {_quoted(run.folder)}/scene.toml --set disks.seed={run.seeds[-1] + 1} --out ...   # another start",
+        f"bagnold check-limit {_quoted(run.folder)}/scene.toml   # is the rate small enough?" if steady else "",
+        f"python3 -c \"import bagnold; print(bagnold.load({str(run.folder)!r})['p'])\"" 
+        if "p" in run.summary.get("observables", {}) else "")
+        if line)
     return _page(title, [
         f'<h1>{escape(title)}</h1>\n<p class="small">{escape(_what(run))}</p>',
         _section("Warnings and notes", html.said(run.warnings, "warning") + html.said(run.notes, "note")),

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 import math
 import os
@@ -184,7 +185,9 @@ class Run:
             if name != along:
                 dimensions = ("seed", along) if value.ndim == 2 else (along,)
                 variables[name] = (dimensions, value, {"units": series.unit(name), "long_name": series.description(name)})
-        coordinates = {along: (along, axis if axis.ndim == 1 else axis[0], {"units": series.unit(along)})}
+        if axis.ndim == 2:  # of a run that goes on some replicas are behind
+            axis = axis[np.argmax(np.isfinite(axis).sum(axis=1))]
+        coordinates = {along: (along, axis, {"units": series.unit(along)})}
         if len(seeds) > 1:
             coordinates["seed"] = ("seed", np.array(seeds), {})
         return xarray.Dataset(variables, coordinates, {"title": str(self.scene.get("title", "")),
@@ -317,10 +320,13 @@ class Run:
     @property
     def states(self) -> list[Frame]:
         """The last states of all replicas."""
-        turns = self.scene.get("shear.protocol") in BY_PIECES
-        strain = math.nan if not self.complete else (
-            float(np.ravel(self.series["strain"])[-1]) if turns else float(self.summary["strain"]["total"]))
-        return read_states(self._file("state.h5"), self.scene.get("disks.mass") == "area", strain)
+        file, by_area = self._file("state.h5"), self.scene.get("disks.mass") == "area"
+        if not self.complete:
+            return read_states(file, by_area)
+        if self.scene.get("shear.protocol") not in BY_PIECES:
+            return read_states(file, by_area, float(self.summary["strain"]["total"]))
+        ends = np.atleast_2d(self.series["strain"])[:, -1]  # at given stress each replica has its own
+        return [dataclasses.replace(state, strain=float(end)) for state, end in zip(read_states(file, by_area), ends)]
 
     # ------------------------------------------------------------------------- what else it has
 

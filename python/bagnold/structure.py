@@ -173,6 +173,8 @@ def nonaffine_displacement(frames: Iterable[Frame]) -> tuple[Array, Array]:
     mean of both ends of each interval; where the box changed (given pressure), without that change too. Returns strains since the first frame, [T], and displacements,
     [T, N, 2], d_s."""
     frames = list(frames)
+    if not frames:
+        raise InputError("no frame to take displacements of; take a slice that has some")
     if any(np.isnan(frame.strain) for frame in frames):
         raise InputError("the strain of a frame is not known; use a trajectory, whose frames tell it")
     place = unwrapped(frames)
@@ -288,7 +290,7 @@ def velocity_correlation(frames: Configurations, r_max: float = 10.0, bins: int 
 def force_distribution(contacts: Networks, bins: int = 50, f_max: float = 5.0) -> tuple[Array, Array]:
     """Density of the elastic contact force over its mean. Returns the middles, [bins], and the density,
     [bins], which integrates to the share below f_max."""
-    forces = np.concatenate([one.elastic_force for one in _networks(contacts)])
+    forces = np.concatenate([np.zeros(0), *(one.elastic_force for one in _networks(contacts))])
     if not len(forces):
         raise InputError("no frame has a contact; take other frames, or a denser scene")
     edges = np.linspace(0, f_max, bins + 1)

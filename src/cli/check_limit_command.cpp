@@ -10,6 +10,8 @@
 #include "src/cli/options.hpp"
 #include "src/cli/signals.hpp"
 #include "src/cli/sweep_terminal.hpp"
+#include "src/config/ladder.hpp"
+#include "src/config/schemes.hpp"
 #include "src/run/rounded.hpp"
 
 namespace bagnold {
@@ -22,9 +24,18 @@ std::string text_of(analysis::WithError const& one) {
   return rounded(one.value, one.error);
 }
 
+/// The scheme of the runs, where a longer run would choose another.
+std::string kept_scheme(Scene scene, double strain) {
+  auto const scheme = scene.integration.scheme;
+  scene.shear.strain = strain;
+  return scheme != automatic && auto_is_default(scene)
+             ? fmt::format(" --set integration.scheme={}", scheme)
+             : "";
+}
+
 /// Advice for an undecided limit: the run that would decide, and its command.
-std::string advice(analysis::Limit const& limit, CheckLimitOptions const& options, double strain,
-                   std::filesystem::path const& folder) {
+std::string advice(analysis::Limit const& limit, CheckLimitOptions const& options,
+                   Scene const& scene, std::filesystem::path const& folder) {
   if (limit.verdict != analysis::Verdict::undecided) return {};
   constexpr double most_worth_running = 100, unknown = 1e300;
   bool const known = limit.longer < most_worth_running;
@@ -38,13 +49,14 @@ std::string advice(analysis::Limit const& limit, CheckLimitOptions const& option
   std::string set;
   for (auto const& put : options.run.overrides)
     if (!put.starts_with("shear.strain=")) set += fmt::format(" --set '{}'", put);
+  double const strain = scene.shear.strain * std::max(1.5, known ? limit.longer : 4.0);
   return text +
-         fmt::format("; `bagnold check-limit {}{} --set shear.strain={:.3g} --out {}` goes on",
-                     options.run.scene_file.string(), set,
-                     strain * std::max(1.5, known ? limit.longer : 4.0), folder.string());
+         fmt::format("; `bagnold check-limit {}{}{} --set shear.strain={:.3g} --out {}` goes on",
+                     options.run.scene_file.string(), set, kept_scheme(scene, strain), strain,
+                     folder.string());
 }
 
-void print(analysis::LimitCheck const& check, CheckLimitOptions const& options, double strain,
+void print(analysis::LimitCheck const& check, CheckLimitOptions const& options, Scene const& scene,
            std::filesystem::path const& folder) {
   double const tolerance = options.tolerance;
   auto const& [runs, rate, measured, found] = check;
@@ -58,7 +70,7 @@ void print(analysis::LimitCheck const& check, CheckLimitOptions const& options, 
     fmt::print("{} ~ gammadot^x, x = {}\n", name, text_of(exponent));
   for (auto const& limit : found.limits) {
     fmt::print("{}'s limit, within {:g}%: {}{}\n", limit.name, 100 * tolerance,
-               analysis::word(limit.verdict), advice(limit, options, strain, folder));
+               analysis::word(limit.verdict), advice(limit, options, scene, folder));
   }
   fmt::print("verdict: {}\n", found.verdict());
 }
@@ -77,7 +89,7 @@ int check_limit_command(CheckLimitOptions const& options) {
                             {options.run.scene_file, options.tolerance, options.run.allow_unstable,
                              sweep_options(options.run.machine, options.jobs, terminal)});
   if (check.runs == sweep::SweepEnd::done && !options.run.quiet)
-    print(check, options, scene.shear.strain, folder);
+    print(check, options, scene, folder);
   return exit_code_of(check.runs);
 }
 

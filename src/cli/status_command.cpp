@@ -138,9 +138,13 @@ using Json = nlohmann::ordered_json;
 /// Status as JSON; unknown numbers are null.
 Json json_of(RunStatus const& run) {
   auto const left = run.seconds_left();
+  bool const is_strain = run.name == "strain";  // else a time, as long as it is not done
+  auto const only = [](bool there, double value) { return there ? Json(value) : Json(); };
   return {{"state", word(run.state)},
-          {"strain", run.strain},
-          {"strain_whole", run.whole},
+          {"strain", only(is_strain, run.strain)},
+          {"strain_whole", only(is_strain, run.whole)},
+          {"time", only(!is_strain, run.strain)},
+          {"time_whole", only(!is_strain, run.whole)},
           {"share", run.share()},
           {"seconds_left", left ? Json(*left) : Json()},
           {"seconds_since_checkpoint", run.age > 0 ? Json(run.age) : Json()},

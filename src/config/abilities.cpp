@@ -98,9 +98,7 @@ LawFacts const* law_of_scene(Scene const& scene) { return known_laws().find(scen
 
 bool is_linear(Scene const& scene) {
   auto const* law = law_of_scene(scene);
-  if (!law) return true;
-  auto const constants = law->constants(scene.disks);
-  return constants.normal > 0 || constants.tangential > 0;
+  return !law || law->linear;
 }
 
 bool is_overdamped(Scene const& scene) {

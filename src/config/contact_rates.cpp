@@ -26,6 +26,8 @@ double dense_flow_rate(LawConstants const& k, bool rotates) {
 
 }  // namespace
 
+double const ContactRates::network = along_normal / 2;
+
 ContactRates::ContactRates(Scene const& scene) {
   double const small = make_species_table(scene.mass_by_area()).inverse_mass.small;
   with_repulsion(scene.disks.force_exponent, [&]<class Repulsion>(Repulsion) {

@@ -13,6 +13,9 @@ struct ContactRates {
   double normal = 0;      ///< 2 k_n/m
   double tangential = 0;  ///< 2 k_t/m, three times that where disks roll
   double dense_flow = 0;  ///< fastest relaxation of a dense flow, measured
+  /// Fastest relaxation of a dense flow along normals over that of one pair, k_n alone: stiffness
+  /// and normal damping act through the same contacts.
+  static double const network;
   bool harmonic = true;
 
   explicit ContactRates(Scene const& scene);

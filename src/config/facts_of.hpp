@@ -42,6 +42,7 @@ LawFacts facts_of() {
   return {Law::name,
           Law::rotates,
           Law::separate_constants,
+          Law::linear,
           detail::constants<Law>,
           detail::paper_time_step<Law>,
           detail::rule_time_step<Law>};

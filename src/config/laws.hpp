@@ -19,6 +19,7 @@ struct LawFacts {
   std::string_view name;
   bool rotates;
   bool separate_constants;
+  bool linear;                                     ///< in the velocity
   LawConstants (*constants)(Scene::Disks const&);  ///< 0 for a law that is not linear
 
   /// Time step of the papers at an elasticity Q, [tau_e].

@@ -41,8 +41,8 @@ double largest_stable_time_step(Scene const& scene, std::string_view scheme) {
   double const rate = contacts * std::max(r.normal, r.tangential) + drag_rate(scene);
   double const stiffness = contacts * r.stiffness;
   return with_named<Schemes>(scheme, [&]<class S>(std::type_identity<S>) -> double {
-    if constexpr (ImplicitScheme<S>)
-      return S::largest_time_step(rate, stiffness);
+    if constexpr (ImplicitScheme<S>)  // damping across contacts does not hold what they spring
+      return S::largest_time_step(contacts * r.normal + drag_rate(scene), stiffness);
     else
       return std::min(S::largest_rate / rate, S::largest_frequency / std::sqrt(stiffness));
   });
@@ -52,8 +52,8 @@ double dense_flow_time_step(Scene const& scene, std::string_view scheme) {
   if (is_scheme_of_an_engine(scheme)) return std::numeric_limits<double>::infinity();
   ContactRates const r(scene);
   return with_named<Schemes>(scheme, [&]<class S>(std::type_identity<S>) -> double {
-    if constexpr (ImplicitScheme<S>)  // stable for any damping alone
-      return largest_stable_time_step(scene, scheme);
+    if constexpr (ImplicitScheme<S>)  // stable for any damping alone: springs decide
+      return S::largest_time_step(r.network * r.normal + drag_rate(scene), r.network * r.stiffness);
     else
       return S::largest_rate / (r.dense_flow + drag_rate(scene));
   });

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/io/trajectory_parts.hpp"
 
-#include <algorithm>
 #include <regex>
 
 namespace bagnold::io {
@@ -24,10 +23,7 @@ std::vector<fs::path> trajectory_parts(fs::path const& folder) {
 
 bool run_finished(fs::path const& folder) {
   std::error_code ignored;
-  return fs::exists(folder / "summary.json", ignored) &&
-         std::ranges::all_of(trajectory_parts(folder), [&](fs::path parts) {
-           return fs::exists(parts.replace_extension(".h5md"), ignored);
-         });
+  return fs::exists(folder / "summary.json", ignored) && trajectory_parts(folder).empty();
 }
 
 }  // namespace bagnold::io

@@ -32,11 +32,21 @@ void make_plain(NumberOrList& strain) {
 /// Names of the measurements on frames or contacts that keep sums over all frames.
 std::string sums_of_frames(Scene const& scene) {
   std::vector<std::string> names;
-  if (scene.measure.contacts) names.emplace_back("measure.contacts");
+  if (scene.measure.contacts && scene.shear.target_error.empty())
+    names.emplace_back("measure.contacts");
   if (scene.measure.fields) names.emplace_back("measure.fields");
   if (scene.measure.rotation) names.emplace_back("measure.rotation");
   return fmt::format("{}", fmt::join(names, ", "));
 }
+
+}  // namespace
+
+double least_lengthening(Scene const& scene) {
+  double const share = scene.shear.discard.value_or(0);
+  return sums_of_frames(scene).empty() || !(share > 0) ? 1 : 1 / share;
+}
+
+namespace {
 
 std::int64_t farthest(io::Checkpoint const& from) {
   std::int64_t step = 0;

@@ -22,6 +22,10 @@ Scene with_strain(Scene scene, double strain, std::string const& folder);
 /// True if `after` is `before` with more shear.strain and no other change.
 bool is_longer(Scene const& before, Scene const& after);
 
+/// Factor by which a run has to be made longer at least, for histograms hold frames that a shorter
+/// one would discard; 1 where any length will do.
+double least_lengthening(Scene const& scene);
+
 /// A run that is to be made longer, before and after.
 struct Longer {
   Scene before, after;

@@ -22,7 +22,8 @@ void draw_missing_pictures(RunFolder const& folder, Scene const& scene) {
 }
 
 bool makes_histograms(Scene const& scene) {
-  return scene.measure.contacts || scene.measure.rotation || scene.measure.fields;
+  return (scene.measure.contacts && scene.shear.target_error.empty()) || scene.measure.rotation ||
+         scene.measure.fields;
 }
 
 void drop_pictures(RunFolder const& folder) {

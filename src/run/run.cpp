@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "src/config/cascade.hpp"
@@ -27,12 +28,41 @@ RunMonitor& monitor_of(RunOptions const& options) {
   return options.monitor != nullptr ? *options.monitor : nobody;
 }
 
+namespace fs = std::filesystem;
+
 void refuse_sweep(std::filesystem::path const& folder) {
   if (std::filesystem::exists(folder / "points.json"))
     throw InputError(
         fmt::format("{}: holds a sweep; the command that began it goes on with it, also with more "
                     "points or strain in its file: `bagnold sweep FILE --out {}`",
                     folder.string(), folder.string()));
+}
+
+/// Refuses to change the last state of a point of a sweep from which another point starts.
+void refuse_start_of_another(fs::path const& name) {
+  auto const folder = fs::weakly_canonical(name);
+  if (!fs::exists(folder.parent_path().parent_path() / "points.json")) return;
+  for (auto const& other : fs::directory_iterator(folder.parent_path())) {
+    auto const scene = other.path() / "scene.toml";
+    if (!fs::exists(scene)) continue;
+    auto const& start = read_kept_scene(scene).start;
+    if (start.kind == "state" && fs::weakly_canonical(start.file) == folder / "state.h5")
+      throw InputError(fmt::format(
+          "{}: is a point of a sweep from whose last state {} starts, so it cannot be made longer; "
+          "run its scene.toml with more shear.strain into a folder of its own",
+          name.string(), other.path().filename().string()));
+  }
+}
+
+/// Refuses to replace a folder that holds the state to start from.
+void refuse_own_start(fs::path const& name, Scene const& scene) {
+  if (scene.start.kind != "state") return;
+  auto const folder = fs::weakly_canonical(name);
+  auto const file = fs::weakly_canonical(scene.start.file);
+  if (std::ranges::mismatch(folder, file).in1 == folder.end())
+    throw InputError(fmt::format(
+        "--force: start.file = {} lies in the folder that is replaced; copy it elsewhere first",
+        scene.start.file));
 }
 
 /// Gives a run more strain for `bagnold resume DIR --strain`; in a cascade its last rate, from
@@ -46,6 +76,7 @@ void give_strain(RunFolder const& folder, double strain, RunMonitor& monitor) {
         "{}: is a rate of the cascade in {}, whose last rate alone can be made longer: `bagnold "
         "resume {} --strain {}`",
         folder.path().string(), stage->cascade.string(), stage->cascade.string(), strain));
+  refuse_start_of_another(folder.path());
   Scene const before = read_kept_scene(folder.scene());
   Scene const after = with_strain(before, strain, folder.path().string());
   if (write_scene(after) == write_scene(before)) return;
@@ -63,8 +94,9 @@ void give_strain(RunFolder const& folder, double strain, RunMonitor& monitor) {
 RunEnd go_on(RunFolder const& folder, RunOptions const& options, char const* finished) {
   RunMonitor& monitor = monitor_of(options);
   if (io::run_finished(folder.path())) {
-    folder.remove_trajectory_parts();
-    if (std::filesystem::exists(folder.scene()) && !cascade_in(folder))
+    if (auto const cascade = cascade_in(folder))
+      draw_missing_pictures_of_cascade(folder, *cascade);
+    else if (std::filesystem::exists(folder.scene()))
       draw_missing_pictures(folder, read_kept_scene(folder.scene()));
     monitor.status(fmt::format("{} is finished: {}", folder.path().string(), finished));
     return RunEnd::done;
@@ -77,18 +109,19 @@ RunEnd go_on(RunFolder const& folder, RunOptions const& options, char const* fin
 }  // namespace
 
 RunEnd run(Scene scene, std::filesystem::path const& name, RunOptions const& options) {
+  refuse_sweep(name);
   parse_scene(write_scene(scene), "scene", {});  // one made in a program was never checked
   validated_plan(scene, options.allow_unstable);
   scene = resolved(std::move(scene));
   Machine const machine = choose(options.machine, scene);
-  auto from_file = states_in_file(runs_of(scene).front());  // read before anything is written
-
   if (!options.replace && holds_run(name)) {
     refuse_other_scene(name, scene);  // without a trace
     RunFolder const folder = RunFolder::open(name);
     refuse_other_scene(name, scene);  // another process may have been quicker
     return go_on(folder, options, "the run of this scene is there, --force runs it again");
   }
+  if (options.replace && holds_run(name)) refuse_own_start(name, scene);
+  auto from_file = states_in_file(runs_of(scene).front());  // read before anything is written
   RunFolder const folder = RunFolder::make(name, options.replace);
   io::replace_text(folder.scene(), write_scene(scene));
   if (scene.shear.run_per_rate()) return run_cascade(folder, scene, machine, monitor_of(options));

@@ -48,8 +48,10 @@ void refuse_disagreement(State const& state, Scene const& scene) {
   if (!keeps_box && !(std::abs(state.box_length - length) <= 1e-9 * length))
     refuse(
         fmt::format("box_length = {} but disks.count = {} and disks.packing_fraction = {} give {} "
-                    "(must agree to 1e-9)",
-                    state.box_length, scene.disks.count, scene.disks.packing_fraction, length));
+                    "(must agree to 1e-9); set disks.packing_fraction = {}{}",
+                    state.box_length, scene.disks.count, scene.disks.packing_fraction, length,
+                    scene.disks.packing_fraction * std::pow(length / state.box_length, 2),
+                    scene.disks.replicas > 1 ? ", if all of its states have that box" : ""));
 }
 
 void refuse_other_number(std::vector<State> const& states, Scene const& scene) {

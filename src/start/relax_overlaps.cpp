@@ -12,6 +12,7 @@
 #include "kernels/physics/drives/stokes_drag.hpp"
 #include "kernels/physics/laws/cd_n.hpp"
 #include "src/config/errors.hpp"
+#include "src/config/jamming.hpp"
 #include "src/config/names.hpp"
 #include "src/config/scene.hpp"
 #include "src/config/skin.hpp"
@@ -137,11 +138,14 @@ void relax_start(State& state, Scene const& scene, std::string const& what,
   record["start_iterations"] = static_cast<double>(iterations);
   record["start_overlap"] = overlap;
   if (overlap > largest_start_overlap)
-    throw NumericalError(
-        fmt::format("after {} iterations of relaxing {} an overlap of {:.1f}% is left (limit "
-                    "{:.0f}%); lower disks.packing_fraction = {}, or raise start.iterations = {}",
-                    iterations, what, 100 * overlap, 100 * largest_start_overlap,
-                    scene.disks.packing_fraction, start.iterations));
+    throw NumericalError(fmt::format(
+        "after {} iterations of relaxing {} an overlap of {:.1f}% is left (limit "
+        "{:.0f}%); lower disks.packing_fraction = {}, or {}",
+        iterations, what, 100 * overlap, 100 * largest_start_overlap, scene.disks.packing_fraction,
+        scene.disks.packing_fraction > jamming_fraction
+            ? "compress a looser state by shear.protocol = \"pressure\": so far above "
+              "jamming overlaps remain however long it relaxes"
+            : fmt::format("raise start.iterations = {}", start.iterations)));
 }
 
 }  // namespace bagnold

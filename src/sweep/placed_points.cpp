@@ -11,6 +11,7 @@
 
 #include "src/config/errors.hpp"
 #include "src/config/scene_file.hpp"
+#include "src/config/schemes.hpp"
 #include "src/io/atomic_file.hpp"
 #include "src/io/run_lock.hpp"
 
@@ -170,6 +171,14 @@ std::string difference(std::string const& old_text, std::string const& new_text)
   return "another length";
 }
 
+/// What to say where more strain chooses another scheme than that of the points.
+std::string kept_scheme(Scene const& before, Scene const& after) {
+  auto const& scheme = before.integration.scheme;
+  if (after.integration.scheme != automatic || scheme == automatic) return "";
+  return fmt::format(
+      ", and scheme = \"auto\" by its strain: integration.scheme = \"{}\" keeps theirs", scheme);
+}
+
 }  // namespace
 
 PlacedPoints place_points(Sweep const& sweep, fs::path const& name) {
@@ -187,7 +196,8 @@ PlacedPoints place_points(Sweep const& sweep, fs::path const& name) {
         "--out {}: holds the sweep of another file (sweep.toml is its copy): none of its {} points "
         "is in {} (its first: {}); {}choose another folder, or put the file back as it was",
         name.string(), known.size(), sweep.origin,
-        difference(known.front().scene, write_scene(placed.sweep.points.front().scene)),
+        difference(known.front().scene, write_scene(placed.sweep.points.front().scene)) +
+            kept_scheme(known.front().read, placed.sweep.points.front().scene),
         placed.sweep.points.front().scene.shear.by_pieces()
             ? "only a steady run can be made longer; "
         : std::ranges::any_of(sweep.points,

@@ -142,6 +142,26 @@ class Growing(SweepTest):
             scenes = list(file["points/scene"].asstr())
         self.assertEqual(["strain = 0.5\n" in scene for scene in scenes], [False, True, False])
 
+    def test_a_point_from_which_another_starts_stays_as_long(self):
+        out = self.folder / "out"
+        self.sweep(self.sweep_file(chain="shear.strain_rate", grid={"shear.strain_rate": [2.0**-6, 2.0**-7]}), out, "--quiet")
+        first, last = self.points(out)
+        before = files_of(first)
+        self.assert_clean_error(self.bagnold("resume", first, "--strain", 4.0), 2, last.name, "a folder of its own")
+        self.assertEqual(untouched(before, files_of(first)), list(before))
+        self.assertEqual(self.bagnold("resume", last, "--strain", 4.0, "--quiet").returncode, 0)
+
+    def test_strain_by_which_the_scheme_would_change(self):
+        """The refusal names the key that lets the points go on."""
+        out, usual = self.folder / "out", {"integration__time_step": None, "disks__count": 16, "measure__every": 10,
+                                           "disks__packing_fraction": 0.5, "grid": {"disks.seed": [1, 2]}}
+        self.sweep(self.sweep_file(shear__strain=3.0, **usual), out, "--quiet")
+        longer = self.sweep_file(shear__strain=6.0, **usual)
+        self.assert_clean_error(self.bagnold("sweep", longer, "--out", out), 2,
+                                'integration.scheme = "two-stage-leapfrog" keeps theirs')
+        longer = self.sweep_file(shear__strain=6.0, integration__scheme="two-stage-leapfrog", **usual)
+        self.assertIn("2 of those that are kept get more strain", self.sweep(longer, out, "--quiet").stderr)
+
     def test_a_prepared_sweep_of_which_nothing_has_run_can_be_changed(self):
         chain = {"chain": "shear.strain_rate", "grid": {"shear.strain_rate": [2.0**-6, 2.0**-7]}}
         forms = ({"grid": SEEDS}, {"grid": SEEDS, "disks__elasticity": 2.0}, {"grid": {"disks.seed": [2, 9]}},

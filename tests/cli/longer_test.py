@@ -3,6 +3,7 @@
 
 import itertools
 import json
+import re
 import signal
 import unittest
 
@@ -124,6 +125,34 @@ class LongerTest(CliTest):
                     self.check(short=1.0005, long=1.7, name=f"{bool(where)}{target}",
                                output__sample_strain=2.0**-9,
                                shear__target_error=Raw(f"{{ p = {target} }}"), **where)
+
+    def test_a_trajectory_that_could_not_be_joined(self):
+        """After the summary is written: the parts are all that holds the new frames, and resume joins them."""
+        changes = {"output__trajectory_strain": 0.01, **DILUTE}
+        out = self.run_new("out", shear__strain=SHORT, **changes)
+        (out / "trajectory.h5md.tmp").mkdir()  # in the place of the file that is written first
+        self.assertEqual(self.bagnold("resume", out, "--strain", LONG).returncode, 4)
+        self.assertTrue((out / "summary.json").exists() and (out / "trajectory.h5md").exists())
+        (out / "trajectory.h5md.tmp").rmdir()
+        self.assertEqual(self.bagnold("resume", out).returncode, 0)
+        whole = self.run_new("whole", shear__strain=LONG, **changes)
+        self.assertEqual((out / "trajectory.h5md").read_bytes(), (whole / "trajectory.h5md").read_bytes())
+        self.assertEqual(list(out.glob("*.parts")), [])
+
+    def test_contacts_and_a_target(self):
+        """No histograms are kept then, so nothing is in the way of any strain."""
+        out = self.run_new("out", shear__strain=SHORT, measure__contacts=True, shear__target_error=Raw("{ p = 1e-9 }"))
+        self.assertEqual(self.bagnold("resume", out, "--strain", 1.2 * SHORT).returncode, 0)
+
+    def test_advice_on_strain_can_be_taken(self):
+        """Where histograms discard a fifth, five times the strain is the least."""
+        out = self.folder / "out"
+        result = self.bagnold("run", self.scene(shear__strain=0.5, shear__discard=0.2, measure__contacts=True), "--out", out)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        strains = [float(one) for one in re.findall(r"--strain ([\d.]+)", result.stderr)]
+        self.assertTrue(strains)
+        self.assertGreaterEqual(min(strains), 2.5)
+        self.assertEqual(self.bagnold("resume", out, "--strain", min(strains)).returncode, 0)
 
     def test_unfinished(self):
         """Stopped on its way, and stopped again when longer; the command may be typed again."""

@@ -214,6 +214,21 @@ class Rerun(CliTest):
         fresh = self.run_new("fresh", disks__seed=2)
         self.assert_same_results(out, fresh)
 
+    def test_force_keeps_the_state_to_start_from(self):
+        out = self.run_new("out")
+        before = (out / "summary.json").read_bytes()
+        path = self.scene(start__kind="state", start__file=str(out / "state.h5"))
+        self.assert_clean_error(self.bagnold("run", path, "--out", out, "--force"), 2, "start.file", "elsewhere")
+        self.assertEqual((out / "summary.json").read_bytes(), before)
+
+    def test_a_finished_run_needs_its_start_no_more(self):
+        first = self.run_new("first")
+        path = self.scene(start__kind="state", start__file=str(first / "state.h5"))
+        out = self.folder / "out"
+        self.assertEqual(self.bagnold("run", path, "--out", out).returncode, 0)
+        (first / "state.h5").unlink()
+        self.assertEqual(self.bagnold("run", path, "--out", out).returncode, 0)
+
     def test_force_leaves_foreign_files(self):
         out = self.run_new("out")
         (out / "notes.txt").write_text("mine")

@@ -135,6 +135,13 @@ class Refusals(SweepTest):
         result = self.bagnold("sweep", self.sweep_file(grid=SEEDS), "--out", out)
         self.assert_clean_error(result, 2, "holds a run")
 
+    def test_a_run_into_the_folder_of_a_sweep(self):
+        out = self.folder / "out"
+        self.sweep(self.sweep_file(grid=SEEDS), out)
+        for words in ((), ("--force",)):
+            self.assert_clean_error(self.bagnold("run", self.scene(), "--out", out, *words), 2, "holds a sweep")
+        self.assertFalse((out / "scene.toml").exists())
+
     def test_chain_numbers(self):
         out, path = self.folder / "out", self.sweep_file(grid=SEEDS)
         result = self.bagnold("sweep", path, "--out", out, "--chain", "4")

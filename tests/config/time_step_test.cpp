@@ -93,6 +93,42 @@ TEST(Scheme, TwoStagesBearWhatThePapersBear) {
   EXPECT_GT(borne, 10'000);
 }
 
+/// k_n alone holds the stiff motions, along normals; laws of one constant keep their rule.
+TEST(ImplicitDampingRule, GoesByTheNormalDamping) {
+  auto const step = [](double normal, double tangential, double q = 1.0) {
+    Scene scene;
+    scene.disks = disks("CD_nt", q);
+    scene.disks.damping_normal = normal;
+    scene.disks.damping_tangential = tangential;
+    return rule_time_step(scene, "implicit-damping");
+  };
+  EXPECT_DOUBLE_EQ(step(1, 1), 1.4);
+  EXPECT_DOUBLE_EQ(step(1, 0.5), 1.4);
+  EXPECT_DOUBLE_EQ(step(0.5, 1), 1.4 * std::pow(2, -0.3));
+  EXPECT_DOUBLE_EQ(step(0.5, 1, 10), 1.4 * std::pow(20, -0.3));
+  EXPECT_DOUBLE_EQ(step(0, 1), 0.2);
+  EXPECT_DOUBLE_EQ(step(0, 0), 0.2);
+  EXPECT_DOUBLE_EQ(step(1, 0.2), 0.2);
+}
+
+/// The rule's own step is below what a dense flow bears, and steps that make energy (CD_nt at phi =
+/// 0.86, k_n = 0.2 k_t, 1.4 tau_e: T_g is 300 times too large) are above it.
+TEST(ImplicitDampingRule, BearsADenseFlow) {
+  Scene scene;
+  for (auto const* model : {"CD", "CD_rot"})
+    for (auto const* mass : {"equal", "area"})
+      for (double q = 0.1; q < 300; q *= 1.2) {
+        scene.disks = disks(model, q, mass);
+        EXPECT_LE(rule_time_step(scene, "implicit-damping"),
+                  dense_flow_time_step(scene, "implicit-damping"))
+            << model << " " << mass << " " << q;
+      }
+  scene.disks = disks("CD_nt", 1);
+  scene.disks.damping_normal = 0.2;
+  EXPECT_LT(dense_flow_time_step(scene, "implicit-damping"), 1.4);
+  EXPECT_LT(largest_stable_time_step(scene, "implicit-damping"), 1.4);
+}
+
 TEST(Skin, IsWideForImplicitDampingWhereTheBoxHasRoom) {
   Scene scene = minimal_scene();
   scene.integration.scheme = "implicit-damping";

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """bagnold.plots.packing by what it draws, and bagnold.movie by the frames that are in the film."""
 
+import dataclasses
 import os
 import shutil
 import subprocess
@@ -15,6 +16,8 @@ import matplotlib  # noqa: E402
 matplotlib.use("Agg")
 from matplotlib.collections import EllipseCollection, LineCollection  # noqa: E402
 from PIL import Image  # noqa: E402
+
+from bagnold.plots import packing_page  # noqa: E402
 
 
 def drawn(figure, kind):
@@ -87,6 +90,23 @@ class Packing(Folder):
         bagnold.plots.packing(made(disks__model="CD"), color="speed")  # the last state, without a trajectory
         with self.assertRaisesRegex(bagnold.InputError, "no spins"):
             bagnold.plots.packing(made(disks__model="CD"), color="spin")
+
+    def test_speeds_are_positive_where_the_shear_turns(self):
+        r = with_frames()
+        frame = dataclasses.replace(r.frames[-1], strain_rate=-r.frames[-1].strain_rate)
+        self.assertGreaterEqual(packing_page.values_of(frame, "speed", r.contacts[-1]).min(), 0)
+
+    def test_the_box_of_each_frame(self):
+        """A held pressure changes it."""
+        r = with_frames()
+        frame, contacts = r.frames[-1], r.contacts[-1]
+        figure, axes = packing_page.plt.subplots()
+        packing = packing_page.Packing(axes, frame, contacts)
+        box = dataclasses.replace(frame.box, length=1.1 * frame.box.length, height=1.1 * frame.box.height)
+        packing.show(dataclasses.replace(frame, box=box, position=1.1 * frame.position), contacts)
+        self.assertEqual(axes.get_xlim(), (0, box.length))
+        self.assertEqual(axes.get_ylim(), (0, box.height))
+        packing_page.plt.close(figure)
 
     def test_the_local_rate_is_that_of_a_band(self):
         """Of a flow whose upper half shears three times as fast as its lower one."""

@@ -83,6 +83,16 @@ class Reports(Folder):
         self.assertIn(str(r.about["git"]), page.cells)
         self.assertEqual(list(self.folder.glob("*.part")), [])
 
+    def test_commands_can_be_taken(self):
+        """Another start is of other systems; what does not go with a protocol is not advised."""
+        text, _ = self.page(made(disks__replicas=3, disks__seed=4), self.folder / "three.html")
+        self.assertIn("--set disks.seed=7 ", text)
+        turned = {"protocol": "sequence", "pieces": [[2.0**-7, 0.5], [-2.0**-7, 0.5]]}
+        r = run({"disks": SCENE["disks"], "shear": turned, "output": {"sample_strain": 0.125, "plot": False}}, self.folder / "turned")
+        text, _ = self.page(r, self.folder / "turned.html")
+        self.assertNotIn("check-limit", text)
+        self.assertNotIn("[&#x27;p&#x27;]", text)
+
     def test_the_same_run_gives_the_same_page(self):
         r = made()
         one, other = (re.sub("(?<=[#\"])p[0-9a-f]{10}", "", bagnold.report(r, self.folder / name).read_text()) for name in "ab")

@@ -51,6 +51,14 @@ class Results(Folder):
         with self.assertRaisesRegex(KeyError, "B_q is not among the series"):
             r.series["B_q"]
 
+    def test_states_of_replicas_at_given_stress(self):
+        """Each has a strain of its own."""
+        held = {"protocol": "stress", "stress": 2e-3, "time": 2048.0, "strain_rate": 2.0**-7}
+        r = run({"disks": {**SCENE["disks"], "replicas": 3}, "shear": held, "output": SCENE["output"]}, self.folder / "held")
+        ends = r.series["strain"][:, -1]
+        self.assertEqual([state.strain for state in r.states], list(ends))
+        self.assertGreater(np.ptp(ends), 0)
+
     def test_scene(self):
         scene = made().scene
         self.assertEqual(scene["disks"]["count"], 64)

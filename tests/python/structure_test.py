@@ -35,6 +35,12 @@ class Configurations(unittest.TestCase):
             np.testing.assert_allclose(r, [0.5, 1.5, 2.5, 3.5, 4.5])
             np.testing.assert_allclose(g, 1, atol=0.08)
 
+    def test_nothing_to_look_at(self):
+        with self.assertRaisesRegex(bagnold.InputError, "no frame"):
+            structure.nonaffine_msd([])
+        with self.assertRaisesRegex(bagnold.InputError, "no frame"):
+            structure.force_distribution([])
+
     def test_g_by_loops(self):
         frame = random_frame(30, 9.0, 8.0, 4.0)
         distances = []

@@ -125,6 +125,8 @@ grid = { "shear.strain_rate" = [1e-2, 1e-3], "disks.seed" = [1, 2] })");
 /// A start that is relaxed is that of the first point; the others begin in the contacts of a flow.
 TEST(SweepExpansion, AChainIsRelaxedWhereItBegins) {
   auto const sweep = expand(R"([start]
+kind = "state"
+file = "state.h5"
 relax = true
 [sweep]
 chain = "shear.strain_rate"
@@ -134,6 +136,7 @@ grid = { "shear.strain_rate" = [1e-2, 1e-3] })");
   auto const asked = expand(R"([sweep]
 chain = "shear.strain_rate"
 zip = { "shear.strain_rate" = [1e-2, 1e-3], "start.relax" = [false, true] })");
+  EXPECT_FALSE(asked.points[0].scene.start.relax);
   EXPECT_TRUE(asked.points[1].scene.start.relax);
 }
 

@@ -37,7 +37,7 @@ def values_of(frame: Frame, color, contacts: Contacts):
     if color == "velocity":
         return frame.nonaffine_velocity[:, 0] / rate
     if color == "speed":
-        return np.hypot(*frame.nonaffine_velocity.T) / rate
+        return np.hypot(*frame.nonaffine_velocity.T) / abs(rate)
     if color == "rate":
         return local_rate(frame) / rate
     if color == "spin":
@@ -79,8 +79,7 @@ class Packing:
 
     def __init__(self, axes, frame, contacts, color="velocity", forces=True):
         self.axes, self.color, self.forces = axes, color, forces
-        box = frame.box
-        axes.set(xlim=(0, box.length), ylim=(0, box.height), aspect="equal", xticks=[], yticks=[])
+        axes.set(aspect="equal", xticks=[], yticks=[])
         for spine in axes.spines.values():
             spine.set_visible(True)
         values = values_of(frame, color, contacts)
@@ -99,7 +98,8 @@ class Packing:
         for old in (self.disks, self.lines):
             if old is not None:
                 old.remove()
-        box = frame.box
+        box = frame.box  # which a held pressure changes
+        self.axes.set(xlim=(0, box.length), ylim=(0, box.height))
         place = box.wrapped(frame.position)
         index, places = with_images(place, frame.diameter / 2, box)
         size = frame.diameter[index]
@@ -205,8 +205,10 @@ class Film:
         name = name or ("strain_rate" if ramp else "sigma")
         if name not in series:
             raise InputError(f"series = {name!r} (must be one of {', '.join(series)})")
-        values = np.atleast_2d(series[name])[0]
-        return np.atleast_2d(series["strain"])[0], values, name, bool((values > 0).all() and values.max() > 20 * values.min())
+        strain, values = np.atleast_2d(series["strain"])[0], np.atleast_2d(series[name])[0]
+        known = np.isfinite(strain)  # of a run that goes on the first replica may be behind
+        strain, values = strain[known], values[known]
+        return strain, values, name, bool((values > 0).all() and values.max() > 20 * values.min())
 
     def show(self, number):
         """Frame `number` of those chosen."""

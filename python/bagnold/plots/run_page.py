@@ -262,7 +262,7 @@ def draw_profile(figure, spot, run):
     """v_x(y) of the last state: single disks and means of slices about 1.5 d_s thick."""
     axes = figure.add_subplot(spot)
     state = run.state
-    if state is None or not run.rate > 0:
+    if state is None or not abs(run.rate) > 0:
         return say(axes, "no state.h5 beside the result" if state is None else "at rest")
     height = state.box.height
     y = state.position[:, 1] / height
@@ -305,12 +305,13 @@ def with_images(position, diameter, tilt, length, height):
 def draw_packing(figure, spot, run):
     axes = figure.add_subplot(spot)
     state = run.state
-    if state is None or not run.rate > 0:
+    if state is None:
         return say(axes, "no state.h5 beside the result")
     length, height = state.box.length, state.box.height
     tilt = state.box.tilt if state.box.tilt > -length / 2 else length / 2  # halfway it leans along the shear
     position, diameter = state.position.copy(), state.diameter
-    excess = (state.velocity[:, 0] - run.rate * position[:, 1]) / run.rate  # in gammadot d_s
+    rate = run.rate if np.isfinite(run.rate) else 0.0
+    excess = (state.velocity[:, 0] - rate * position[:, 1]) / (rate or 1.0)  # in gammadot d_s
     rows = np.floor(position[:, 1] / height)
     position -= np.outer(rows, [tilt, height])
     position[:, 0] -= length * np.floor((position[:, 0] - tilt * position[:, 1] / height) / length)

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "src/config/oscillation.hpp"
+#include "src/run/make_longer.hpp"
 #include "src/run/warnings/checks.hpp"
 
 namespace bagnold {
@@ -115,8 +116,9 @@ std::string text_of(Warning const& warning, std::string const& folder) {
 
 std::string longer_run(Run const& run, double times) {
   auto const& shear = run.scene.shear;
-  double const length =
-      (run.plan.by_time ? shear.time : double{shear.strain}) * std::clamp(times, 1.5, 1e3);
+  double const least = run.plan.by_time ? 1.5 : std::max(1.5, least_lengthening(run.scene));
+  double const length = (run.plan.by_time ? shear.time : double{shear.strain}) *
+                        std::clamp(times, least, std::max(least, 1e3));
   double const unit = std::pow(10, std::floor(std::log10(length)) - 1);  // of two digits
   auto const longer = fmt::format("{:.6g}", unit * std::ceil(length / unit - 1e-9));
   return run.plan.by_time ? changed_run("shear.time", longer)

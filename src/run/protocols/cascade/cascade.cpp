@@ -41,9 +41,7 @@ RunEnd run_stage(fs::path const& path, Scene const& scene, Machine const& machin
   if (auto const longer = longer_stage(path, scene.shear.strain))
     make_longer(RunFolder::open(path), *longer);
   if (io::run_finished(path)) {
-    auto const folder = RunFolder::open(path);
-    folder.remove_trajectory_parts();
-    draw_missing_pictures(folder, scene);
+    draw_missing_pictures(RunFolder::open(path), scene);
     return RunEnd::done;
   }
   if (begun(path)) return go_on_in(RunFolder::open(path), machine, monitor);
@@ -124,6 +122,15 @@ void make_cascade_longer(RunFolder const& folder, Scene const& after) {
   io::replace_text(folder.scene(), write_scene(after));
 }
 
+void draw_missing_pictures_of_cascade(RunFolder const& folder, Scene const& cascade) {
+  auto const stages = runs_of(cascade);
+  for (std::size_t k = 0; k < stages.size(); ++k)
+    if (auto const path = folder.path() / stage_folder(cascade, k); io::run_finished(path))
+      draw_missing_pictures(RunFolder::open(path), stages[k]);
+  auto const flow_curve = folder.path() / "flow_curve.png";
+  if (cascade.output.plot && !fs::exists(flow_curve)) warn(draw_plot(folder.path(), flow_curve));
+}
+
 RunEnd run_cascade(RunFolder const& folder, Scene const& cascade, Machine const& machine,
                    RunMonitor& monitor) {
   KokkosScope const kokkos(machine, cascade);
@@ -143,7 +150,7 @@ RunEnd run_cascade(RunFolder const& folder, Scene const& cascade, Machine const&
     before = (path / "state.h5").string();
   }
   write_summary(folder, cascade);
-  if (cascade.output.plot) warn(draw_plot(folder.path(), folder.path() / "flow_curve.png"));
+  draw_missing_pictures_of_cascade(folder, cascade);
   return RunEnd::done;
 }
 

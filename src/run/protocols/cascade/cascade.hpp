@@ -20,6 +20,9 @@ std::optional<Scene> cascade_in(RunFolder const& folder);
 RunEnd run_cascade(RunFolder const& folder, Scene const& cascade, Machine const& machine,
                    RunMonitor& monitor);
 
+/// Draws the pictures of a finished cascade that are not there.
+void draw_missing_pictures_of_cascade(RunFolder const& folder, Scene const& cascade);
+
 /// A folder of one rate of a cascade.
 struct StageFolder {
   std::filesystem::path cascade;  ///< its folder
