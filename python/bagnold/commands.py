@@ -64,7 +64,7 @@ class Status:
     holder: str  #: host and process that work on it; "": none
     warnings: tuple[str, ...] = ()  #: names, of a run that is done
     notes: tuple[str, ...] = ()
-    strain: float = math.nan  #: at the last checkpoint
+    strain: float = math.nan  #: at the last checkpoint; NaN where the length of the run is a time
     failure: str = ""  #: why it failed
     points: tuple[Status, ...] = field(default=(), repr=False)  #: rates of a cascade, points of a sweep
 
