@@ -148,7 +148,7 @@ class Growing(SweepTest):
         first, last = self.points(out)
         before = files_of(first)
         self.assert_clean_error(self.bagnold("resume", first, "--strain", 4.0), 2, last.name, "a folder of its own")
-        self.assertEqual(untouched(before, files_of(first)), list(before))
+        self.assertEqual(untouched(before, files_of(first)), [name for name in before if not name.endswith(".lock")])
         self.assertEqual(self.bagnold("resume", last, "--strain", 4.0, "--quiet").returncode, 0)
 
     def test_strain_by_which_the_scheme_would_change(self):
