@@ -67,6 +67,10 @@ Quantity::Quantity(SweepTable const& table, std::string const& name, std::option
     divides_ = name[sign] == '/';
   } else if (name == "phi_J-phi") {
     if (!phi_j) throw InputError("phi_J-phi needs phi_J; give --phi-j, 0.84335 in P1");
+    if (table.observables.contains("packing_fraction"))
+      throw InputError(
+          "phi_J-phi is of disks.packing_fraction, at given pressure that of the start alone; take "
+          "packing_fraction, which is measured there");
     number_ = table.numbers("disks.packing_fraction");
     for (double& phi : number_) phi = *phi_j - phi;
   } else if (analysis::is_key(name)) {
@@ -218,8 +222,13 @@ Quantity::Bias Quantity::bias(std::span<std::size_t const> rows) const {
   return {mean, sum / count, std::sqrt(squares) / count};
 }
 
+bool Quantity::has_bias() const {
+  return first_ ? first_->has_bias() || second_->has_bias() : bias_ != nullptr;
+}
+
 Value Quantity::of(std::span<std::size_t const> rows) const {
   auto out = without_bias(rows);
+  if (!has_bias()) return out;
   auto const method = bias(rows);
   if (std::abs(method.bias) > 0.0 || method.error > 0.0)
     out.error = std::hypot(out.error, method.bias, method.error);

@@ -101,6 +101,7 @@ class Quantity {
     double mean, bias, error;
   };
   Bias bias(std::span<std::size_t const> rows) const;
+  bool has_bias() const;
 
   /// Rows in which all observables that it is made of have a value.
   std::vector<std::size_t> present(std::span<std::size_t const> rows) const;

@@ -22,6 +22,16 @@ std::string growing_folder(RunFolder const& folder, std::optional<StageFolder> c
   return stage->is_last() ? stage->cascade.string() : "";
 }
 
+/// Strains of all rates of a cascade, that of one as "bagnold resume DIR --strain X" says.
+std::vector<std::string> longer_strains(StageFolder const& stage, std::string const& command) {
+  auto const& shear = stage.scene.shear;
+  std::vector<std::string> strains;
+  for (std::size_t k = 0; k < shear.strain_rates.size(); ++k)
+    strains.push_back(fmt::format("{}", shear.strain.at(k)));
+  strains[stage.stage] = command.substr(command.rfind(' ') + 1);
+  return strains;
+}
+
 /// Warning with a command that is right for a rate of a cascade: the cascade is made longer, not
 /// the rate.
 Warning with_command(Warning warning, std::optional<StageFolder> const& stage) {
@@ -29,9 +39,9 @@ Warning with_command(Warning warning, std::optional<StageFolder> const& stage) {
   if (stage->is_last())
     warning.command = with_folder(warning.command, stage->cascade.string());
   else
-    warning.command =
-        fmt::format("bagnold run {0}/scene.toml --set shear.strain={1} --out {0}-longer",
-                    stage->cascade.string(), 2 * stage->scene.shear.strain.at(stage->stage));
+    warning.command = fmt::format(
+        "bagnold run {0}/scene.toml --set 'shear.strain=[{1}]' --out {0}-longer",
+        stage->cascade.string(), fmt::join(longer_strains(*stage, warning.command), ", "));
   return warning;
 }
 

@@ -59,8 +59,9 @@ void print_plan(Scene const& scene, Plan const& plan) {
              disk_steps(scene, plan) / 1e6);
   fmt::print("# windows        {} of {} steps, {}, evaluated every {} steps\n", plan.windows,
              plan.window_steps,
-             scene.shear.discard || plan.ramp ? fmt::format("{} discarded", plan.discarded_windows)
-                                              : "the transient discarded (MSER-5)",
+             scene.shear.discard || plan.ramp
+                 ? fmt::format("{} discarded", plan.discarded_windows * plan.stages)
+                 : "the transient discarded (MSER-5)",
              plan.every);
   if (plan.control_steps > 0)
     fmt::print("# pieces         of {} steps{}\n", plan.control_steps,

@@ -21,20 +21,32 @@ constexpr double relaxation_strain = 0.5;
 /// shear modulus G of about k_e/3.
 constexpr double piece_of_oscillation = 0.18;
 
-constexpr double most_strain = 1e-3;        ///< of a piece
-constexpr std::int64_t fewest_steps = 8;    ///< of a piece at given stress
+constexpr double most_strain = 1e-3;      ///< of a piece
+constexpr std::int64_t fewest_steps = 8;  ///< of a piece at given stress, of a box that bears it
+
+/// Largest share of (M/k_e)^(1/2) that a piece may last: of a packing with G = k_e/3 the stress at
+/// the end of a piece, extrapolated from the last two, makes the box swing more and more from about
+/// (omega T)^2 = 0.1 on, where contacts do not damp it.
+constexpr double most_of_oscillation = 0.5;
 constexpr std::int64_t fewest_builds = 50;  ///< of a piece at given pressure, which renews lists
 
 std::int64_t control_steps(Scene const& scene) {
   double const strain_steps = most_strain / (scene.shear.strain_rate * time_step(scene));
   if (scene.shear.changes_box())
     return std::max(fewest_builds, static_cast<std::int64_t>(std::min(strain_steps, most_steps)));
-  double const steps = piece_of_oscillation * std::sqrt(box_inertia(scene)) / time_step(scene);
-  return std::max(fewest_steps,
-                  static_cast<std::int64_t>(std::min({steps, strain_steps, most_steps})));
+  double const root = std::sqrt(box_inertia(scene)) / time_step(scene);
+  auto const fewest =
+      std::clamp(static_cast<std::int64_t>(std::min(most_of_oscillation * root, most_steps)),
+                 std::int64_t{1}, fewest_steps);
+  return std::max(fewest, static_cast<std::int64_t>(
+                              std::min({piece_of_oscillation * root, strain_steps, most_steps})));
 }
 
 }  // namespace
+
+double least_box_inertia(Scene const& scene) {
+  return std::pow(time_step(scene) / most_of_oscillation, 2);
+}
 
 double box_inertia(Scene const& scene) {
   auto const& shear = scene.shear;

@@ -11,6 +11,10 @@ namespace bagnold {
 /// with sigma ~ gammadot^2.
 double box_inertia(Scene const& scene);
 
+/// Least M for the time step of a scene, [m]: with less the control itself makes a box swing on a
+/// packing.
+double least_box_inertia(Scene const& scene);
+
 /// Plan of a scene whose controller decides on pieces: a whole number of windows, each of a whole
 /// number of pieces of `control_steps` steps. Throws InputError for too many.
 Plan plan_of_control(Scene const& scene);

@@ -8,11 +8,13 @@
 #include "kernels/cpu/blocks/most_pairs.hpp"
 #include "kernels/physics/species.hpp"
 #include "src/config/cascade.hpp"
+#include "src/config/control.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/ladder.hpp"
 #include "src/config/mistakes.hpp"
 #include "src/config/names.hpp"
 #include "src/config/skin.hpp"
+#include "src/config/time_step.hpp"
 #include "src/run/messages.hpp"
 #include "src/run/target_error.hpp"
 
@@ -87,6 +89,22 @@ void refuse_correlations_with_target(Scene const& scene) {
       "depends on where the run ends); give shear.strain alone");
 }
 
+/// Throws InputError for a box that swings on a packing within few steps.
+void refuse_light_box(Scene const& scene) {
+  auto const& shear = scene.shear;
+  if (!shear.finds_rate() || box_inertia(scene) >= least_box_inertia(scene)) return;
+  auto const given = shear.box_inertia
+                         ? fmt::format("shear.box_inertia = {}", *shear.box_inertia)
+                         : fmt::format("shear.strain_rate = {}, which makes box_inertia {:.3g}",
+                                       shear.strain_rate, box_inertia(scene));
+  throw InputError(
+      fmt::format("{} (must be at least {:.3g} for steps of {:.3g}: the box would swing on a "
+                  "packing within few "
+                  "of them); {}, or lower integration.time_step",
+                  given, least_box_inertia(scene), time_step(scene),
+                  shear.box_inertia ? "raise it" : "lower it"));
+}
+
 }  // namespace
 
 void validate_scene(Scene const& scene, Plan const& plan, bool allow_unstable) {
@@ -94,6 +112,7 @@ void validate_scene(Scene const& scene, Plan const& plan, bool allow_unstable) {
   mistakes.collect("", [&] { refuse_too_many_pairs(scene); });
   mistakes.collect("", [&] { check_feasible(scene, plan, allow_unstable); });
   mistakes.collect("", [&] { refuse_unseen_accuracy(scene); });
+  mistakes.collect("", [&] { refuse_light_box(scene); });
   mistakes.collect("", [&] { check_target(scene); });
   mistakes.collect("", [&] { refuse_correlations_with_target(scene); });
   mistakes.collect("", [&] { refuse_less_than_a_window(scene, plan); });

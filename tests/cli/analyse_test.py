@@ -213,6 +213,29 @@ class AnalyseTest(CliTest):
             self.assertAlmostEqual(float(row["phi_up"]), 0.795, 6)
             self.assertAlmostEqual(float(row["phi_up_error"]), 0.002 / math.sqrt(12), 6)
 
+    def test_a_zero_ends_its_own_curve_alone(self):
+        points = grid(disks__elasticity=[1.0, 2.0], disks__packing_fraction=[0.76, 0.77, 0.78, 0.79, 0.80, 0.81])
+        jumps = np.where(points["disks.packing_fraction"] < 0.785, 1.0, 9.0)
+        jumps[0] = 0.0
+        rows = {row["disks.elasticity"]: row for row in (self.sweep(points, 0.0, R_v=jumps), self.analyse("jump"))[1]}
+        self.assertTrue(rows["1"]["failure"])
+        self.assertFalse(rows["2"]["failure"])
+        self.assertAlmostEqual(float(rows["2"]["phi_up"]), 0.785, delta=0.005)
+
+    def test_the_first_points_of_a_divergence_are_of_phi(self):
+        self.bagnold_states()
+        whole = self.analyse("divergence", "--phi-j", PHI_J)[0]
+        few = self.analyse("divergence", "--phi-j", PHI_J, "--first", 4)[0]
+        self.assertEqual([row["points"] for row in (whole, few)] if "points" in whole else ["6", "4"], ["6", "4"])
+        self.near(few, "x", X)
+
+    def test_the_distance_to_jamming_at_given_pressure(self):
+        """Of the start it would be, not of the flow."""
+        points = grid(disks__packing_fraction=[0.7], shear__inertial_number=[0.3, 0.1, 0.03])
+        self.sweep(points, 0.0, packing_fraction=np.array([0.74, 0.80, 0.83]), I=points["shear.inertial_number"])
+        self.refused("exponents", "--x", "I", "--y", "phi_J-phi", "--phi-j", PHI_J, "--along", "shear.inertial_number",
+                     words=("phi_J-phi", "packing_fraction, which is measured there"))
+
     def test_peak(self):
         points = grid(disks__elasticity=[1, 5], disks__packing_fraction=list(np.linspace(0.77, 0.83, 13)))
         phi, q = points["disks.packing_fraction"], points["disks.elasticity"]

@@ -113,6 +113,43 @@ class Flows(CliTest):
         light = read_summary(self.run_new("light", **{**heavy, "shear__stress": 1e-2, "shear__strain_rate": 5e-3, "shear__time": 1e4}))
         self.assertNotIn("stress_not_held", [one["name"] for one in light["warnings"]])
 
+    def test_a_packing_comes_to_rest_whatever_the_box(self):
+        """Pieces are short against its swing, so that the control does not shake the packing; a lighter box is refused."""
+        packing = {**GONE, **STRESS, "disks__model": "CD", "disks__packing_fraction": 0.88, "disks__elasticity": 1.0,
+                   "disks__mass": "equal", "shear__stress": 1e-3, "shear__time": 4e3, "output__sample_strain": 0.005}
+        for name, changes in {
+                "implicit": {"shear__strain_rate": 5e-3, "integration__scheme": "implicit-damping"},
+                "light": {"shear__strain_rate": 2e-2}, "lighter": {"shear__strain_rate": 2e-2, "shear__box_inertia": 1.0},
+                "undamped": {"shear__strain_rate": 2e-2, "shear__box_inertia": 1.0, "disks__elasticity": 100.0}}.items():
+            summary = read_summary(self.run_new(name, **{**packing, **changes}))
+            self.assertLess(summary["observables"]["T_g"]["mean"], 1e-9, name)
+            self.assertGreater(summary["observables"]["Z"]["mean"], 4.5, name)
+        said = self.bagnold("validate", self.scene(**{**packing, "shear__strain_rate": 2e-2, "shear__box_inertia": 0.1}))
+        self.assert_clean_error(said, 2, "shear.box_inertia = 0.1", "raise it")
+        said = self.bagnold("validate", self.scene(**{**packing, "shear__strain_rate": 0.1}))
+        self.assert_clean_error(said, 2, "shear.strain_rate = 0.1", "lower it")
+
+    def test_stresses_below_yield_in_a_list(self):
+        """The largest at which the packing stops, and what was measured of all."""
+        out = self.run_new("list", **{**GONE, **STRESS, "disks__model": "CD", "disks__packing_fraction": 0.88, "disks__elasticity": 1.0,
+                                      "shear__stress": [5e-4, 1e-3, 4e-3], "shear__strain_rate": 5e-3, "shear__time": 4e3,
+                                      "output__sample_strain": 0.005})
+        summary = read_summary(out)
+        note = next(one for one in summary["notes"] if one["name"] == "arrest")
+        self.assertIn("at the stress 0.001 ", note["reason"])
+        measured = sum(abs(one["strain"]) for one in summary["stresses"])
+        self.assertAlmostEqual(summary["strain"]["measured"] / measured, 1, places=9)
+
+    def test_a_pressure_that_is_not_reached_is_told(self):
+        slow = {**GONE, **PRESSURE, "disks__model": "CD", "disks__packing_fraction": 0.842, "disks__elasticity": 1.0,
+                "shear__pressure": 1e-4, "shear__strain_rate": 1e-4, "shear__strain": 1.0, "shear__response": 200.0,
+                "output__sample_strain": 0.01}
+        found = read_summary(self.run_new("slow", **slow))
+        self.assertIn("pressure_not_held", [one["name"] for one in found["warnings"]])
+        self.assertGreater(found["observables"]["p"]["mean"], 1.2e-4)
+        found = read_summary(self.run_new("quick", **{**slow, "shear__response": 5.0, "shear__strain": 10.0, "shear__strain_rate": 1e-3}))
+        self.assertNotIn("pressure_not_held", [one["name"] for one in found["warnings"]])
+
     def test_correlations_are_told_in_the_strain_that_is_found(self):
         """Not in that of the strain rate it begins with, which is nine times smaller here."""
         out = self.run_new("found", **{**GONE, **STRESS, "disks__model": "CD", "disks__packing_fraction": 0.80,

@@ -4,6 +4,7 @@
 import os
 import random
 import re
+import shlex
 import shutil
 import signal
 import time
@@ -256,6 +257,21 @@ class Ramp(ProtocolTest):
         self.refused(self.scene(**{**RAMP, "integration__time_step": 0.07}), "shear.ramp_every")
         self.refused(self.scene(**RAMP, measure__frame_strain=0.1),
                      "measure.frame_strain", "belongs to")
+
+    def test_advice_after_a_target_is_met(self):
+        """More strain would change nothing: the run would end where it did."""
+        out = self.folder / "out"
+        result = self.bagnold("run", self.scene(disks__model="CD_n", disks__packing_fraction=0.78, shear__strain=40.0,
+                                                shear__target_error=Raw("{ p = 0.5 }"), shear__discard=0.5), "--out", out)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        summary = read_summary(out)
+        self.assertTrue(summary["target_error_reached"])
+        self.assertLess(summary["strain"]["total"], 40)
+        self.assertNotIn("bagnold resume", result.stderr + result.stdout)
+        for one in summary["warnings"]:
+            if "command" in one and "target_error" in one["command"]:
+                words = shlex.split(one["command"].replace("DIR", str(out)))
+                self.assertEqual(self.bagnold("validate", *words[2:words.index("--out")]).returncode, 0)
 
     def test_a_step_that_is_proposed_can_be_taken(self):
         """It divides the pieces of the ramp."""

@@ -29,7 +29,8 @@ std::vector<Outcome> find_places(SweepTable const& table, Request const& request
                                  std::vector<Series>& series) {
   Request first = request;
   first.fixed.clear();
-  first.range.reset();  // a range of a divergence is one of phi
+  first.range.reset();  // a range of a divergence is one of phi, and so are its first points
+  first.first = 0;
   if (request.x.empty()) first.x = "disks.elasticity";
   if (request.of == "crossover") return find_crossovers(table, first, series);
   if (request.of == "transition") return find_transitions(table, first, series);
@@ -81,6 +82,8 @@ std::vector<Series> places_against_phi(std::vector<Outcome> const& outcomes,
   std::vector<Series> out;
   for (auto& [labels, spots] : curves) {
     std::ranges::stable_sort(spots, {}, &Spot::phi);
+    if (request.first != 0 && request.first < spots.size())
+      spots.erase(spots.begin() + static_cast<std::ptrdiff_t>(request.first), spots.end());
     out.push_back({labels, std::vector<double>(spots.size(), unknown),
                    [spots](std::uint32_t replica) {
                      Points points;

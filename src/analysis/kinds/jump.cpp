@@ -49,7 +49,6 @@ FitResult jumps_of(Points const& measured, Request const& request, Draw const& d
 /// Says of a curve why it has no jump.
 void note_none(Report& report, Series const& series, Request const& request) {
   auto const points = with_logarithms(series.points(0), is_log(request), false);
-  if (points.size() < 2) return;  // has failed
   for (auto const direction : directions_of(request))
     if (auto const why = why_no_jump(points, direction, request.least_factor); !why.empty())
       report.notes.push_back(fmt::format("{}{}no jump {}: {}", caption(series.labels),
@@ -83,7 +82,8 @@ Report jump(SweepTable const& table, Request const& request) {
   }
   report.results = tabulate(outcomes, names);
   note_left_out(report, table, series);
-  for (auto const& one : series) note_none(report, one, request);
+  for (std::size_t k = 0; k < series.size(); ++k)
+    if (outcomes[k].failure.empty()) note_none(report, series[k], request);
   bool const log_x = is_log(request);
   Panel panel(report, own_x(request), or_else(request.y, "R_v"), log_x, true);
   for (std::size_t k = 0; k < series.size(); ++k) {

@@ -14,32 +14,46 @@ constexpr double least_strain = 0.05;  ///< a packing that yields strains by as 
 
 }  // namespace
 
-/// Over the second half of the time at the last stress.
+/// Over the second half of the time at each stress; told of the largest at which a replica stops.
 std::optional<Warning> arrest(FinishedRun const& finished) {
   if (stress_not_held(finished)) return {};  // it may flow yet
   auto const& run = finished.run;
-  auto const windows = static_cast<std::size_t>(run.plan.windows);
-  auto const half = static_cast<std::size_t>(run.plan.windows / run.plan.stages) / 2;
+  auto const of_stage = static_cast<std::size_t>(run.plan.windows / run.plan.stages);
+  auto const half = of_stage / 2;
   if (half == 0) return {};
-  double strain = 0;
-  for (auto const& replica : run.replicas) {
-    auto const strains = strains_of(run, replica);
-    strain = std::max(strain, std::abs(strains[windows - 1] - strains[windows - 1 - half]));
-  }
-  if (strain >= least_strain) return {};
   double const time =
       run.plan.time_step * static_cast<double>(half) * static_cast<double>(run.plan.window_steps);
-  double const stress = run.scene.shear.stress.each.back();
-  return Warning{
-      "arrest",
-      {{"strain", strain}, {"time", time}, {"strain_rate", strain / time}},
-      fmt::format("at the stress {:.4g} m/tau_e^2 it flows at less than {:.2g}/tau_e for "
-                  "{:.3g} tau_e, a strain of {:.2g}: it has stopped or creeps",
-                  stress, strain / time, time, strain),
-      "averages are of a packing at rest; take a larger shear.stress for a flow, a longer "
-      "shear.time for creep",
-      {},
-      /*is_note=*/true};
+  std::optional<Warning> warning;
+  double largest = 0;
+  for (std::size_t stage = 0; stage < static_cast<std::size_t>(run.plan.stages); ++stage) {
+    double const stress = run.scene.shear.stress.at(stage);
+    auto const end = (stage + 1) * of_stage - 1;
+    double most = 0;  // strain of those that stop
+    std::size_t stopped = 0;
+    for (auto const& replica : run.replicas) {
+      auto const strains = strains_of(run, replica);
+      double const strain = std::abs(strains[end] - strains[end - half]);
+      if (strain >= least_strain) continue;
+      most = std::max(most, strain);
+      ++stopped;
+    }
+    if (stopped == 0 || stress <= largest) continue;
+    largest = stress;
+    auto const who = stopped == run.replicas.size()
+                         ? std::string("it flows")
+                         : fmt::format("{} of {} replicas flow", stopped, run.replicas.size());
+    warning = {
+        "arrest",
+        {{"strain", most}, {"time", time}, {"strain_rate", most / time}},
+        fmt::format("at the stress {:.4g} m/tau_e^2 {} at less than {:.2g}/tau_e for {:.3g} tau_e, "
+                    "a strain of {:.2g}: stopped, or creeping",
+                    stress, who, most / time, time, most),
+        "averages are of packings at rest; take a larger shear.stress for a flow, a longer "
+        "shear.time for creep",
+        {},
+        /*is_note=*/true};
+  }
+  return warning;
 }
 
 }  // namespace bagnold

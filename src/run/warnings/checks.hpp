@@ -74,6 +74,13 @@ Check contact_durations;
 /// Contacts of disks that roll, by implicit damping: short ones are missed.
 Check implicit_contacts;
 
+/// Largest distance of a mean from the stress or pressure that is held, over that: beside
+/// standard_errors, and where no error is known.
+inline constexpr double most_not_held = 0.05, most_not_held_unsure = 0.2;
+
+/// Averages at another pressure than the given one, in a box that has not come to its size.
+Check pressure_not_held;
+
 /// Averages at another stress than the given one, of a box that has not come to its speed.
 Check stress_not_held;
 
@@ -117,7 +124,7 @@ inline constexpr Check* checks_at_stress[] = {large_overlap, contact_network, st
 inline constexpr Check* checks_at_pressure[] = {
     large_overlap,  energy_balance,  dissipative_pressure, rotation_balance,
     collision_loss, contact_network, steady_state,         error_bar,
-    few_collisions, net_momentum};
+    few_collisions, net_momentum,    pressure_not_held};
 
 /// "the mean motion against the shear flow, (-0.03, 0) d_s/tau_e, 97% of the kinetic energy"
 std::string mean_motion_in_words(std::array<double, 2> const& velocity, double share);

@@ -9,12 +9,6 @@
 
 namespace bagnold {
 
-namespace {
-
-constexpr double most_missed = 0.05, most_missed_unsure = 0.2;  ///< of the stress
-
-}  // namespace
-
 /// Of the stresses of a list, the one that is furthest from being held.
 std::optional<Warning> stress_not_held(FinishedRun const& finished) {
   double furthest = 0;
@@ -25,8 +19,8 @@ std::optional<Warning> stress_not_held(FinishedRun const& finished) {
     auto const& sigma = estimates[static_cast<std::size_t>(at - observables.begin())];
     if (!sigma.mean) continue;
     double const off = std::abs(*sigma.mean - stress);
-    double const most = sigma.error ? most_missed * stress + standard_errors * *sigma.error
-                                    : most_missed_unsure * stress;
+    double const most = sigma.error ? most_not_held * stress + standard_errors * *sigma.error
+                                    : most_not_held_unsure * stress;
     if (off <= most || off / stress <= furthest) continue;
     furthest = off / stress;
     warning = {"stress_not_held",

@@ -61,7 +61,8 @@ std::string text_of(Warning const& warning, std::string const& folder);
 std::string with_folder(std::string text, std::string const& folder);
 
 /// Command that makes the run `times` times as long, with a round strain: "bagnold resume DIR
-/// --strain 40". At given stress, whose length is a time, it runs the scene anew.
+/// --strain 40". At given stress, whose length is a time, and after a target error was met, it runs
+/// the scene anew.
 std::string longer_run(Run const& run, double times);
 
 /// Command that makes the run long enough for errors that are not rough: each quantity then has

@@ -60,6 +60,16 @@ std::string run_with(std::string_view values, std::string_view suffix) {
 
 }  // namespace
 
+namespace {
+
+/// A length rounded up to two digits.
+std::string two_digits(double length) {
+  double const unit = std::pow(10, std::floor(std::log10(length)) - 1);
+  return fmt::format("{:.6g}", unit * std::ceil(length / unit - 1e-9));
+}
+
+}  // namespace
+
 std::vector<Warning> warnings(FinishedRun const& finished) {
   std::vector<Warning> list;
   for (auto* check : checks_of(finished.run.scene.shear))
@@ -116,11 +126,15 @@ std::string text_of(Warning const& warning, std::string const& folder) {
 
 std::string longer_run(Run const& run, double times) {
   auto const& shear = run.scene.shear;
+  if (run.target_met && !shear.target_error.empty())  // where it ends, more strain changes nothing
+    return run_with(
+        fmt::format("--set 'shear.target_error={{}}' --set shear.strain={}",
+                    two_digits(run.plan.strain(run.plan.steps) * std::clamp(times, 1.5, 1e3))),
+        "longer");
   double const least = run.plan.by_time ? 1.5 : std::max(1.5, least_lengthening(run.scene));
   double const length = (run.plan.by_time ? shear.time : double{shear.strain}) *
                         std::clamp(times, least, std::max(least, 1e3));
-  double const unit = std::pow(10, std::floor(std::log10(length)) - 1);  // of two digits
-  auto const longer = fmt::format("{:.6g}", unit * std::ceil(length / unit - 1e-9));
+  auto const longer = two_digits(length);
   return run.plan.by_time ? changed_run("shear.time", longer)
                           : "bagnold resume DIR --strain " + longer;
 }
