@@ -8,6 +8,7 @@
 #include <set>
 
 #include "src/analysis/csv.hpp"
+#include "src/analysis/curves.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/key_values.hpp"
 #include "src/config/nearest_word.hpp"
@@ -205,9 +206,7 @@ void refuse_twice(SweepTable const& table) {
       if (name == seed_key && !column.is_text())
         seed = column.numbers[point];
       else
-        place.push_back(fmt::format(
-            "{} = {}", name,
-            column.is_text() ? column.texts[point] : fmt::format("{}", column.numbers[point])));
+        place.push_back(fmt::format("{} = {}", name, key_text(table, name, point)));
     }
     auto& seeds = seen[place];
     for (double const other : seeds) {

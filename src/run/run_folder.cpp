@@ -90,15 +90,6 @@ RunFolder RunFolder::open(fs::path const& folder) {
   return RunFolder(folder);
 }
 
-void RunFolder::remove_trajectory_parts() const {
-  for (auto const& parts : io::trajectory_parts(path_)) {
-    std::error_code error;
-    fs::remove_all(parts, error);
-    if (error)
-      throw FileError(fmt::format("{} cannot be removed ({})", parts.string(), error.message()));
-  }
-}
-
 fs::path RunFolder::trajectory(std::optional<std::int64_t> seed) const {
   return path_ / (seed ? fmt::format("trajectory_{}.h5md", *seed) : "trajectory.h5md");
 }

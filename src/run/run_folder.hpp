@@ -33,10 +33,6 @@ class RunFolder {
   /// Throws FileError if the folder was moved or removed: nothing may be written any more.
   void check() const { lock_->check_folder(); }
 
-  /// Removes parts of trajectories that a kill at the very end of a finished run has left. Throws
-  /// FileError.
-  void remove_trajectory_parts() const;
-
  private:
   explicit RunFolder(std::filesystem::path folder);
 

@@ -23,6 +23,8 @@ std::optional<Warning> arrest(FinishedRun const& finished) {
   if (half == 0) return {};
   double const time =
       run.plan.time_step * static_cast<double>(half) * static_cast<double>(run.plan.window_steps);
+  std::vector<std::vector<double>> all;
+  for (auto const& replica : run.replicas) all.push_back(strains_of(run, replica));
   std::optional<Warning> warning;
   double largest = 0;
   for (std::size_t stage = 0; stage < static_cast<std::size_t>(run.plan.stages); ++stage) {
@@ -30,8 +32,7 @@ std::optional<Warning> arrest(FinishedRun const& finished) {
     auto const end = (stage + 1) * of_stage - 1;
     double most = 0;  // strain of those that stop
     std::size_t stopped = 0;
-    for (auto const& replica : run.replicas) {
-      auto const strains = strains_of(run, replica);
+    for (auto const& strains : all) {
       double const strain = std::abs(strains[end] - strains[end - half]);
       if (strain >= least_strain) continue;
       most = std::max(most, strain);

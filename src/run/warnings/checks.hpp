@@ -74,10 +74,6 @@ Check contact_durations;
 /// Contacts of disks that roll, by implicit damping: short ones are missed.
 Check implicit_contacts;
 
-/// Largest distance of a mean from the stress or pressure that is held, over that: beside
-/// standard_errors, and where no error is known.
-inline constexpr double most_not_held = 0.05, most_not_held_unsure = 0.2;
-
 /// Averages at another pressure than the given one, in a box that has not come to its size.
 Check pressure_not_held;
 
@@ -128,6 +124,10 @@ inline constexpr Check* checks_at_pressure[] = {
 
 /// "the mean motion against the shear flow, (-0.03, 0) d_s/tau_e, 97% of the kinetic energy"
 std::string mean_motion_in_words(std::array<double, 2> const& velocity, double share);
+
+/// True if a mean is that of a stress or a pressure to be held: within 5% and standard_errors, or
+/// 20% where no error is known.
+bool is_held(statistics::Estimate const& found, double wanted);
 
 /// A time step of about `digits` digits, as a command can give it: of a ramp or an oscillation the
 /// next smaller one that divides their pieces, exactly.

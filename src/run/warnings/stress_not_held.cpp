@@ -17,11 +17,9 @@ std::optional<Warning> stress_not_held(FinishedRun const& finished) {
        stress_results(finished.run)) {
     auto const at = std::ranges::find(observables, "sigma", &Observable::name);
     auto const& sigma = estimates[static_cast<std::size_t>(at - observables.begin())];
-    if (!sigma.mean) continue;
+    if (!sigma.mean || is_held(sigma, stress)) continue;
     double const off = std::abs(*sigma.mean - stress);
-    double const most = sigma.error ? most_not_held * stress + standard_errors * *sigma.error
-                                    : most_not_held_unsure * stress;
-    if (off <= most || off / stress <= furthest) continue;
+    if (off / stress <= furthest) continue;
     furthest = off / stress;
     warning = {"stress_not_held",
                {{"stress", stress}, {"sigma", *sigma.mean}, {"error", sigma.error.value_or(0)}},

@@ -82,6 +82,13 @@ std::string by_scheme(std::string_view scheme, std::string_view suffix) {
       fmt::format("--set integration.scheme={} --set integration.time_step=auto", scheme), suffix);
 }
 
+bool is_held(statistics::Estimate const& found, double wanted) {
+  constexpr double most = 0.05, most_without_error = 0.2;
+  double const off = std::abs(*found.mean - wanted);
+  return off <= (found.error ? most * wanted + standard_errors * *found.error
+                             : most_without_error * wanted);
+}
+
 std::string given_step(Run const& run, double time_step, int digits) {
   auto const& shear = run.scene.shear;
   if (!shear.ramps() && !shear.oscillates()) return fmt::format("{:.{}g}", time_step, digits);

@@ -150,7 +150,7 @@ RunEnd run_cascade(RunFolder const& folder, Scene const& cascade, Machine const&
     before = (path / "state.h5").string();
   }
   write_summary(folder, cascade);
-  draw_missing_pictures_of_cascade(folder, cascade);
+  if (cascade.output.plot) warn(draw_plot(folder.path(), folder.path() / "flow_curve.png"));
   return RunEnd::done;
 }
 
