@@ -37,8 +37,9 @@ class Series(Mapping[str, Array]):
     """/series of result.h5: ``series["B_p"]`` is [n], one value a window, of R replicas [R, n]; NaN
     where undefined. `discarded` windows at the front are in no average."""
 
-    def __init__(self, path: pathlib.Path) -> None:
-        self._path = path
+    def __init__(self, path: pathlib.Path, averaged: str = "") -> None:
+        """`averaged`: attribute of the result with averages over parts of the series, "" for one over all."""
+        self._path, self._averaged = path, averaged
         with open_hdf5(path) as file:
             if "series" not in file:
                 raise FileError(f"{path} has no /series: it is no result of Bagnold")
@@ -69,7 +70,11 @@ class Series(Mapping[str, Array]):
         return str(self._words[name])
 
     def measured(self, name: str) -> Array:
-        """Windows of the averages, [n - discarded] or [R, n - discarded]."""
+        """Windows of the averages, [n - discarded] or [R, n - discarded]. NotOfThisRun where each part has an average of
+        its own."""
+        if self._averaged:
+            raise NotOfThisRun(f"{self._path.parent} has an average for each of its {self._averaged}, over the later part of "
+                               f"each: take r.{self._averaged}")
         return self[name][..., self.discarded:]
 
 
@@ -214,7 +219,10 @@ class Run:
     @cached_property
     def series(self) -> Series:
         """One value a window of every quantity."""
-        return Series(self._file("result.h5"))
+        stress = self.scene.get("shear.stress")
+        by_stress = isinstance(stress, list) and len(stress) > 1
+        parts = "pieces" if self.scene.get("shear.protocol") == "sequence" else "stresses" if by_stress else ""
+        return Series(self._file("result.h5"), parts)
 
     @cached_property
     def observables(self) -> dict[str, Observable]:

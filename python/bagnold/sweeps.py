@@ -91,10 +91,12 @@ class Sweep(Sequence[Point]):
 
     @property
     def pieces(self) -> Sweep:
-        """Of sequences: a row a piece of each point, with its number in the sequence as the key ``piece``; columns are its
-        averages and its place, ``strain_rate``, ``begin_strain``, ``strain``, ``begin_time`` and ``time``."""
+        """Of sequences and lists of stresses: a row a piece of each point, with its number as the key ``piece``; columns are
+        its averages and its place: ``strain_rate``, ``begin_strain``, ``strain``, ``begin_time`` and ``time`` of a piece,
+        ``stress`` and ``strain`` of a stress."""
         if self._pieces is None:
-            raise NotOfThisRun(f"{self.folder} is no sweep over sequences: it has no pieces, its columns are s[\"p\"]")
+            raise NotOfThisRun(f"{self.folder} is no sweep over sequences or lists of stresses: it has no pieces, its "
+                               "columns are s[\"p\"]")
         of = self._pieces["point"].astype(int)
         varied = {key: values[of] for key, values in self.varied.items()}
         return Sweep(self.folder, [self._points[k] for k in of], {**varied, "piece": self._pieces["piece"]},

@@ -29,8 +29,11 @@ void require_varied(SweepTable const& table, std::string const& key, char const*
                                table.origin, fmt::join(known, " ")));
 }
 
-/// True if `key` has one value for each value of `along`, in all of the table.
+/// True if `key` has one value for each value of `along`, in all of the table. Models, drives and
+/// keys in which sweeps as a whole differ never follow.
 bool follows(SweepTable const& table, std::string const& key, std::string const& along) {
+  if (table.between_sweeps.contains(key)) return false;
+  if (is_physics(key) && table.keys.at(key).is_text()) return false;
   std::map<std::string, std::string> value;
   for (std::size_t point = 0; point < table.points; ++point) {
     auto const [known, is_new] =
@@ -71,12 +74,6 @@ bool same_value(std::string const& wanted, std::string const& found) {
   return a && b ? *a == *b : wanted == found;
 }
 
-bool is_wanted(SweepTable const& table, CurveChoice const& choice, std::size_t point) {
-  return std::ranges::all_of(choice.where, [&](auto const& condition) {
-    return same_value(condition.second, key_text(table, condition.first, point));
-  });
-}
-
 std::vector<std::string> texts_of(SweepTable const& table, std::vector<std::string> const& keys,
                                   std::size_t point) {
   std::vector<std::string> out;
@@ -91,8 +88,7 @@ std::vector<std::vector<std::size_t>> seeds_together(SweepTable const& table,
   std::erase(keys, seed_key);
   std::map<std::vector<std::string>, std::size_t> known;
   std::vector<std::vector<std::size_t>> data;
-  for (std::size_t point = 0; point < table.points; ++point) {
-    if (!is_wanted(table, choice, point)) continue;
+  for (auto const point : wanted_points(table, choice.where)) {
     auto const [place, is_new] = known.emplace(texts_of(table, keys, point), data.size());
     if (is_new) data.emplace_back();
     data[place->second].push_back(point);
@@ -123,6 +119,18 @@ std::vector<std::vector<std::size_t>> seed_groups(SweepTable const& table) {
   return groups;
 }
 
+std::vector<std::size_t> wanted_points(SweepTable const& table,
+                                       std::map<std::string, std::string> const& where) {
+  for (auto const& [key, value] : where) require_varied(table, key, "--where");
+  std::vector<std::size_t> points;
+  for (std::size_t point = 0; point < table.points; ++point)
+    if (std::ranges::all_of(where, [&](auto const& condition) {
+          return same_value(condition.second, key_text(table, condition.first, point));
+        }))
+      points.push_back(point);
+  return points;
+}
+
 std::string key_text(SweepTable const& table, std::string const& key, std::size_t point) {
   auto const& column = table.keys.at(key);
   return column.is_text() ? column.texts[point] : fmt::format("{}", column.numbers[point]);
@@ -136,7 +144,6 @@ std::size_t count_failed(SweepTable const& table) {
 
 std::vector<Curve> curves_of(SweepTable const& table, CurveChoice const& choice) {
   require_varied(table, choice.along, "the key along a curve is");
-  for (auto const& [key, value] : choice.where) require_varied(table, key, "--where");
   auto const along = table.numbers(choice.along);
   auto const keys = keys_between_curves(table, choice);
   std::vector<Curve> curves;

@@ -34,9 +34,14 @@ struct CurveChoice {
 
 /// All curves of a sweep. Curves differ in the keys `by`; by default these are the varied keys
 /// other than `along`, `apart`, disks.seed, and those whose value follows from that of `along` or
-/// of a key in `apart` (a strain chosen for each strain rate). Throws InputError: a key that was
+/// of a key in `apart` (a strain chosen for each strain rate), unless they are physical texts or
+/// tell joined sweeps apart. Throws InputError: a key that was
 /// not varied, or two data at one place of a curve.
 std::vector<Curve> curves_of(SweepTable const& table, CurveChoice const& choice);
+
+/// Points at which each key of `where` has its value. Throws InputError: a key that was not varied.
+std::vector<std::size_t> wanted_points(SweepTable const& table,
+                                       std::map<std::string, std::string> const& where);
 
 /// All points by data: those that differ in the seed only lie together.
 std::vector<std::vector<std::size_t>> seed_groups(SweepTable const& table);

@@ -36,6 +36,14 @@ Measured const& observable(SweepTable const& table, std::string const& name) {
                                fmt::join(known, " ")));
 }
 
+/// True if each name of a ratio or product is there to work it out from.
+bool has_parts(SweepTable const& table, std::string const& name) {
+  auto const sign = name.find_last_of("*/");
+  if (sign != std::string::npos)
+    return has_parts(table, name.substr(0, sign)) && has_parts(table, name.substr(sign + 1));
+  return table.observables.contains(name) || table.keys.contains(name) || name == "phi_J-phi";
+}
+
 }  // namespace
 
 Value merge_seeds(std::span<double const> means, std::span<double const> errors) {
@@ -61,7 +69,9 @@ Value merge_seeds(std::span<double const> means, std::span<double const> errors)
 
 Quantity::Quantity(SweepTable const& table, std::string const& name, std::optional<double> phi_j)
     : name_(name), table_(&table) {
-  if (auto const sign = name.find_last_of("*/"); sign != std::string::npos) {
+  auto const sign = name.find_last_of("*/");
+  bool const is_column = table.observables.contains(name) && !has_parts(table, name);
+  if (sign != std::string::npos && !is_column) {
     first_ = std::make_shared<Quantity>(table, name.substr(0, sign), phi_j);
     second_ = std::make_shared<Quantity>(table, name.substr(sign + 1), phi_j);
     divides_ = name[sign] == '/';

@@ -98,13 +98,19 @@ class Builder {
   std::shared_ptr<Quantity const> x_, y_;
 };
 
-std::pair<double, double> two_rates(SweepTable const& table, Request const& request) {
+std::set<double> rates_of(SweepTable const& table, Request const& request) {
+  auto const all = table.numbers(rate_key);
+  std::set<double> rates;
+  for (auto const point : wanted_points(table, request.where)) rates.insert(all[point]);
+  return rates;
+}
+
+std::pair<double, double> two_of(std::set<double> const& rates, SweepTable const& table,
+                                 Request const& request) {
   if (request.rates.size() == 2) {
     auto const [low, high] = std::ranges::minmax(request.rates);
     return {low, high};
   }
-  auto const all = table.numbers(rate_key);
-  std::set<double> const rates(all.begin(), all.end());
   if (!request.rates.empty() || rates.size() < 2)
     throw InputError(fmt::format("--rates needs two strain rates; {} has {}", table.origin,
                                  fmt::join(rates, " ")));
@@ -115,7 +121,7 @@ std::pair<double, double> two_rates(SweepTable const& table, Request const& requ
 
 std::string running_key(Request const& request, std::string const& x) {
   if (!request.along.empty()) return request.along;
-  return is_key(x) && x.find('/') == std::string::npos ? x : "disks.packing_fraction";
+  return is_key(x) ? x : "disks.packing_fraction";
 }
 
 std::vector<Series> make_series(SweepTable const& table, Request const& request,
@@ -134,7 +140,8 @@ std::vector<Series> make_series(SweepTable const& table, Request const& request,
 std::vector<Series> make_differences(SweepTable const& table, Request const& request,
                                      std::string const& x, std::string const& y) {
   Builder const build(table, request, x, y);
-  auto const [low, high] = two_rates(table, request);
+  auto const rates = rates_of(table, request);
+  auto const [low, high] = two_of(rates, table, request);
   auto const along = table.numbers(x);
   auto const curves_at = [&](double rate) {
     CurveChoice choice{x, request.by, {rate_key}, request.where};
@@ -160,6 +167,10 @@ std::vector<Series> make_differences(SweepTable const& table, Request const& req
     out.push_back(build(curve.labels, places));
   }
   if (out.empty()) throw InputError("no curve is there at both strain rates; give --rates");
+  for (double const rate : rates)
+    for (auto const& curve : curves_at(rate))
+      if (std::ranges::find(out, curve.labels, &Series::labels) == out.end())
+        out.push_back(build(curve.labels, {}));
   return out;
 }
 

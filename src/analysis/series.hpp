@@ -29,7 +29,8 @@ std::vector<Series> make_series(SweepTable const& table, Request const& request,
                                 std::string const& x, std::string const& y);
 
 /// y(gammadot_1) - y(gammadot_2) against the key x, for the two strain rates of the request or the
-/// smallest two, gammadot_1 < gammadot_2; errors added as independent. P2 App. A.
+/// smallest two, gammadot_1 < gammadot_2; errors added as independent. P2 App. A. A curve that is
+/// not at both rates has no points, and comes after the others.
 std::vector<Series> make_differences(SweepTable const& table, Request const& request,
                                      std::string const& x, std::string const& y);
 

@@ -19,6 +19,7 @@ namespace bagnold::analysis {
 namespace {
 
 constexpr std::string_view error_ending = "_error";
+constexpr auto seed_key = "disks.seed", replicas_key = "disks.replicas";
 constexpr std::string_view scene_name = "scene", folder_name = "folder";
 constexpr std::string_view texts[] = {"rough_errors", "warnings", "notes", "folder"};
 
@@ -134,18 +135,6 @@ std::vector<KeyValue> values_of(SweepTable const& table, std::size_t point,
   return key_values(table.scenes[point], name, std::filesystem::path(table.origin).parent_path());
 }
 
-/// True for scene keys that distinguish runs of a table: those of the flow and how it is sheared,
-/// not for how long.
-bool is_physics(std::string_view key) {
-  constexpr std::string_view of_shear[] = {
-      "protocol",  "strain_rate",     "ramp_rate", "strain_rate_high", "pieces",
-      "amplitude", "period",          "peak_rate", "stress",           "box_inertia",
-      "pressure",  "inertial_number", "response"};
-  if (key.starts_with("shear."))
-    return std::ranges::count(of_shear, key.substr(std::string_view("shear.").size())) > 0;
-  return key.starts_with("disks.") || key.starts_with("drive.");
-}
-
 /// Values of a scene's physical keys, as numbers or texts; no key without a value.
 std::map<std::string, KeyColumn> physics_of(SweepTable const& table) {
   std::map<std::string, KeyColumn> found;
@@ -169,12 +158,15 @@ void tell_apart(std::vector<SweepTable>& tables) {
       return value.numbers != first.numbers || value.texts != first.texts;
     };
     if (std::ranges::none_of(all, differs)) continue;
+    bool const varied =
+        std::ranges::any_of(tables, [&](auto const& table) { return table.keys.contains(key); });
     for (std::size_t k = 0; k < tables.size(); ++k) {
       if (tables[k].keys.contains(key)) continue;
       auto const& value = all[k].at(key);
       auto& column = tables[k].keys[key];
       if (!value.numbers.empty()) column.numbers.assign(tables[k].points, value.numbers.front());
       if (!value.texts.empty()) column.texts.assign(tables[k].points, value.texts.front());
+      if (!varied) tables[k].between_sweeps.insert(key);
     }
   }
 }
@@ -182,52 +174,77 @@ void tell_apart(std::vector<SweepTable>& tables) {
 /// Replicas of each point, [P]: as the keys or, where they do not vary, the first scene says; 1
 /// where nothing does.
 std::vector<double> replicas_of(SweepTable const& table) {
-  constexpr auto key = "disks.replicas";
-  if (auto const varied = table.keys.find(key); varied != table.keys.end())
+  if (auto const varied = table.keys.find(replicas_key); varied != table.keys.end())
     return varied->second.numbers;
   std::vector<double> replicas(table.points, 1.0);
   if (table.scenes.empty()) return replicas;
   auto const values = values_of(table, 0, table.origin);
-  auto const found = std::ranges::find(values, key, &KeyValue::name);
+  auto const found = std::ranges::find(values, replicas_key, &KeyValue::name);
   if (found != values.end() && found->number) std::ranges::fill(replicas, *found->number);
   return replicas;
 }
 
 /// Throws InputError for two points that share a system: of the same state and seed, or of seeds so
-/// near that their replicas have some in common.
-void refuse_twice(SweepTable const& table) {
-  constexpr auto seed_key = "disks.seed";
-  auto const replicas = replicas_of(table);
-  std::map<std::vector<std::string>, std::vector<double>> seen;
+/// near that their replicas, [P], have some in common.
+void refuse_twice(SweepTable const& table, std::vector<double> const& replicas) {
+  struct Systems {
+    double seed, replicas;  ///< seeds from `seed` to before `seed` + `replicas`
+  };
+  std::map<std::vector<std::string>, std::vector<Systems>> seen;
   for (std::size_t point = 0; point < table.points; ++point) {
     std::vector<std::string> place;
     double seed = 0.0;
     for (auto const& [name, column] : table.keys) {
       if (name == seed_key && !column.is_text())
         seed = column.numbers[point];
-      else
+      else if (name != replicas_key)
         place.push_back(fmt::format("{} = {}", name, key_text(table, name, point)));
     }
-    auto& seeds = seen[place];
-    for (double const other : seeds) {
-      if (!(std::abs(seed - other) < replicas[point])) continue;
+    auto& systems = seen[place];
+    for (auto const& other : systems) {
+      bool const shared = seed < other.seed + other.replicas && other.seed < seed + replicas[point];
+      if (!shared) continue;
       if (table.keys.contains(seed_key)) place.push_back(fmt::format("{} = {}", seed_key, seed));
       auto const both = fmt::format("{}: {}", table.origin, fmt::join(place, ", "));
       throw InputError(
-          seed == other
+          seed == other.seed && replicas[point] == other.replicas
               ? both + " is in both; leave it out of one, or give it another seed"
-              : fmt::format("{} has {} replicas, some of which are those of the seed {}; leave one "
-                            "of them out",
-                            both, replicas[point], other));
+              : fmt::format("{} has {} replicas, some of which are among the {} of the seed {}; "
+                            "leave one of them out",
+                            both, replicas[point], other.replicas, other.seed));
     }
-    seeds.push_back(seed);
+    systems.push_back({seed, replicas[point]});
   }
+}
+
+/// A key of all points of a table: its column or, where it does not vary, its value in the scenes.
+KeyColumn column_of(SweepTable const& table, std::string const& key) {
+  if (auto const own = table.keys.find(key); own != table.keys.end()) return own->second;
+  KeyColumn out;
+  for (std::size_t point = 0; point < table.scenes.size(); ++point) {
+    auto const values = values_of(table, point, table.origin);
+    auto const found = std::ranges::find(values, key, &KeyValue::name);
+    if (found != values.end() && found->text) out.texts.push_back(*found->text);
+  }
+  if (out.texts.size() == table.points) return out;
+  return {table.numbers(key), {}};
 }
 
 }  // namespace
 
 bool is_key(std::string_view name) {
-  return name.find('.') != std::string_view::npos || name == "piece";
+  return (name.find('.') != std::string_view::npos || name == "piece") &&
+         name.find_first_of("*/") == std::string_view::npos;
+}
+
+bool is_physics(std::string_view key) {
+  constexpr std::string_view of_shear[] = {
+      "protocol",  "strain_rate",     "ramp_rate", "strain_rate_high", "pieces",
+      "amplitude", "period",          "peak_rate", "stress",           "box_inertia",
+      "pressure",  "inertial_number", "response"};
+  if (key.starts_with("shear."))
+    return std::ranges::count(of_shear, key.substr(std::string_view("shear.").size())) > 0;
+  return (key.starts_with("disks.") && key != replicas_key) || key.starts_with("drive.");
 }
 
 std::string SweepTable::left_out() const {
@@ -278,8 +295,8 @@ SweepTable read_sweep_table(std::filesystem::path const& path) {
   read_observables(file, table);
   if (table.observables.empty() && file.has("/pieces"))
     throw InputError(
-        fmt::format("{}: its points are sequences, whose averages are of pieces; give {}, a row a "
-                    "piece",
+        fmt::format("{}: its points are sequences or lists of stresses, whose averages are of "
+                    "pieces; give {}, a row a piece",
                     table.origin, (file_path.parent_path() / "pieces.csv").string()));
   if (table.observables.empty())
     throw InputError(fmt::format("{}: /observables is empty; run the sweep first", table.origin));
@@ -295,18 +312,19 @@ SweepTable merge_tables(std::vector<SweepTable> tables) {
   for (auto const& table : tables) {
     out.origin += (out.origin.empty() ? "" : " and ") + table.origin;
     for (auto const& [name, column] : table.keys) out.keys[name];
+    out.between_sweeps.insert(table.between_sweeps.begin(), table.between_sweeps.end());
     for (auto const& [name, values] : table.observables) out.observables[name];
   }
   auto const append = [](auto& to, auto const& from) {
     to.insert(to.end(), from.begin(), from.end());
   };
+  std::vector<double> replicas;
   for (auto const& table : tables) {
+    append(replicas, replicas_of(table));
     for (auto& [name, column] : out.keys) {
-      auto const own = table.keys.find(name);
-      if (own != table.keys.end() && own->second.is_text())
-        append(column.texts, own->second.texts);
-      else
-        append(column.numbers, table.numbers(name));
+      auto const own = column_of(table, name);
+      append(column.texts, own.texts);
+      append(column.numbers, own.numbers);
     }
     for (auto& [name, values] : out.observables) {
       auto const own = table.observables.find(name);
@@ -325,7 +343,7 @@ SweepTable merge_tables(std::vector<SweepTable> tables) {
     if (column.is_text() && !column.numbers.empty())
       throw InputError(
           fmt::format("{} is a text in one and a number in another of {}", name, out.origin));
-  refuse_twice(out);
+  refuse_twice(out, replicas);
   return out;
 }
 

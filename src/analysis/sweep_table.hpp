@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,8 +13,11 @@
 namespace bagnold::analysis {
 
 /// True for the name of a column that says which run or part of a run a row is of, not what it
-/// measured: a scene key, which has a dot, or the number of a piece.
+/// measured: a scene key, which has a dot, or the number of a piece. Ratios and products are none.
 bool is_key(std::string_view name);
+
+/// True for scene keys that say what is sheared and how, not for how long or in how many replicas.
+bool is_physics(std::string_view key);
 
 /// Values of one scene key, one a point: numbers or texts, the other is empty.
 struct KeyColumn {
@@ -33,6 +37,7 @@ struct SweepTable {
   std::string origin;                           ///< the file, for messages
   std::size_t points = 0;                       ///< P
   std::map<std::string, KeyColumn> keys;        ///< the varied ones, by "table.key"
+  std::set<std::string> between_sweeps;         ///< of them those that vary in no single sweep
   std::map<std::string, Measured> observables;  ///< by NAME
   std::vector<std::string> scenes;              ///< the resolved scenes, TOML; may be empty
   std::vector<std::filesystem::path> runs;      ///< folders of the points; may be empty
@@ -63,8 +68,8 @@ struct SweepTable {
 SweepTable read_sweep_table(std::filesystem::path const& path);
 
 /// Several sweeps as one, their points one after another. Keys are those that any of them varies,
-/// looked up in the scenes of the others, and those of the disks, the shear and the drive in which
-/// one sweep differs from another, but for lengths of runs; observables those of any, NaN where one
+/// looked up in the scenes of the others, and those of is_physics in which one sweep differs from
+/// another; observables those of any, NaN where one
 /// has none. Throws InputError: a key that a sweep does not tell, or the same system, as a run or
 /// as a replica of one, in two of them.
 SweepTable merge_tables(std::vector<SweepTable> tables);

@@ -15,8 +15,6 @@ namespace bagnold::sweep {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr char const* piece_places[] = {"strain_rate", "begin_strain", "strain", "begin_time",
-                                        "time"};
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 double number(Json const& object, char const* name) {
@@ -71,13 +69,16 @@ void add_bias(Json const& estimate, std::size_t point, std::size_t points, Colum
   of_name.bias_error[point] = number(estimate, "bias_error");
 }
 
-void read_pieces(Json const& summary, std::size_t point, PieceRows& rows) {
-  double number_in_sequence = 0;
-  for (auto const& piece : summary.value("pieces", Json::array())) {
+/// Adds a row for each entry of a list of the summary; `places`: what an entry has besides
+/// averages.
+void add_rows(Json const& list, std::initializer_list<char const*> places, std::size_t point,
+              PieceRows& rows) {
+  double number_in_list = 0;
+  for (auto const& piece : list) {
     rows.point.push_back(point);
-    rows.piece.push_back(++number_in_sequence);
+    rows.piece.push_back(++number_in_list);
     auto const count = rows.point.size();
-    for (auto const* place : piece_places)
+    for (auto const* place : places)
       column(rows.columns, place, count).mean.back() = number(piece, place);
     Json const averages = piece.value("observables", Json::object());
     for (auto const& [name, estimate] : averages.items()) {
@@ -86,6 +87,12 @@ void read_pieces(Json const& summary, std::size_t point, PieceRows& rows) {
       of_name.error.back() = number(estimate, "error");
     }
   }
+}
+
+void read_pieces(Json const& summary, std::size_t point, PieceRows& rows) {
+  add_rows(summary.value("pieces", Json::array()),
+           {"strain_rate", "begin_strain", "strain", "begin_time", "time"}, point, rows);
+  add_rows(summary.value("stresses", Json::array()), {"stress", "strain"}, point, rows);
 }
 
 }  // namespace

@@ -17,10 +17,10 @@ struct Column {
   std::vector<double> bias = {}, bias_error = {};  ///< of the method; empty where none was measured
 };
 
-/// Averages of the pieces of sequences, a row a piece of each point.
+/// Averages of the pieces of sequences and of the stresses of lists, a row a piece of each point.
 struct PieceRows {
   std::vector<std::size_t> point;  ///< [rows]
-  std::vector<double> piece;       ///< [rows], its number in the sequence, from 1
+  std::vector<double> piece;       ///< [rows], its number in the list, from 1
   std::vector<Column> columns;     ///< [rows] each; those of its place have no errors
 };
 
@@ -33,7 +33,7 @@ struct Results {
   std::vector<std::string> rough_errors;  ///< [P]: NAMEs whose errors are rough, a space between
   std::vector<double> strain;  ///< [P]: shear.strain of a point that is done, else NaN; of one that
                                ///< was made longer by itself more than the sweep says
-  PieceRows pieces = {};       ///< of points with shear.protocol = "sequence"
+  PieceRows pieces = {};       ///< of points that are sequences or hold a list of stresses
 };
 
 /// Reads the points' summary.json. Throws FileError if one cannot be read.

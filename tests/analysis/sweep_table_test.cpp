@@ -6,6 +6,8 @@
 #include <cmath>
 #include <functional>
 
+#include "src/analysis/curves.hpp"
+#include "src/analysis/quantity.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/scene_file.hpp"
 #include "src/io/atomic_file.hpp"
@@ -203,6 +205,19 @@ TEST_F(CsvTable, ThePieceIsAKey) {
   EXPECT_EQ(seed_groups(found), (std::vector<std::vector<std::size_t>>{{0, 2}, {1, 3}}));
 }
 
+/// A column of a ratio is an observable, and stands for itself where its parts are not there.
+TEST_F(CsvTable, ARatioIsNoKey) {
+  auto const alone = table("disks.seed,Z/shear.strain_rate,Z/shear.strain_rate_error\n1,30,2\n");
+  EXPECT_EQ(alone.keys.size(), 1u);
+  std::vector<std::size_t> const row{0};
+  auto const ratio = Quantity(alone, "Z/shear.strain_rate").of(row);
+  EXPECT_EQ(ratio.mean, 30.0);
+  EXPECT_EQ(ratio.error, 2.0);
+  auto const halves = Quantity(alone, "Z/shear.strain_rate/disks.seed").of(row);
+  EXPECT_EQ(halves.mean, 30.0);
+  EXPECT_THROW(Quantity(alone, "Z/T_g"), InputError);
+}
+
 TEST_F(CsvTable, OddOnesAreRefused) {
   EXPECT_THROW(table(""), InputError);
   EXPECT_THROW(table("disks.seed,p\n"), InputError);
@@ -282,6 +297,36 @@ TEST_F(MergedSweeps, AreToldApartByHowTheyAreSheared) {
   EXPECT_THROW(merge_tables({sweep_of(once), sweep_of(longer)}), InputError);
 }
 
+/// A sweep that varies the model, and one that does not: in any order.
+TEST_F(MergedSweeps, TextsThatDoNotVaryAreInTheScenes) {
+  auto varied = sweep_of(scene_of("steady")), constant = varied;
+  varied.keys["disks.model"].texts = {"CD_n", "CD_rot", "CD_nt"};
+  for (auto& seed : constant.keys["disks.seed"].numbers) seed += 10;
+  EXPECT_EQ(merge_tables({varied, constant}).keys.at("disks.model").texts[count], "CD");
+  auto const merged = merge_tables({constant, varied}).keys.at("disks.model");
+  EXPECT_EQ(merged.texts, (std::vector<std::string>{"CD", "CD", "CD", "CD_n", "CD_rot", "CD_nt"}));
+  EXPECT_TRUE(merged.numbers.empty());
+}
+
+/// Sweeps of two models or packing fractions at rates of which none is in both are not one curve.
+TEST_F(MergedSweeps, AreNotOneCurveWhereNoRateIsInBoth) {
+  auto fast = scene_of("steady"), slow = fast;
+  slow.disks.model = "CD_n";
+  auto denser = fast;
+  denser.disks.packing_fraction = 0.82;
+  for (auto const& other : {slow, denser}) {
+    auto at_fast = sweep_of(fast), at_slow = sweep_of(other);
+    at_fast.keys.erase("disks.elasticity");
+    at_slow.keys.erase("disks.elasticity");
+    at_fast.keys["shear.strain_rate"].numbers = {1e-3, 5e-4, 2e-4};
+    at_slow.keys["shear.strain_rate"].numbers = {1e-4, 5e-5, 2e-5};
+    auto const curves = curves_of(merge_tables({at_fast, at_slow}), {"shear.strain_rate"});
+    ASSERT_EQ(curves.size(), 2u);
+    EXPECT_EQ(curves[0].data.size(), count);
+    EXPECT_EQ(curves[0].labels.size(), 1u);
+  }
+}
+
 TEST_F(MergedSweeps, OfReplicasThatAreInBothAreRefused) {
   auto scene = scene_of("steady");
   scene.disks.replicas = 4;
@@ -292,13 +337,21 @@ TEST_F(MergedSweeps, OfReplicasThatAreInBothAreRefused) {
     merge_tables({first, second});
     ADD_FAILURE();
   } catch (InputError const& error) {
-    EXPECT_NE(
-        std::string(error.what()).find("has 4 replicas, some of which are those of the seed 1"),
-        std::string::npos)
+    EXPECT_NE(std::string(error.what())
+                  .find("has 4 replicas, some of which are among the 4 of the seed 1"),
+              std::string::npos)
         << error.what();
   }
   second.keys["disks.seed"].numbers = {5, 5, 6};
   EXPECT_EQ(merge_tables({first, second}).points, 2 * count);
+  // of another number of replicas: 5 to 8 and 8; what they differ in is no physics
+  auto alone = scene_of("steady");
+  auto third = sweep_of(alone);
+  third.keys["disks.seed"].numbers = {8, 8, 9};
+  EXPECT_THROW(merge_tables({second, third}), InputError);
+  EXPECT_THROW(merge_tables({third, second}), InputError);
+  third.keys["disks.seed"].numbers = {9, 9, 10};
+  EXPECT_FALSE(merge_tables({second, third}).keys.contains("disks.replicas"));
 }
 
 }  // namespace

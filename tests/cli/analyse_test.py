@@ -152,6 +152,22 @@ class AnalyseTest(CliTest):
         self.near(rows[0], "Q_c", 14.0)
         self.near(rows[1], "Q_c", 21.3)
 
+    def test_curves_of_which_a_transition_has_one_rate_alone(self):
+        """They are named; rates are those that --where leaves."""
+        points = grid(shear__strain_rate=[1e-7, 1e-6, 1e-5], disks__packing_fraction=[0.81, 0.82],
+                      disks__elasticity=list(np.linspace(5, 40, 15)))
+        some = (points["disks.packing_fraction"] == 0.81) | (points["shear.strain_rate"] > 1e-7)
+        points = {key: values[some] for key, values in points.items()}
+        rate = points["shear.strain_rate"]
+        z = rate * (200 + 3e3 * np.maximum(0, 14.0 - points["disks.elasticity"]) * (1e-5 / rate) ** 0.5)
+        self.sweep(points, 0.01, Z=z)
+        both, one = self.analyse("transition")
+        self.near(both, "Q_c", 14.0)
+        self.assertEqual((one["disks.packing_fraction"], one["Q_c"]), ("0.82", ""))
+        self.assertIn("no point is at both strain rates", self.result.stdout + self.result.stderr)
+        (other,) = self.analyse("transition", "--where", "disks.packing_fraction=0.82")
+        self.near(other, "Q_c", 14.0)
+
     def test_a_transition_between_two_points(self):
         points = grid(shear__strain_rate=[1e-6, 1e-5], disks__packing_fraction=[0.81, 0.82],
                       disks__elasticity=[10.0, 15.0, 20.0, 30.0, 50.0, 70.0, 100.0, 200.0])

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Flows at given shear stress or pressure: against flows at given rate and packing fraction, and against a packing."""
 
+import csv
 import math
 import re
 import shlex
@@ -256,6 +257,24 @@ class Longer(CliTest):
 
     SHORT = {**STRESS, **FLOWS["dense"], "disks__count": 64, "shear__stress": 0.002, "shear__strain_rate": 0.002,
              "shear__time": 400.0, "shear__discard": "auto", "output__sample_strain": 0.01}
+
+    def test_a_sweep_over_lists_has_a_row_a_stress(self):
+        path = self.scene(**{**self.SHORT, "shear__stress": [0.002, 0.003], "shear__discard": 0.5})
+        path.write_text(path.read_text() + '[sweep]\ngrid = { "disks.seed" = [1, 2] }\n')
+        out = self.folder / "sweep"
+        self.assertEqual(self.bagnold("sweep", path, "--out", out).returncode, 0)
+        with open(out / "pieces.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([(row["disks.seed"], row["piece"], float(row["stress"])) for row in rows],
+                         [("1", "1", 0.002), ("1", "2", 0.003), ("2", "1", 0.002), ("2", "2", 0.003)])
+        for row in rows:
+            held = read_summary(out / "points" / row["folder"])["stresses"][int(row["piece"]) - 1]
+            self.assertEqual(float(row["p"]), held["observables"]["p"]["mean"])
+            self.assertEqual(float(row["strain_rate"]), held["observables"]["strain_rate"]["mean"])
+            self.assertEqual(float(row["strain"]), held["strain"])
+        self.assert_clean_error(self.bagnold("analyse", "kink", out, "--out", self.folder / "k"), 2, "pieces.csv")
+        self.assertEqual(self.bagnold("analyse", "table", out / "pieces.csv", "--x", "stress", "--y", "p", "--along", "piece",
+                                      "--out", self.folder / "t").returncode, 0)
 
     def test_a_stress_is_held_for_longer(self):
         out = self.folder / "short"

@@ -163,6 +163,8 @@ class Results(Folder):
                  "shear": {"protocol": "stress", "strain_rate": 2.0**-9, "stress": [1e-3, 2e-3], "time": 2000.0, "discard": 0.5}}
         r = run(scene, self.folder / "stresses", disks__replicas=3)
         self.assertEqual([one.stress for one in r.stresses], [1e-3, 2e-3])
+        with self.assertRaisesRegex(bagnold.InputError, "r.stresses"):
+            r.series.measured("sigma")
         windows = r.series["sigma"].shape[1] // 2
         for k, held in enumerate(r.stresses):
             measured = slice(k * windows + windows - held.windows, (k + 1) * windows)

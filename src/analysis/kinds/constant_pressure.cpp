@@ -37,7 +37,7 @@ Report constant_pressure(SweepTable const& table, Request const& request) {
   Report report;
   auto const pressures = make_series(table, asked, along, "p");
   auto const others = make_series(table, asked, along, y);
-  bool const log_x = along != "disks.packing_fraction";
+  bool const log_x = covers_decades(along);
   std::vector<Task> tasks;
   for (std::size_t k = 0; k < pressures.size(); ++k)
     tasks.push_back({pressures[k].labels,

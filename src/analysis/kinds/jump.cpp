@@ -21,9 +21,8 @@ std::vector<Direction> directions_of(Request const& request) {
 
 std::string own_x(Request const& request) { return or_else(request.x, "disks.packing_fraction"); }
 
-/// True if x is Q or the rate, which cover decades: jumps are then steep in ln x, and lie anywhere
-/// between two ln x.
-bool is_log(Request const& request) { return own_x(request) != "disks.packing_fraction"; }
+/// Where x covers decades, jumps are steep in ln x, and lie anywhere between two ln x.
+bool is_log(Request const& request) { return covers_decades(own_x(request)); }
 
 /// value = {place, factor} for each direction; NaN where there is no jump. Where points are
 /// resampled the place is drawn from where it may lie between two of them: resampling alone does

@@ -48,6 +48,12 @@ std::vector<Outcome> find_jumps(SweepTable const& table, Request const& request,
 std::vector<Outcome> find_transitions(SweepTable const& table, Request const& request,
                                       std::vector<Series>& series);
 
+/// True for quantities on x that cover decades, such as Q and the rate: a packing fraction does
+/// not.
+inline bool covers_decades(std::string const& x) {
+  return x != "disks.packing_fraction" && x != "packing_fraction";
+}
+
 /// `given`, or the kind's own where it is empty.
 inline std::string or_else(std::string const& given, std::string const& own) {
   return given.empty() ? own : given;

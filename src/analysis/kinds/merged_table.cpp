@@ -57,7 +57,7 @@ Report merged_table(SweepTable const& table, Request const& request) {
   auto const curves = curves_of(table, {along, request.by, {}, request.where});
   report.results = rows_of(table, curves, {x, y}, request.phi_j);
   note_left_out(report, table, {});
-  Panel panel(report, x, y, x != "disks.packing_fraction", y != "mu");
+  Panel panel(report, x, y, covers_decades(x), y != "mu");
   Quantity const right(table, x, request.phi_j), up(table, y, request.phi_j);
   std::size_t pooled = 0, data = 0;
   for (auto const& curve : curves)  // those without an error too: nothing is fitted

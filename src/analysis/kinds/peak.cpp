@@ -37,8 +37,9 @@ double shape_error(Points const& points, std::size_t at, double place) {
 }
 
 /// value = {place, height}: of the parabola through the highest point and its neighbours, errors of
-/// the three carried over to first order, and that of the shape.
-FitResult highest(Points const& points) {
+/// the three carried over to first order, and that of the shape. Parabolas are in ln x for `log_x`.
+FitResult highest(Points const& measured, bool log_x) {
+  auto const points = with_logarithms(measured, log_x, false);
   check_points(points, 3, "peak");
   auto const at = std::ranges::max_element(points.y) - points.y.begin();
   if (at == 0 || at + 1 == std::ssize(points.y))
@@ -60,6 +61,12 @@ FitResult highest(Points const& points) {
     out.error[1] = std::hypot(out.error[1], (then.y - best.y) / small);
   }
   out.grid = {shape_error(points, static_cast<std::size_t>(at), best.x), 0.0};
+  if (log_x) {
+    double& place = out.value[0];
+    place = std::exp(place);
+    out.error[0] *= place;
+    out.grid[0] *= place;
+  }
   return out;
 }
 
@@ -69,17 +76,18 @@ Report peak(SweepTable const& table, Request const& request) {
   auto const x = or_else(request.x, "disks.packing_fraction"), y = or_else(request.y, "spin_var");
   Report report;
   auto const series = make_series(table, request, x, y);
+  bool const log_x = covers_decades(x);
   std::vector<Task> tasks;
   for (auto const& one : series)
-    tasks.push_back({one.labels, [points = one.points](std::uint32_t replica) {
-                       return highest(points(replica));
+    tasks.push_back({one.labels, [points = one.points, log_x](std::uint32_t replica) {
+                       return highest(points(replica), log_x);
                      }});
   auto const outcomes = carry_out(tasks, request);
   std::vector<std::string> const names{symbol(x) + "_peak", y + "_peak"};
   report.results = tabulate(outcomes, names);
   note_fits(report, outcomes, names);
   note_left_out(report, table, series);
-  Panel panel(report, x, y, x != "disks.packing_fraction", false);
+  Panel panel(report, x, y, log_x, false);
   for (std::size_t k = 0; k < series.size(); ++k) {
     auto const curve = caption(series[k].labels);
     panel.data(curve, series[k].points(0), series[k].x_error);

@@ -7,6 +7,7 @@
 #include "src/analysis/fit/line.hpp"
 #include "src/analysis/kinds/kinds.hpp"
 #include "src/analysis/random.hpp"
+#include "src/config/errors.hpp"
 
 namespace bagnold::analysis {
 namespace {
@@ -64,7 +65,12 @@ std::vector<Outcome> find_transitions(SweepTable const& table, Request const& re
   for (std::uint32_t curve = 0; curve < series.size(); ++curve)
     tasks.push_back(
         {series[curve].labels, [=, points = series[curve].points](std::uint32_t replica) {
-           return meet(points(replica), request, {request.seed, replica, curve});
+           auto const drawn = points(replica);
+           if (drawn.size() == 0)
+             throw InputError(
+                 "no point is at both strain rates; choose them with --rates, or curves with "
+                 "--where");
+           return meet(drawn, request, {request.seed, replica, curve});
          }});
   return carry_out(tasks, request);
 }

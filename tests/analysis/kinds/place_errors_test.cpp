@@ -99,5 +99,26 @@ TEST(PlaceErrors, AreNotBelowAShareOfTheSpacing) {
   }
 }
 
+/// Where x covers decades the parabola is one in ln x, as it is drawn.
+TEST(PlaceErrors, APeakOverDecadesIsOneOfTheLogarithm) {
+  double const truth = 13.0, step = std::log(10.0) / 4;
+  SweepTable table;
+  table.origin = "made";
+  for (int i = 0; i < 13; ++i) {
+    double const log_q = step * i, off = log_q - std::log(truth);
+    table.keys["disks.elasticity"].numbers.push_back(std::exp(log_q));
+    table.observables["y"].mean.push_back(3 - off * off);
+    table.observables["y"].error.push_back(1e-5);
+    ++table.points;
+  }
+  auto request = request_for_y(400);
+  request.x = "disks.elasticity";
+  auto const found = place_of(peak(table, request));
+  double const least = truth * step / (2.0 * std::sqrt(12.0));
+  EXPECT_NEAR(found.value, truth, 1e-3);
+  EXPECT_NEAR(found.error, least, 0.01 * least);
+  EXPECT_NEAR(found.bootstrap, least, 0.1 * least);
+}
+
 }  // namespace
 }  // namespace bagnold::analysis
