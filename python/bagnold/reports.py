@@ -134,14 +134,16 @@ def _of_sweep(found: Sweep) -> str:
             suspect[name] = suspect.get(name, 0) + 1
     names = "".join(f'<p class="warning"><b>{escape(name)}</b>: {count} points</p>' for name, count in suspect.items())
     first = next((point for point in found if point.status == "done"), None)
-    again = f"bagnold {'sweep' if file.name == 'sweep.toml' else 'run'} {_quoted(file)} --out {_quoted(found.folder)}"
+    again = f"bagnold sweep {_quoted(file)} --out {_quoted(found.folder)}   # what is open, new points, more strain"
+    if file.name != "sweep.toml":
+        again = f"bagnold resume {_quoted(found.folder)} --strain S   # what is open, a longer last rate"
     return _page(title, [
         f'<h1>{escape(title)}</h1>\n<p class="small">{done} of {len(found)} points of {escape(str(found.folder))}</p>',
         _section("Warnings and notes", names),
         _section("Points", f'<div class="wide">{html.of_sweep(found, " class=sorts")}</div>{_units()}'
                            '<p class="small">A click on the head of a column sorts by it.</p>'),
         _section("Pictures", _pictures([lambda: plots.sweep(found)])),
-        _section(file.name, _pre(_text(file))), _section("To go on", _pre(again + "   # what is open, new points, more strain")),
+        _section(file.name, _pre(_text(file))), _section("To go on", _pre(again)),
         _section("Where it came from", _provenance(first.load()) if first else "")])
 
 

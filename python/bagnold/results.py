@@ -303,10 +303,11 @@ class Run:
         rate = float(self.scene.get("shear.strain_rate", math.nan))
         if self.scene.get("shear.protocol", "steady") != "steady":
             rate = math.nan
-        for path in (self.folder / f"{name}.h5md", self.folder / f"{name}.parts"):
-            if path.exists():
-                return Frames(path, rate)
-        raise FileError(f"{self.folder} has no {name}.h5md: set output.{self.frame_spacing} between frames in the scene and "
+        found = [Frames(path, rate) for path in (self.folder / f"{name}.h5md", self.folder / f"{name}.parts")
+                 if path.is_file() or any(path.glob("*.h5md"))]
+        if found:  # both of a finished run that is made longer: its parts hold the old frames too
+            return max(found, key=len)
+        raise FileError(self._rates_apart() or f"{self.folder} has no {name}.h5md: set output.{self.frame_spacing} between frames in the scene and "
                         "run it again")
 
     @property
@@ -405,10 +406,15 @@ class Run:
             return {key: {part: np.asarray(values[()]) for part, values in group.items()}
                     for key, group in file.get(name, {}).items()}
 
+    def _rates_apart(self) -> str:
+        """Where the files of a cascade are; of a single run \"\"."""
+        first = self.points[0].folder
+        return "" if first == self.folder else f"{self.folder} is a cascade, a run a rate: take one of r.points, as {first}"
+
     def _file(self, name: str) -> pathlib.Path:
         path = self.folder / name
         if not path.exists():
-            raise FileError(f"{path} is not there: {_what_is(self.folder)}")
+            raise FileError(self._rates_apart() or f"{path} is not there: {_what_is(self.folder)}")
         return path
 
 

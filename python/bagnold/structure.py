@@ -140,19 +140,20 @@ def unwrapped(frames: Iterable[Frame]) -> Array:
             rows.append(frame.position.copy())
         else:
             strain = frame.strain - last.strain
-            flow = np.stack([strain * (frame.position[:, 1] + last.position[:, 1]) / 2,
+            scale = frame.box.length / last.box.length  # a box that changes takes all places along
+            before, above = scale * last.position, scale * (rows[-1] - last.position)
+            flow = np.stack([strain * (frame.position[:, 1] + before[:, 1]) / 2,
                              np.zeros(len(frame))], axis=1)
             # to the image nearest to where the mean flow leads; a row higher it leads further by strain L_y/2
-            away = frame.position - last.position
+            away = frame.position - before
             up = np.rint(away[:, 1] / frame.box.height)
             away[:, 1] -= up * frame.box.height
             away[:, 0] -= up * frame.box.tilt
             flow[:, 0] -= strain * up * frame.box.height / 2
             off = away[:, 0] - flow[:, 0]
             away[:, 0] -= frame.box.length * np.rint(off / frame.box.length)
-            height = rows[-1][:, 1] - last.position[:, 1]  # whole boxes above the first image
-            away[:, 0] += strain * height
-            rows.append(rows[-1] + away)
+            away[:, 0] += strain * above[:, 1]  # whole boxes above the first image
+            rows.append(before + above + away)
         last = frame
     return np.stack(rows) if rows else np.zeros((0, 0, 2))
 

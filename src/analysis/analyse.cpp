@@ -12,10 +12,26 @@ namespace {
 
 /// A refusal for want of points says how many were left out.
 Report run_kind(Kind const& kind, SweepTable const& table, Request const& request) try {
+  if (auto const& range = request.range; range && !(range->first < range->second))
+    throw InputError(
+        fmt::format("--range {} {} (LOW HIGH: must rise)", range->first, range->second));
   return kind.run(table, request);
 } catch (InputError const& error) {
   if (table.left_out().empty()) throw;
   throw InputError(fmt::format("{}; {}", error.what(), table.left_out()));
+}
+
+/// Throws InputError where a file to be written is one that was read, or a table of a sweep that
+/// was.
+void refuse_inputs(std::vector<std::filesystem::path> const& sweeps,
+                   std::filesystem::path const& written) {
+  for (auto const& sweep : sweeps)
+    for (auto const& kept : {sweep, sweep / "sweep.csv", sweep / "pieces.csv"}) {
+      std::error_code not_there;
+      if (std::filesystem::equivalent(kept, written, not_there))
+        throw InputError(
+            fmt::format("{}: holds what is analysed; give another --out", written.string()));
+    }
 }
 
 std::filesystem::path with_ending(std::filesystem::path path, char const* ending) {
@@ -30,10 +46,14 @@ Analysis analyse(std::vector<std::filesystem::path> const& sweeps, KindRequest c
   std::vector<SweepTable> tables;
   for (auto const& sweep : sweeps) tables.push_back(read_sweep_table(sweep));
   auto const table = merge_tables(std::move(tables));
-  auto report = run_kind(kind, table, asked.request);
   auto const& sweep = sweeps.front();
   if (prefix.empty())
     prefix = (std::filesystem::is_directory(sweep) ? sweep : sweep.parent_path()) / asked.kind;
+  else if (prefix.filename().empty())
+    prefix /= asked.kind;
+  for (auto const* ending : {".csv", ".drawn.csv"})
+    refuse_inputs(sweeps, with_ending(prefix, ending));
+  auto report = run_kind(kind, table, asked.request);
   if (!prefix.parent_path().empty()) std::filesystem::create_directories(prefix.parent_path());
   Analysis made{&kind, std::move(report), with_ending(prefix, ".csv"),
                 with_ending(prefix, ".drawn.csv"), with_ending(prefix, ".png")};

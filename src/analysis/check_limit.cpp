@@ -34,6 +34,7 @@ sweep::Sweep both_rates(Scene const& scene, LimitRequest const& request) {
       sweep::parse_sweep(text, origin, std::filesystem::absolute(request.scene_file).parent_path(),
                          sweep::point_check(request.allow_unstable));
   both.command = "check-limit";
+  both.options = request.options;
   return both;
 }
 

@@ -16,6 +16,7 @@ struct LimitRequest {
   std::filesystem::path scene_file;  ///< names it in messages; start.file is sought beside it
   double tolerance = 0.05;           ///< relative change that counts as none
   bool allow_unstable = false;       ///< accept a time step beyond the scheme's stability
+  std::string options;               ///< of the command that asks, for messages
   sweep::SweepOptions runs;          ///< of the two runs
 };
 

@@ -43,8 +43,11 @@ Rows parse_csv(std::string const& text, std::string const& origin) {
   std::vector<std::string> row(1);
   std::size_t line = 1;
   auto const finish_row = [&] {
+    bool const is_blank = row.size() == 1 && row.front().empty();
     if (out.columns.empty())
       out.columns = row;
+    else if (is_blank && out.columns.size() > 1)
+      ;  // no row
     else if (row.size() != out.columns.size())
       throw InputError(fmt::format("{}:{}: {} cells (must be {}, as many as names in line 1)",
                                    origin, line, row.size(), out.columns.size()));
@@ -54,7 +57,9 @@ Rows parse_csv(std::string const& text, std::string const& origin) {
     ++line;
   };
   bool in_quotes = false;
-  for (std::size_t k = 0; k < text.size(); ++k) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // of spreadsheets
+  for (std::size_t k = text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
+       k < text.size(); ++k) {
     char const letter = text[k];
     if (in_quotes && letter == '"' && k + 1 < text.size() && text[k + 1] == '"')
       row.back() += text[++k];

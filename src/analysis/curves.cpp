@@ -43,6 +43,13 @@ bool follows(SweepTable const& table, std::string const& key, std::string const&
   return true;
 }
 
+/// Throws InputError for the seed: all seeds are one datum.
+void refuse_seed(std::string const& key, char const* option) {
+  if (key == seed_key)
+    throw InputError(fmt::format("{} {} (seeds are one datum, their mean); --where {}=N takes one",
+                                 option, key, key));
+}
+
 bool differs(SweepTable const& table, std::string const& key) {
   for (std::size_t point = 1; point < table.points; ++point)
     if (key_text(table, key, point) != key_text(table, key, 0)) return true;
@@ -52,7 +59,10 @@ bool differs(SweepTable const& table, std::string const& key) {
 std::vector<std::string> keys_between_curves(SweepTable const& table, CurveChoice const& choice) {
   std::vector<std::string> keys;
   if (!choice.by.empty()) {
-    for (auto const& key : choice.by) require_varied(table, key, "--by");
+    for (auto const& key : choice.by) {
+      refuse_seed(key, "--by");
+      require_varied(table, key, "--by");
+    }
     return choice.by;
   }
   auto handled = choice.apart;
@@ -143,6 +153,7 @@ std::size_t count_failed(SweepTable const& table) {
 }
 
 std::vector<Curve> curves_of(SweepTable const& table, CurveChoice const& choice) {
+  refuse_seed(choice.along, "the key along a curve is");
   require_varied(table, choice.along, "the key along a curve is");
   auto const along = table.numbers(choice.along);
   auto const keys = keys_between_curves(table, choice);

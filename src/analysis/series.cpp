@@ -109,6 +109,9 @@ std::pair<double, double> two_of(std::set<double> const& rates, SweepTable const
                                  Request const& request) {
   if (request.rates.size() == 2) {
     auto const [low, high] = std::ranges::minmax(request.rates);
+    if (low == high || !rates.contains(low) || !rates.contains(high))
+      throw InputError(
+          fmt::format("--rates {} {} (must be two of {})", low, high, fmt::join(rates, " ")));
     return {low, high};
   }
   if (!request.rates.empty() || rates.size() < 2)

@@ -7,6 +7,7 @@
 
 #include "src/cli/analyse_options.hpp"
 #include "src/cli/options.hpp"
+#include "src/config/shell_word.hpp"
 #include "src/run/plot.hpp"
 
 namespace bagnold {
@@ -58,12 +59,14 @@ void say_commands(analysis::Analysis const& made, AnalyseOptions const& options)
   for (auto const& note : made.report.notes) strain = strain || has(note, "longer runs");
   auto folder = std::filesystem::path(options.sweeps.front());
   if (!std::filesystem::is_directory(folder)) folder = folder.parent_path();
-  auto const again = fmt::format("`bagnold sweep FILE --out {}`", folder.string());
+  if (!std::filesystem::exists(folder / "sweep.toml")) return;  // a table alone
+  auto const name = shell_word(folder.string());
+  auto const again = fmt::format("`bagnold sweep FILE --out {}`", name);
   if (points)
     say(fmt::format(
         "to add points, add values to the sweep's file (a copy: {}/sweep.toml): {} runs "
         "these alone; or make another sweep and name both, `bagnold analyse {} {} SWEEP2`",
-        folder.string(), again, options.asked.kind, folder.string()));
+        folder.string(), again, options.asked.kind, name));
   if (strain)
     say(fmt::format("for longer runs raise shear.strain in the sweep's file: {} goes on with them",
                     again));

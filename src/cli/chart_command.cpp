@@ -214,7 +214,13 @@ int chart_command(ChartOptions const& options) {
                                   .apart = options.apart,
                                   .go_on = std::ref(shown)});
   shown.end();
-  if (int const signal = stop_signal(); signal != 0 && chart.states < 2) return 128 + signal;
+  if (int const signal = stop_signal(); signal != 0) {
+    say(
+        fmt::format("stopped after {} of {} states; a chart keeps no checkpoint, the same command "
+                    "begins anew",
+                    chart.states, options.states));
+    if (chart.states < 2) return 128 + signal;
+  }
   io::replace_text(folder / "chart.csv", analysis::to_csv(table_of(chart)));
   auto const drawn = folder / "chart.drawn.csv";
   io::replace_text(drawn, analysis::to_csv(picture_of(chart).drawn));

@@ -12,6 +12,7 @@
 #include "src/cli/sweep_terminal.hpp"
 #include "src/config/ladder.hpp"
 #include "src/config/schemes.hpp"
+#include "src/config/shell_word.hpp"
 #include "src/run/rounded.hpp"
 
 namespace bagnold {
@@ -33,6 +34,17 @@ std::string kept_scheme(Scene scene, double strain) {
              : "";
 }
 
+/// Options of a command that goes on, but for its strain.
+std::string options_again(CheckLimitOptions const& options) {
+  std::string words;
+  for (auto const& put : options.run.overrides)
+    if (!put.starts_with("shear.strain=")) words += fmt::format(" --set {}", shell_word(put));
+  if (options.tolerance != CheckLimitOptions().tolerance)
+    words += fmt::format(" --tolerance {}", options.tolerance);
+  if (options.run.allow_unstable) words += " --allow-unstable";
+  return words;
+}
+
 /// Advice for an undecided limit: the run that would decide, and its command.
 std::string advice(analysis::Limit const& limit, CheckLimitOptions const& options,
                    Scene const& scene, std::filesystem::path const& folder) {
@@ -46,14 +58,11 @@ std::string advice(analysis::Limit const& limit, CheckLimitOptions const& option
     text =
         "; the change lies so near the tolerance that longer runs alone would hardly tell: take "
         "another --tolerance, or a smaller rate";
-  std::string set;
-  for (auto const& put : options.run.overrides)
-    if (!put.starts_with("shear.strain=")) set += fmt::format(" --set '{}'", put);
   double const strain = scene.shear.strain * std::max(1.5, known ? limit.longer : 4.0);
   return text +
          fmt::format("; `bagnold check-limit {}{}{} --set shear.strain={:.3g} --out {}` goes on",
-                     options.run.scene_file.string(), set, kept_scheme(scene, strain), strain,
-                     folder.string());
+                     shell_word(options.run.scene_file.string()), options_again(options),
+                     kept_scheme(scene, strain), strain, shell_word(folder.string()));
 }
 
 void print(analysis::LimitCheck const& check, CheckLimitOptions const& options, Scene const& scene,
@@ -84,10 +93,10 @@ int check_limit_command(CheckLimitOptions const& options) {
           : options.run.folder;
   catch_signals();
   SweepTerminal terminal(options.run.quiet);
-  auto const check =
-      analysis::check_limit(scene, folder,
-                            {options.run.scene_file, options.tolerance, options.run.allow_unstable,
-                             sweep_options(options.run.machine, options.jobs, terminal)});
+  auto const check = analysis::check_limit(
+      scene, folder,
+      {options.run.scene_file, options.tolerance, options.run.allow_unstable,
+       options_again(options), sweep_options(options.run.machine, options.jobs, terminal)});
   if (check.runs == sweep::SweepEnd::done && !options.run.quiet)
     print(check, options, scene, folder);
   return exit_code_of(check.runs);

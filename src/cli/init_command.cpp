@@ -11,6 +11,7 @@
 #include "src/config/errors.hpp"
 #include "src/config/keys.hpp"
 #include "src/config/scene_file.hpp"
+#include "src/config/shell_word.hpp"
 #include "src/io/atomic_file.hpp"
 
 namespace bagnold {
@@ -105,7 +106,7 @@ std::string explained(Scene const& scene, std::string const& name) {
       "#:schema ./scene.schema.json\n# `bagnold validate {0}` checks this scene, `bagnold run {0}` "
       "runs it. `bagnold schema --out\n# scene.schema.json` tells an editor what keys there are; "
       "those that are not here have defaults.\ntitle = \"\"\n",
-      name);
+      shell_word(name));
   std::string table;
   for (auto const& [key, value] : written_keys(scene)) {
     if (std::ranges::count(shown_keys, key) == 0) continue;

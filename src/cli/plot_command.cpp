@@ -10,6 +10,7 @@
 #include "src/config/errors.hpp"
 #include "src/config/run_time.hpp"
 #include "src/config/scene_file.hpp"
+#include "src/config/shell_word.hpp"
 #include "src/run/messages.hpp"
 #include "src/run/pictures.hpp"
 #include "src/run/plot.hpp"
@@ -35,11 +36,11 @@ void plot_run(fs::path const& folder, std::string const& format) {
   auto const status = status_of(folder);
   auto const result = folder / "result.h5";
   if (!fs::exists(result))
-    throw InputError(
-        fmt::format("{}: has nothing to draw before its first checkpoint; {}", folder.string(),
-                    status.state == RunStatus::State::running
-                        ? "`kill -USR1 PID` writes one now"
-                        : fmt::format("`bagnold resume {}` goes on with it", folder.string())));
+    throw InputError(fmt::format(
+        "{}: has nothing to draw before its first checkpoint; {}", folder.string(),
+        status.state == RunStatus::State::running
+            ? "`kill -USR1 PID` writes one now"
+            : fmt::format("`bagnold resume {}` goes on with it", shell_word(folder.string()))));
   auto of = fmt::format(", of strain {:.4g} of {:.4g}", status.strain, status.whole);
   if (status.state == RunStatus::State::done) of.clear();
   if (status.age > 0)
@@ -75,10 +76,10 @@ void plot_cascade(fs::path const& folder, Scene const& cascade, std::string cons
 void plot_sweep(fs::path const& folder, std::string const& format) {
   if (!fs::exists(folder / "sweep.h5"))
     throw InputError(
-        fmt::format("{0}: has no tables yet; `bagnold sweep {0}/sweep.toml --out {0} --collect` "
-                    "writes those of "
+        fmt::format("{}: has no tables yet; `bagnold sweep {} --out {} --collect` writes those of "
                     "the points that are done",
-                    folder.string()));
+                    folder.string(), shell_word((folder / "sweep.toml").string()),
+                    shell_word(folder.string())));
   auto made = analysis::analyse(folder, {.kind = "table"});
   made.picture.replace_extension(format);
   for (auto const& note : made.report.notes) warn(note);

@@ -10,12 +10,14 @@
 
 namespace bagnold {
 
-Progress::Progress(Scene const& scene, Plan const& plan, std::int64_t first_steps, bool quiet)
+Progress::Progress(Scene const& scene, Plan const& plan, std::int64_t first_steps, bool quiet,
+                   Part const& part)
     : disks_(static_cast<double>(scene.disks.count)),
       name_(plan.progress_name()),
       whole_(plan.progress(plan.steps)),
       steps_(plan.steps * scene.disks.replicas),
       first_steps_(first_steps),
+      part_(part),
       quiet_(quiet),
       terminal_(isatty(STDOUT_FILENO) == 1),
       start_(Clock::now()),
@@ -43,7 +45,8 @@ void Progress::finish(std::int64_t steps) {
 }
 
 void Progress::report(std::int64_t steps) const {
-  sweep::report_share(static_cast<double>(steps) / static_cast<double>(steps_));
+  double const share = static_cast<double>(steps) / static_cast<double>(steps_);
+  sweep::report_share(part_.before + part_.share * share);
 }
 
 void Progress::print(std::int64_t steps, Clock::time_point now) {

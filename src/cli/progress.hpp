@@ -14,7 +14,13 @@ namespace bagnold {
 /// that started the run.
 class Progress {
  public:
-  Progress(Scene const& scene, Plan const& plan, std::int64_t first_steps, bool quiet);
+  /// What is shown here of all work that is reported.
+  struct Part {
+    double before = 0, share = 1;
+  };
+
+  Progress(Scene const& scene, Plan const& plan, std::int64_t first_steps, bool quiet,
+           Part const& part);
 
   void show(std::int64_t steps);
   void finish(std::int64_t steps);
@@ -29,6 +35,7 @@ class Progress {
   double whole_;
   std::int64_t steps_;
   std::int64_t first_steps_;
+  Part part_;
   bool quiet_;
   bool terminal_;
   Clock::time_point start_;

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "src/cli/exit_code.hpp"
 #include "src/cli/options.hpp"
@@ -45,11 +46,12 @@ Json form_of(Key const& key, std::vector<double> const&) {
   return {{"type", "array"}, {"items", number_of(key, "number")}, {"minItems", 1}};
 }
 Json form_of(Key const& key, std::vector<SequencePiece> const&) {
-  Json const pair = {
-      {"type", "array"},
-      {"items", {number_of(key, "number"), {{"type", "number"}, {"exclusiveMinimum", 0}}}},
-      {"minItems", 2},
-      {"maxItems", 2}};
+  Json const pair = {{"type", "array"},
+                     {"items",
+                      {number_of(key, "number"),
+                       {{"type", "number"}, {"exclusiveMinimum", 0}, {"maximum", 1e12}}}},
+                     {"minItems", 2},
+                     {"maxItems", 2}};
   return {{"type", "array"}, {"items", pair}, {"minItems", 1}};
 }
 Json form_of(Key const& key, NumberOrList const&) {
@@ -78,6 +80,22 @@ Json table(std::string const& what) {
           {"properties", Json::object()}};
 }
 
+/// Keys that a protocol requires.
+std::set<std::string_view> required_keys() {
+  std::set<std::string_view> protocols, keys;
+  Scene scene;
+  for_each_key(scene, [&](Key const& key, auto const&) {
+    protocols.insert(key.protocols.begin(), key.protocols.end());
+  });
+  for (auto const protocol : protocols) {
+    scene.shear.protocol = protocol;
+    for_each_key(scene, [&](Key const& key, auto const&) {
+      if (key.required) keys.insert(key.name);
+    });
+  }
+  return keys;
+}
+
 /// JSON Schema of scenes and sweep files, from the list of keys.
 Json schema() {
   Json all = {{"$schema", "http://json-schema.org/draft-07/schema#"},
@@ -85,6 +103,7 @@ Json schema() {
   all.update(table("Units: length d_s, time tau_e, mass m, so that k_e = 1"));
   Json needed = Json::object();  // keys by their tables
   Scene const usual;
+  auto const required = required_keys();
   for_each_key(usual, [&](Key const& key, auto const& member) {
     auto const dot = key.name.find('.');
     bool const in_table = dot != std::string_view::npos;
@@ -101,7 +120,7 @@ Json schema() {
                                       fmt::join(key.protocols, ", ")));
     if (key.required && key.protocols.empty() && folder == "disks")
       needed[folder].push_back(name);
-    else if (!key.required && key.protocols.size() != 1)
+    else if (!required.contains(key.name))
       made["default"] = value_of(member);
     (in_table ? tables[folder]["properties"] : tables)[name] = made;
   });

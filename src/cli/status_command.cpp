@@ -9,7 +9,10 @@
 
 #include "src/cli/exit_code.hpp"
 #include "src/cli/options.hpp"
+#include "src/config/cascade.hpp"
 #include "src/config/run_time.hpp"
+#include "src/config/scene_file.hpp"
+#include "src/config/shell_word.hpp"
 #include "src/sweep/status.hpp"
 
 namespace bagnold {
@@ -60,7 +63,7 @@ std::string line_of(RunStatus const& run) {
 /// Command to continue a run; "" if it runs or is done.
 std::string advice(RunState state, std::string const& folder) {
   if (state == RunState::running || state == RunState::done) return {};
-  return fmt::format("`bagnold resume {}` goes on\n", folder);
+  return fmt::format("`bagnold resume {}` goes on\n", shell_word(folder));
 }
 
 int print_cascade(std::string const& folder, RunStatus const& whole,
@@ -128,8 +131,8 @@ int print_sweep(std::string const& folder, sweep::SweepStatus const& status) {
   if (status.for_slurm)
     fmt::print("prepared for Slurm: `squeue --me --name=bagnold` tells what waits\n");
   if (running == 0 && status.holder.empty() && count(RunState::done) < status.points.size())
-    fmt::print("`bagnold sweep FILE --out {}` goes on (a copy of FILE: {}/sweep.toml)\n", folder,
-               folder);
+    fmt::print("`bagnold sweep FILE --out {}` goes on (a copy of FILE: {}/sweep.toml)\n",
+               shell_word(folder), folder);
   return count(RunState::failed) > 0 ? points_failed : done;
 }
 
@@ -154,6 +157,21 @@ Json json_of(RunStatus const& run) {
           {"notes", run.notes}};
 }
 
+/// Adds the rates of a cascade, and its share; strain and steps are those of each rate.
+void add_stages(Json& all, std::filesystem::path const& folder,
+                std::vector<RunStatus> const& stages) {
+  auto const names = stage_folders(read_kept_scene(folder / "scene.toml"));
+  RunStatus whole;
+  for (std::size_t k = 0; k < stages.size(); ++k) {
+    all["points"].push_back(json_of(stages[k]));
+    all["points"].back()["folder"] = names.at(k);
+    whole.work += stages[k].work;
+    whole.whole_work += stages[k].whole_work;
+  }
+  all["share"] = whole.share();
+  all["strain"] = all["strain_whole"] = Json();
+}
+
 /// Prints a run, or with `points` a cascade's rates or a sweep's points. Returns the code that the
 /// text output returns.
 int print_json(std::filesystem::path const& folder) {
@@ -175,7 +193,7 @@ int print_json(std::filesystem::path const& folder) {
     all = json_of(status_of(folder));
     auto const stages = status_of_stages(folder);
     all["kind"] = stages.empty() ? "run" : "cascade";
-    for (auto const& stage : stages) all["points"].push_back(json_of(stage));
+    if (!stages.empty()) add_stages(all, folder, stages);
   }
   fmt::print("{}\n", all.dump(1, ' ', false, Json::error_handler_t::replace));
   return failed ? points_failed : done;

@@ -7,6 +7,7 @@
 #include "src/cli/options.hpp"
 #include "src/cli/signals.hpp"
 #include "src/cli/sweep_terminal.hpp"
+#include "src/config/shell_word.hpp"
 #include "src/sweep/checked_sweep.hpp"
 #include "src/sweep/emit_slurm.hpp"
 #include "src/sweep/slurm.hpp"
@@ -20,8 +21,8 @@ int print_submission(sweep::Sweep const& sweep, sweep::SlurmScripts const& scrip
       "{} points in {} chains, {} tasks; submit them with\n\n"
       "  job=$(sbatch --parsable {})\n"
       "  sbatch --dependency=afterany:$job {}\n",
-      sweep.points.size(), sweep.chains.size(), scripts.tasks,
-      sweep::shell_word(scripts.points.string()), sweep::shell_word(scripts.collect.string()));
+      sweep.points.size(), sweep.chains.size(), scripts.tasks, shell_word(scripts.points.string()),
+      shell_word(scripts.collect.string()));
   return done;
 }
 

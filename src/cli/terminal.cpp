@@ -56,7 +56,7 @@ void Terminal::status(std::string const& text) {
 }
 
 void Terminal::begin(Scene const& scene, Plan const& plan, std::int64_t steps) {
-  progress_.emplace(scene, plan, steps, quiet_);
+  progress_.emplace(scene, plan, steps, quiet_, part_);
 }
 
 void Terminal::finished(RunFolder const& folder, FinishedRun const& run,

@@ -17,6 +17,7 @@ class Terminal final : public RunMonitor {
   bool stop_requested() override;
   bool checkpoint_requested() override;
   void status(std::string const& text) override;
+  void part(double before, double share) override { part_ = {before, share}; }
   void begin(Scene const& scene, Plan const& plan, std::int64_t steps) override;
   void progress(std::int64_t steps) override { progress_->show(steps); }
   void end(std::int64_t steps) override { progress_->finish(steps); }
@@ -27,6 +28,7 @@ class Terminal final : public RunMonitor {
 
  private:
   bool quiet_, all_;
+  Progress::Part part_;
   std::optional<Progress> progress_;
 };
 

@@ -11,9 +11,13 @@ inline constexpr char steps_engine[] = "steps";   ///< what "auto" takes where i
 
 inline constexpr char exact_contacts[] = "exact-contacts";  ///< its integration.scheme
 
-/// "auto" time step of the event engine, [tau_e]. It is the unit of time for windows and frames and
-/// affects nothing else.
+/// "auto" time step of the event engine, [tau_e]. It is the unit of time for windows, frames and
+/// builds of the lists, and affects nothing else.
 inline constexpr double event_time_unit = 0.2;
+
+/// Longest time step of the event engine, [tau_e]: lists are built where a step ends, up to which a
+/// disk that leaves its reach flies on.
+inline constexpr double longest_event_unit = 1;
 
 bool has_events(Scene const& scene);
 

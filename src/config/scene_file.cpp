@@ -16,6 +16,7 @@
 #include "src/config/mistakes.hpp"
 #include "src/config/names.hpp"
 #include "src/config/nearest_word.hpp"
+#include "src/config/shell_word.hpp"
 #include "src/config/shown.hpp"
 #include "src/config/toml_table.hpp"
 #include "src/config/toml_text.hpp"
@@ -329,10 +330,10 @@ Scene parse_scene(std::string_view text, std::string const& origin,
                   std::filesystem::path const& folder, std::vector<std::string> const& overrides) {
   toml::table table = parse_toml(text, origin);
   if (auto const* sweep = table.get("sweep"); sweep && sweep->is_table())
-    throw InputError(
-        fmt::format("{}:{}:{}: [sweep] makes many scenes of this one; run them all with "
-                    "`bagnold sweep {}`",
-                    origin, sweep->source().begin.line, sweep->source().begin.column, origin));
+    throw InputError(fmt::format(
+        "{}:{}:{}: [sweep] makes many scenes of this one; run them all with "
+        "`bagnold sweep {}`",
+        origin, sweep->source().begin.line, sweep->source().begin.column, shell_word(origin)));
   std::vector<Override> put;
   for (auto const& one : overrides) put.push_back(from_command_line(one));
   return scene_of(std::move(table), origin, folder, put);

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "src/config/errors.hpp"
+#include "src/config/shell_word.hpp"
 
 namespace bagnold::io {
 namespace {
@@ -23,8 +24,9 @@ std::string remedy(std::filesystem::path const& path, int error) {
   auto const folder = folder_of(path);
   bool const is_first =
       path.filename().string().starts_with("scene.toml");  // nothing to resume yet
-  auto const again = is_first ? std::string("then give the same command again")
-                              : fmt::format("then `bagnold resume {}`", folder.string());
+  auto const again = is_first
+                         ? std::string("then give the same command again")
+                         : fmt::format("then `bagnold resume {}`", shell_word(folder.string()));
   switch (error) {
     case ENOSPC:
       return "free some space, " + again;

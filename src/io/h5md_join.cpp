@@ -8,6 +8,7 @@
 #include <span>
 
 #include "src/config/errors.hpp"
+#include "src/config/shell_word.hpp"
 #include "src/io/atomic_file.hpp"
 #include "src/io/hdf5_digest.hpp"
 #include "src/io/hdf5_memory.hpp"
@@ -28,7 +29,8 @@ Handle access_without_locks() {
 
 [[noreturn]] void fail_in_hdf5(char const* action, std::filesystem::path const& path) {
   throw FileError(fmt::format("cannot {} {}: {}; check the disk, then `bagnold resume {}`", action,
-                              path.string(), hdf5_reason(), path.parent_path().string()));
+                              path.string(), hdf5_reason(),
+                              shell_word(path.parent_path().string())));
 }
 
 Handle create_on_disk(std::filesystem::path const& path) {

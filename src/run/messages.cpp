@@ -5,6 +5,8 @@
 
 #include <cstdio>
 
+#include "src/config/shell_word.hpp"
+
 namespace bagnold {
 
 void say(std::string const& message) { std::fputs(("bagnold: " + message + "\n").c_str(), stderr); }
@@ -23,7 +25,7 @@ std::string no_more_threads(int threads) {
 
 std::string stopped_before_the_first_step(std::filesystem::path const& folder) {
   return fmt::format("stopped before the first step; `bagnold resume {}` begins anew",
-                     folder.string());
+                     shell_word(folder.string()));
 }
 
 }  // namespace bagnold

@@ -29,6 +29,9 @@ class RunMonitor {
   /// Present activity of the run, one line.
   virtual void status(std::string const&) {}
 
+  /// What begins next, a stage of a cascade, has this share of all work, after `before` of it.
+  virtual void part([[maybe_unused]] double before, [[maybe_unused]] double share) {}
+
   /// Called when a run, or a stage of a cascade, begins to step or continues from a step.
   virtual void begin(Scene const&, Plan const&, std::int64_t) {}
   virtual void progress(std::int64_t) {}

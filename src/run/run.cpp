@@ -9,8 +9,10 @@
 #include "src/config/cascade.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/scene_file.hpp"
+#include "src/config/shell_word.hpp"
 #include "src/config/time_step.hpp"
 #include "src/io/atomic_file.hpp"
+#include "src/io/checkpoint.hpp"
 #include "src/io/trajectory_parts.hpp"
 #include "src/run/make_longer.hpp"
 #include "src/run/pictures.hpp"
@@ -35,7 +37,7 @@ void refuse_sweep(std::filesystem::path const& folder) {
     throw InputError(
         fmt::format("{}: holds a sweep; the command that began it goes on with it, also with more "
                     "points or strain in its file: `bagnold sweep FILE --out {}`",
-                    folder.string(), folder.string()));
+                    folder.string(), shell_word(folder.string())));
 }
 
 /// Refuses to change the last state of a point of a sweep from which another point starts.
@@ -70,7 +72,7 @@ void refuse_own_start(fs::path const& name, Scene const& scene) {
 void give_strain(RunFolder const& folder, double strain, RunMonitor& monitor) {
   if (!std::filesystem::exists(folder.scene()))
     throw InputError(fmt::format("{}: has no scene.toml; `bagnold resume {}` writes it again",
-                                 folder.path().string(), folder.path().string()));
+                                 folder.path().string(), shell_word(folder.path().string())));
   if (auto const stage = stage_folder_in_cascade(folder.path()))
     throw InputError(fmt::format(
         "{}: is a rate of the cascade in {}, whose last rate alone can be made longer: `bagnold "
@@ -90,9 +92,26 @@ void give_strain(RunFolder const& folder, double strain, RunMonitor& monitor) {
   make_cascade_longer(folder, after);
 }
 
+/// Makes a finished run as long as its scene.toml says, where a user wrote more strain there.
+void take_strain_of_scene(RunFolder const& folder) {
+  if (!io::run_finished(folder.path()) || !fs::exists(folder.scene())) return;
+  if (auto const cascade = cascade_in(folder)) {
+    if (asks_for_more(folder, *cascade)) make_cascade_longer(folder, *cascade);
+    return;
+  }
+  auto const checkpoint = io::newest_checkpoint(folder.path(), nullptr);
+  if (!checkpoint) return;
+  auto const before = parse_scene(checkpoint->scene, "scene in the checkpoint", folder.path());
+  auto const after = read_kept_scene(folder.scene());
+  if (!is_longer(before, after)) return;
+  refuse_start_of_another(folder.path());
+  make_longer(folder, after);
+}
+
 /// Continues a run. `finished`: message for a run that is done.
 RunEnd go_on(RunFolder const& folder, RunOptions const& options, char const* finished) {
   RunMonitor& monitor = monitor_of(options);
+  take_strain_of_scene(folder);
   if (io::run_finished(folder.path())) {
     if (auto const cascade = cascade_in(folder))
       draw_missing_pictures_of_cascade(folder, *cascade);

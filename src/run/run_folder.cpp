@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "src/config/errors.hpp"
+#include "src/config/shell_word.hpp"
 #include "src/io/atomic_file.hpp"
 #include "src/io/checkpoint.hpp"
 #include "src/io/trajectory_parts.hpp"
@@ -58,7 +59,7 @@ RunFolder RunFolder::make(fs::path const& folder, bool force) {
       throw InputError(fmt::format(
           "--out {}: holds a run already; `bagnold resume {}` goes on with it, another --out keeps "
           "it, --force replaces it",
-          folder.string(), folder.string()));
+          folder.string(), shell_word(folder.string())));
   };
   refuse_old();
   std::error_code error;
@@ -86,7 +87,7 @@ RunFolder RunFolder::open(fs::path const& folder) {
     throw InputError(
         fmt::format("{}: holds no run (no scene.toml, no checkpoint); start one with "
                     "`bagnold run SCENE.toml --out {}`",
-                    folder.string(), folder.string()));
+                    folder.string(), shell_word(folder.string())));
   return RunFolder(folder);
 }
 

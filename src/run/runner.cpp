@@ -11,6 +11,7 @@
 #include "src/config/names.hpp"
 #include "src/config/piece_table.hpp"
 #include "src/config/scene_file.hpp"
+#include "src/config/shell_word.hpp"
 #include "src/engine/control_columns.hpp"
 #include "src/engine/levels/levels.hpp"
 #include "src/engine/make_simulation.hpp"
@@ -397,7 +398,7 @@ void Runner::say_where_it_stopped() const {
   say(fmt::format("stopped at step {} of {}{}; `bagnold resume {}` goes on", steps(),
                   whole_.steps * run_.scene.disks.replicas,
                   simulations_.size() > 1 ? ", all replicas together" : "",
-                  folder_to_resume(folder_.path()).string()));
+                  shell_word(folder_to_resume(folder_.path()).string())));
 }
 
 std::string Runner::join_trajectories() {

@@ -9,6 +9,7 @@
 
 #include "src/config/errors.hpp"
 #include "src/config/scene_file.hpp"
+#include "src/config/shell_word.hpp"
 #include "src/run/make_longer.hpp"
 
 namespace bagnold {
@@ -52,7 +53,7 @@ void refuse_other_scene(std::filesystem::path const& folder, Scene const& wanted
   };
   if (!std::filesystem::exists(file))
     refuse("holds a run without its scene.toml, so that nothing tells whether it is of this scene",
-           fmt::format("`bagnold resume {}` goes on with it, ", name));
+           fmt::format("`bagnold resume {}` goes on with it, ", shell_word(name)));
   Scene there;
   try {
     there = read_kept_scene(file);
@@ -62,7 +63,7 @@ void refuse_other_scene(std::filesystem::path const& folder, Scene const& wanted
   if (write_scene(there) == write_scene(wanted)) return;
   refuse(fmt::format("holds a run of another scene ({})", differences(wanted, there)),
          is_longer(there, wanted)
-             ? fmt::format("`bagnold resume {} --strain {}` makes it as long, ", name,
+             ? fmt::format("`bagnold resume {} --strain {}` makes it as long, ", shell_word(name),
                            wanted.shear.strain.at(0))
              : "");
 }

@@ -5,6 +5,7 @@
 
 #include "src/config/errors.hpp"
 #include "src/config/scene_file.hpp"
+#include "src/config/shell_word.hpp"
 #include "src/config/toml_text.hpp"
 #include "src/engine/levels/levels.hpp"
 #include "src/io/atomic_file.hpp"
@@ -101,7 +102,7 @@ std::optional<Longer> longer_than(Scene const& before, RunFolder const& folder) 
       fmt::format("{} is not the scene of the checkpoint beside it; put it back (of it only "
                   "shear.strain may grow: `bagnold resume {} --strain ...`), or start a new run "
                   "with it in another folder",
-                  folder.scene().string(), folder.path().string()));
+                  folder.scene().string(), shell_word(folder.path().string())));
 }
 
 }  // namespace

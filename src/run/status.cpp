@@ -13,6 +13,7 @@
 #include "src/config/plan.hpp"
 #include "src/config/run_time.hpp"
 #include "src/config/scene_file.hpp"
+#include "src/config/shell_word.hpp"
 #include "src/io/atomic_file.hpp"
 #include "src/io/checkpoint.hpp"
 #include "src/io/run_lock.hpp"
@@ -64,7 +65,8 @@ void add_summary(RunStatus& status, fs::path const& file) try {
                                     disks.at("replicas").get<double>();
 } catch (Json::exception const& error) {
   throw FileError(fmt::format("{}: is damaged ({}); remove it and `bagnold resume {}`",
-                              file.string(), error.what(), file.parent_path().string()));
+                              file.string(), error.what(),
+                              shell_word(file.parent_path().string())));
 }
 
 /// Adds the progress of a run that is not done. Returns false if there is no checkpoint.

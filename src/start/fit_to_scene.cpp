@@ -128,7 +128,8 @@ StartedState fit_one(State state, Scene const& scene) {
     started.record["start_velocity_scale"] = ratio;
   }
   state.strain_rate = rate;
-  started.mean_motion = take_off_mean_motion(state, scene);
+  if (!scene.driven())  // else the fluid changes it
+    started.mean_motion = take_off_mean_motion(state, scene);
   started.state = std::move(state);
   return started;
 }

@@ -7,10 +7,21 @@
 #include <map>
 #include <sstream>
 
+#include "src/config/shell_word.hpp"
 #include "src/run/messages.hpp"
 #include "src/run/provenance.hpp"
 
 namespace bagnold::sweep {
+
+namespace {
+
+/// The command that goes on with a sweep.
+std::string command_of(Sweep const& sweep, std::filesystem::path const& folder) {
+  return fmt::format("bagnold {} {}{} --out {}", sweep.command, shell_word(sweep.origin),
+                     sweep.options, shell_word(folder.string()));
+}
+
+}  // namespace
 
 SweepEnd write_tables(Sweep const& asked, SweepFolder const& folder, SweepMonitor& monitor) {
   auto const results = read_results(asked, folder);
@@ -25,10 +36,8 @@ SweepEnd write_tables(Sweep const& asked, SweepFolder const& folder, SweepMonito
   auto const done = std::ranges::count(results.status, "done");
   auto const points = std::ssize(sweep.points);
   if (done == points) return SweepEnd::done;
-  say(fmt::format(
-      "{} of {} points have no result: their rows are empty; `bagnold sweep {} --out {}` "
-      "tries them again",
-      points - done, points, sweep.origin, folder.path().string()));
+  say(fmt::format("{} of {} points have no result: their rows are empty; `{}` tries them again",
+                  points - done, points, command_of(sweep, folder.path())));
   return SweepEnd::incomplete;
 }
 
@@ -65,9 +74,9 @@ std::string suspect_points(Sweep const& sweep, Results const& results,
   for (auto const* short_run : {"steady_state", "error_bar", "few_collisions", "contact_durations"})
     if (names.contains(short_run))
       return text + fmt::format(
-                        "; raise shear.strain in {}, and `bagnold {} {} --out {}` goes on "
-                        "with points from which no other starts",
-                        sweep.origin, sweep.command, sweep.origin, folder.string());
+                        "; raise shear.strain in {}, and `{}` goes on with points from which no "
+                        "other starts",
+                        sweep.origin, command_of(sweep, folder));
   return text;
 }
 

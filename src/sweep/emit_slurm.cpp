@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "src/config/shell_word.hpp"
 #include "src/io/atomic_file.hpp"
 #include "src/run/messages.hpp"
 #include "src/sweep/placed_points.hpp"
@@ -20,13 +21,13 @@ SlurmScripts emit_slurm(Sweep const& sweep, std::filesystem::path const& name, b
   if (auto const text = changes(placed); !text.empty()) say(text);
   std::string words;
   for (auto const& word : point_words(options)) words += fmt::format(" {}", shell_word(word));
-  if (allow_unstable) words += " --allow-unstable";
   std::vector<double> seconds;
   for (auto const& time : times_of_points(sweep).each) seconds.push_back(time.most);
   SlurmJob const job{.program = options.program,
                      .file = std::filesystem::absolute(sweep.origin),
                      .folder = folder.path(),
                      .options = words,
+                     .allow_unstable = allow_unstable,
                      .threads = threads_of(options),
                      .most_tasks = options.tasks > 0 ? options.tasks : most_array_tasks(),
                      .seconds = std::move(seconds)};

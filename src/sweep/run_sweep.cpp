@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "src/config/errors.hpp"
+#include "src/config/shell_word.hpp"
 #include "src/run/cores.hpp"
 #include "src/run/messages.hpp"
 #include "src/sweep/collect.hpp"
@@ -87,8 +88,8 @@ SweepEnd collect(Sweep const& sweep, std::filesystem::path const& name,
     throw InputError(fmt::format(
         "--collect: {} asks for more strain than {} of its points have; put the file back as it "
         "was, {} is its copy, or run `bagnold sweep {} --out {}`, which goes on with them",
-        sweep.origin, placed.longer.size(), (name / "sweep.toml").string(), sweep.origin,
-        name.string()));
+        sweep.origin, placed.longer.size(), (name / "sweep.toml").string(),
+        shell_word(sweep.origin), shell_word(name.string())));
   auto const folder = SweepFolder::make(name, placed);
   say_changes(placed);
   return write_tables(placed.sweep, folder, monitor_of(options));

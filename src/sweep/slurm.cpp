@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "src/config/errors.hpp"
+#include "src/config/shell_word.hpp"
 #include "src/config/shown.hpp"
 
 namespace bagnold::sweep {
@@ -38,17 +39,12 @@ std::string head(SlurmJob const& job, std::string const& name, std::string const
 }
 
 std::string call(SlurmJob const& job) {
-  return fmt::format("{} sweep {} --out {}", shell_word(job.program.string()),
-                     shell_word(job.file.string()), shell_word(job.folder.string()));
+  return fmt::format("{} sweep {} --out {}{}", shell_word(job.program.string()),
+                     shell_word(job.file.string()), shell_word(job.folder.string()),
+                     job.allow_unstable ? " --allow-unstable" : "");
 }
 
 }  // namespace
-
-std::string shell_word(std::string const& word) {
-  std::string quoted = "'";
-  for (char const c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
 
 void refuse_slurm_name(std::filesystem::path const& folder) {
   auto const name = std::filesystem::absolute(folder).string();

@@ -17,6 +17,7 @@ struct SlurmJob {
   std::filesystem::path file;      ///< the sweep file
   std::filesystem::path folder;    ///< of the sweep
   std::string options;             ///< for every point, e.g. "--threads 4"
+  bool allow_unstable = false;     ///< accept time steps beyond the stability, in both scripts
   int threads = 1;                 ///< cores a point uses
   std::int64_t most_tasks = 1000;  ///< of an array
   std::vector<double> seconds;     ///< that each point may take on one core at most, [points]
@@ -37,8 +38,5 @@ std::string slurm_array(Sweep const& sweep, SlurmJob const& job);
 
 /// Script of the step after it, which writes the tables.
 std::string slurm_collect(SlurmJob const& job);
-
-/// A word quoted for sh, whatever its letters.
-std::string shell_word(std::string const& word);
 
 }  // namespace bagnold::sweep

@@ -29,6 +29,7 @@ struct Point {
 struct Sweep {
   std::string origin;             ///< the file
   std::string command = "sweep";  ///< of `bagnold`, that goes on with it
+  std::string options;            ///< that this command needs, " --set 'disks.seed=3'"
   std::string text;               ///< all of it
   std::string base;               ///< without its table [sweep], as TOML
   std::vector<std::string> keys;  ///< the varied keys, zip before grid

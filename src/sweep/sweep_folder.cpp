@@ -7,6 +7,7 @@
 
 #include "src/config/errors.hpp"
 #include "src/config/scene_file.hpp"
+#include "src/config/shell_word.hpp"
 #include "src/io/atomic_file.hpp"
 #include "src/run/make_longer.hpp"
 #include "src/run/run_folder.hpp"
@@ -85,9 +86,9 @@ SweepFolder SweepFolder::make(fs::path const& folder, PlacedPoints const& placed
 
 SweepFolder SweepFolder::join(fs::path const& folder, PlacedPoints const& placed) {
   auto const refuse = [&](std::string const& what) {
-    throw InputError(
-        fmt::format("--out {}: {}; `bagnold sweep {} --out {} --emit-slurm` prepares it",
-                    folder.string(), what, placed.sweep.origin, folder.string()));
+    throw InputError(fmt::format(
+        "--out {}: {}; `bagnold sweep {} --out {} --emit-slurm` prepares it", folder.string(), what,
+        shell_word(placed.sweep.origin), shell_word(folder.string())));
   };
   if (!fs::exists(folder / "points.json")) refuse("holds no sweep yet");
   if (placed.added() > 0 || !placed.longer.empty())

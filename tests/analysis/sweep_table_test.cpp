@@ -218,6 +218,15 @@ TEST_F(CsvTable, ARatioIsNoKey) {
   EXPECT_THROW(Quantity(alone, "Z/T_g"), InputError);
 }
 
+/// As spreadsheets write them.
+TEST_F(CsvTable, MayHaveAByteOrderMarkAndBlankLines) {
+  auto const found = table(
+      "\xEF\xBB\xBF"
+      "disks.seed,p\r\n1,2\r\n\r\n2,3\r\n\n");
+  EXPECT_EQ(found.numbers("disks.seed"), (std::vector<double>{1, 2}));
+  EXPECT_EQ(found.observables.at("p").mean, (std::vector<double>{2, 3}));
+}
+
 TEST_F(CsvTable, OddOnesAreRefused) {
   EXPECT_THROW(table(""), InputError);
   EXPECT_THROW(table("disks.seed,p\n"), InputError);

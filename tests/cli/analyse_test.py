@@ -464,6 +464,27 @@ grid = { "disks.elasticity" = [1, 2] }
             file["warnings"] = np.array([b"few_collisions"] * 288)
         self.refused("crossover", words=["288 of 288 points are left out", "few_collisions"])
 
+    def test_what_is_analysed_is_not_written_over(self):
+        self.bagnold_states()
+        self.analyse("table", "--y", "B_p")
+        table = self.folder / "crossover.csv"
+        table.write_bytes((self.sweep_folder / "table.csv").read_bytes())
+        before = table.read_bytes()
+        for out in ((), ("--out", self.folder / "crossover")):
+            self.assert_clean_error(self.bagnold("analyse", "crossover", table, *out), 2, "holds what is analysed")
+        self.assertEqual(table.read_bytes(), before)
+        (self.sweep_folder / "sweep.csv").write_text("kept")
+        self.refused("crossover", "--out", self.sweep_folder / "sweep", words=["holds what is analysed"])
+        self.assertEqual(self.bagnold("analyse", "crossover", table, "--out", f"{self.folder}/other/").returncode, 0)
+        self.assertTrue((self.folder / "other" / "crossover.csv").exists())
+
+    def test_first_points_of_a_table(self):
+        self.bagnold_states()
+        self.analyse("table", "--x", "disks.elasticity", "--y", "B_p", "--first", 2)
+        drawn = [row for row in rows_of(self.sweep_folder / "table.drawn.csv") if row["what"] == "data"]
+        self.assertEqual(len(drawn), 6 * 2)
+        self.assertEqual({round(float(row["x"]), 3) for row in drawn}, {0.1, 0.176})
+
     def test_a_curve_that_fails_leaves_the_others(self):
         self.bagnold_states()
         with h5py.File(self.sweep_folder / "sweep.h5", "r+") as file:
@@ -490,6 +511,11 @@ grid = { "disks.elasticity" = [1, 2] }
         self.refused("exponents", words=["--phi-j"])
         self.refused("divergence", "--of", "wish", words=["--of wish"])
         self.refused("jump", "--direction", "sideways", words=["sideways"])
+        self.refused("crossover", "--range", 8, 2, words=["--range 8 2", "must rise"])
+        self.refused("crossover", "--by", "disks.seed", words=["--by disks.seed", "seeds are one datum"])
+        self.two_transitions()
+        self.refused("transition", "--rates", 1e-6, 3e-5, words=["--rates 1e-06 3e-05 (must be two of 1e-06 1e-05)"])
+        self.refused("transition", "--rates", 1e-6, 1e-6, words=["must be two of"])
         self.sweep_folder = self.folder / "nowhere"
         self.refused("crossover", words=["is not there"])
 

@@ -67,7 +67,9 @@ class Chart(CliTest):
                              "--states", 500)
         self.wait_until(lambda: (self.folder / "out").is_dir(), process)
         process.send_signal(signal.SIGINT)
-        self.assertEqual(self.finish(process)[0], 130)
+        code, said = self.finish(process)
+        self.assertEqual(code, 130)
+        self.assertRegex(said, r"stopped after \d+ of 500 states; a chart keeps no checkpoint")
 
 
 if __name__ == "__main__":

@@ -2,6 +2,8 @@
 """`bagnold check-limit`: the scene at its rate and at half of it."""
 
 import json
+import re
+import shlex
 import signal
 import unittest
 
@@ -54,6 +56,19 @@ class CheckLimit(CliTest):
         found, said, _ = self.check("short")
         self.assertEqual(found["verdict"], "undecided")
         self.assertIn("undecided", said)
+
+    def test_the_command_that_goes_on_is_the_same_but_longer(self):
+        out = self.folder / "blanks in it"
+        words = ("--set", "disks.seed=3", "--set", "title='a b'", "--tolerance", 0.02)
+        said = self.bagnold("check-limit", self.scene(), "--out", out, *words)
+        self.assertEqual(said.returncode, 0, said.stderr)
+        command = re.search(r"`bagnold (check-limit .*--set shear.strain=)[^`]*?( --out [^`]*)` goes on", said.stdout)
+        longer = shlex.split(f"{command[1]}0.75{command[2]}")
+        self.assertEqual(self.bagnold(*longer).returncode, 0)
+        found = json.loads((out / "check_limit.json").read_text())
+        self.assertEqual(found["tolerance"], 0.02)
+        points = [read_summary(point)["scene"] for point in (out / "points").iterdir()]
+        self.assertEqual([(one["disks"]["seed"], one["shear"]["strain"]) for one in points], [(3, 0.75)] * 2)
 
     def test_disks_that_never_met_tell_nothing(self):
         """Their B_p is rounding, 1e-33, with an error of 0."""

@@ -42,6 +42,13 @@ class Edges(CliTest):
         self.assertIn(code, (2, 3), said)
         self.assertIn("integration.time_step", said)
 
+    def test_a_hot_gas_of_soft_disks_ends(self):
+        """Contacts by events in which disks pass each other: their lists were built without end."""
+        scene = {"disks": {"model": "CD_n", "count": 200, "packing_fraction": 0.05, "elasticity": 200.0, "mass": "equal"},
+                 "shear": {"strain_rate": 2e-3, "strain": 24.0}, "output": {"plot": False}}
+        result = self.bagnold("run", self.scene(scene), "--out", self.folder / "hot", timeout=60)
+        self.assertEqual(result.returncode, 0, result.stderr)
+
     def test_a_step_near_the_edge_of_a_packing(self):
         """Two stages: contacts that grow at 0.4 are few, and averages hardly show them."""
         for step, seen in ((0.2, False), (0.4, True)):

@@ -30,7 +30,7 @@ class Init(CliTest):
                     if " = " in line and not line.startswith(("#", "title")):
                         self.assertRegex(line, r" # [\w\[]", "a key without its meaning")
                 self.assertIn(f"bagnold run {name}", text)
-                quick = {"ramp": (*CUT, "--set", "shear.ramp_rate=1e-2"), "sequence": (*CUT[2:], "--set", "shear.pieces=[[1e-3, 0.05]]"),
+                quick = {"ramp": (*CUT, "--set", "shear.ramp_rate=1e-2", "--set", "shear.ramp_window=20"), "sequence": (*CUT[2:], "--set", "shear.pieces=[[1e-3, 0.05]]"),
                          "oscillate": (*CUT[2:], "--set", "shear.cycles=2"), "stress": (*CUT[2:], "--set", "shear.time=2e3")}.get(protocol, CUT)
                 self.run_scene(self.folder / name, self.folder / protocol, *quick)
 

@@ -3,6 +3,8 @@
 
 import json
 import os
+import re
+import shlex
 import signal
 import time
 import unittest
@@ -50,6 +52,9 @@ class Status(SweepTest):
         self.assertIn("stopped: strain", said)
         self.assertIn(f"`bagnold resume {out}` goes on", said)
         self.assertNotIn("until", said)
+        blanks = out.rename(self.folder / "it's with blanks")
+        command = re.search("`bagnold (.*)` goes on", self.status(blanks))[1]
+        self.assertEqual(shlex.split(command), ["resume", str(blanks)])
 
     def test_a_run_shows_something_soon(self):
         """The first checkpoint comes long before the ten minutes of output.checkpoint_minutes."""

@@ -192,8 +192,7 @@ TEST_P(Driven, DissipationIsThatOfTheAllPairsReference) {
   }
 }
 
-/// Without contacts and shear what the drive gives and takes is what the motion gains, to rounding
-/// with two stages; with the papers' scheme to first order in z.
+/// Without contacts and shear what the drive gives and takes is what the motion gains, to rounding.
 TEST_P(Driven, PowersAreWhatTheMotionGains) {
   for (std::string const kind : {"stokes", "thermal"}) {
     Scene scene = this->scene(kind, 0.05);
@@ -220,7 +219,7 @@ TEST_P(Driven, PowersAreWhatTheMotionGains) {
       double const drag = sums.at(drive + DriveColumns::drag);
       double const push = sums.at(drive + DriveColumns::push);
       ASSERT_EQ(sums[SumColumns::contacts], 0);
-      EXPECT_NEAR(push - drag, gained, (two_stages() ? 1e-11 : 0.1) * (std::abs(push) + drag));
+      EXPECT_NEAR(push - drag, gained, 1e-11 * (std::abs(push) + drag));
       EXPECT_GT(drag, 0);
       if (kind == "stokes") {
         EXPECT_EQ(push, 0);

@@ -8,6 +8,7 @@
 #include "src/config/abilities.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/laws.hpp"
+#include "src/config/quasi_static.hpp"
 #include "tests/support/contacts.hpp"
 #include "tests/support/events.hpp"
 
@@ -324,6 +325,25 @@ TEST_P(Events, SampleVelocitiesInContact) {
 INSTANTIATE_TEST_SUITE_P(All, Events, testing::Values("CD", "CD_n", "CD_rot", "CD_nt"),
                          [](auto const& info) { return info.param; });
 
+/// Two that pass each other while they touch: the line on which one leaves the contact passes its
+/// place at the build of the lists by more than the reach, so that they are out of date at once.
+TEST(EventsLists, AreBuiltOnceAStepAtMost) {
+  Scene scene = dilute_scene("CD_n", 0.05, 4, 100);
+  State start = shaken_start(scene);
+  start.diameter = {1.0, 1.0, 1.4, 1.4};
+  start.position = {{3, 3}, {7, 7}, {3, 4.1988}, {3.5, 7}};
+  double const u = 0.2, v = 0.07;
+  start.velocity = {{u, v}, {-u, 0}, {u, -v}, {-u, 0}};
+  for (std::size_t i = 0; i < 4; ++i) start.velocity[i][0] += slow_rate * start.position[i][1];
+  auto const events = simulate_events(scene, start);
+  reference::System oracle(reference_parameters(in_steps(scene, 0.001)), start);
+  double const time = 6;
+  advance(*events, std::llround(time / time_step(scene)));
+  EXPECT_GT(gap_of(events->state(), 0, 2), 0.1);  // parted
+  for (int k = 0; k < std::llround(time / 0.001); ++k) reference::step(oracle);
+  EXPECT_LT(distance_between(events->state(), oracle.s), 1e-4);
+}
+
 /// Pressure, temperature and contacts of a steady state are those of the default engine, within
 /// four joint errors of ten blocks.
 TEST(EventsSteadyState, IsThatOfTheDefaultEngine) {
@@ -385,6 +405,11 @@ TEST(EventsRefuse, WhatTheyCannotDo) {
   has(refused(
           [](Scene& s) { s.integration.engine = "auto", s.integration.scheme = exact_contacts; }),
       "engine = \"events\" alone");
+  Scene scene = dilute_scene("CD_n");
+  scene.integration.time_step = 1;
+  EXPECT_TRUE(misused_quasi_static(scene).empty());
+  scene.integration.time_step = 1.5;
+  has(misused_quasi_static(scene).at(0).message, "must be at most 1 with integration.engine");
   EXPECT_NEAR(least_underdamped_elasticity(dilute_scene("CD_n")), 0.588, 0.001);
 }
 

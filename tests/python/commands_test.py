@@ -61,6 +61,8 @@ class Commands(Folder):
         rates = {"protocol": "cascade", "strain_rates": [2.0**-6, 2.0**-7], "strain": 0.25}
         cascade = bagnold.status(run({**SCENE, "shear": rates}, self.folder / "cascade").folder)
         self.assertEqual((cascade.kind, cascade.state, [point.state for point in cascade.points]), ("cascade", "done", ["done"] * 2))
+        self.assertEqual((cascade.share, [(point.folder / "result.h5").exists() for point in cascade.points]), (1, [True] * 2))
+        self.assertTrue(np.isnan(cascade.strain))
 
     def test_analyse(self):
         s = many()

@@ -4,6 +4,7 @@ are installed."""
 
 import base64
 import csv
+import dataclasses
 import importlib.util
 import math
 import os
@@ -170,6 +171,16 @@ class Exports(Folder):
             self.same_places(frame.box, ends[:, 0], frame.position[contacts.i])
             np.testing.assert_allclose(frame.box.nearest(ends[:, 1] - frame.position[contacts.j])[0], 0, atol=1e-9)
 
+    def test_names_with_dots(self):
+        """"phi0.80" and "phi0.82" have no file in common."""
+        run = with_frames()
+        for to in ("vtk", "lammps"):
+            one, two = (set(bagnold.export(run, to, self.folder / name, contacts=True)) for name in ("phi0.80", "phi0.82"))
+            self.assertFalse(one & two)
+        self.assertTrue((self.folder / "phi0.80_vtk" / "000000.vtp").exists())
+        self.assertTrue((self.folder / "phi0.82_vtk" / "000000.vtp").exists())
+        self.assertTrue((self.folder / "phi0.80.frames.csv").exists())
+
     def test_frames_are_chosen(self):
         from bagnold.exports import parse_frames
         for text, chosen in (("2:5", [2, 3, 4]), (":3", [0, 1, 2]), ("-1:", [8]), ("::4", [0, 4, 8]), ("7", [7]),
@@ -240,6 +251,22 @@ class Exports(Folder):
                 self.assertEqual(one.log["strain"][0], frame.strain)
                 np.testing.assert_array_equal(one.bonds.group, np.stack([contacts.i, contacts.j], axis=1))
                 np.testing.assert_array_equal(one.log["bonds/overlap"], contacts.overlap)
+
+    @needs("gsd")
+    def test_gsd_frames_without_contacts(self):
+        """They have none, and not those of the first."""
+        import gsd.hoomd
+        from bagnold.contacts import contacts_of
+        from bagnold.exports.gsd_file import write
+        run = with_frames()
+        far = dataclasses.replace(run.frames[1], position=run.frames[1].box.length * np.stack(
+            [np.arange(len(run.frames[1])) / len(run.frames[1]), np.zeros(len(run.frames[1]))], axis=1),
+            diameter=np.full(len(run.frames[1]), 1e-3))
+        frames = [run.frames[0], far]
+        write(frames, [contacts_of(frame, run.scene) for frame in frames], self.folder / "x.gsd")
+        with gsd.hoomd.open(str(self.folder / "x.gsd")) as file:
+            self.assertGreater(file[0].bonds.N, 0)
+            self.assertEqual([(frame.bonds.N, len(frame.log["bonds/overlap"])) for frame in file][1], (0, 0))
 
     @needs("ase")
     def test_ase(self):

@@ -134,6 +134,9 @@ class Sequences(Pictures):
         ends = source.series["time"][0][24:] - 48
         np.testing.assert_allclose(stop.get_xdata(), (ends + np.append(0, ends[:-1])) / 2)
         self.assertEqual(pressure.get_xscale(), "log")
+        bands = [path for axes in figure.axes if axes.get_yscale() == "log" for one in axes.collections
+                 for path in one.get_paths() if one.get_alpha() == 0.25]
+        self.assertTrue(bands and all((path.vertices[:, 1] > 0).all() for path in bands))
 
     def test_from_a_state_and_again_and_again(self):
         first = self.drawn()

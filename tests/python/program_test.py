@@ -109,12 +109,17 @@ class Runs(Folder):
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             bagnold.run(SCENE, self.folder / "one", progress=shares.append, shear__strain=64.0)
+            stages = []
+            bagnold.run({**SCENE, "shear": {"protocol": "cascade", "strain_rates": [2.0**-6, 2.0**-7], "strain": 32.0}},
+                        self.folder / "cascade", progress=stages.append)
             counts = []
             bagnold.sweep_file({**SCENE, "sweep": {"grid": {"disks.seed": [1, 2]}}}, self.folder / "many",
                                progress=counts.append)
         self.assertEqual(shares[0], 0)
         self.assertEqual(shares, sorted(shares))
         self.assertTrue(0 <= shares[-1] <= 1)
+        self.assertEqual(stages, sorted(stages))
+        self.assertGreaterEqual(stages[-1], 1 / 3, stages)  # the second rate begins there
         self.assertEqual(counts[-1], 1)
 
     def test_progress_is_a_line_on_stderr(self):

@@ -114,6 +114,7 @@ class Reports(Folder):
         rates = {"protocol": "cascade", "strain_rates": [2.0**-6, 2.0**-7], "strain": 0.25}
         text, page = self.page(run({**SCENE, "shear": rates}, self.folder / "cascade"))
         self.assertEqual(text.count("<tr><td data-value"), 2)
+        self.assertIn(f"bagnold resume {self.folder}/cascade --strain S ", text)
 
     def test_what_is_not_complete_is_refused(self):
         run(SCENE, self.folder / "one")
@@ -174,6 +175,13 @@ class Watching(Folder):
     def test_many(self):
         found, said = self.watched(many().folder)
         self.assertIn("3 points: 3 done; 100%", said)
+
+    def test_a_cascade(self):
+        rates = {"protocol": "cascade", "strain_rates": [2.0**-6, 2.0**-7], "strain": 0.25}
+        found, said = self.watched(run({**SCENE, "shear": rates}, self.folder / "cascade").folder)
+        first, second, last = said.splitlines()
+        self.assertRegex(first, r"^1  done 100%  strain 0.25  p .*  sigma .*  Z ")
+        self.assertRegex(last, "2 rates: 2 done; 100%")
 
     def test_until_it_ends(self):
         path = self.folder / "out"

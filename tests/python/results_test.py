@@ -51,6 +51,24 @@ class Results(Folder):
         with self.assertRaisesRegex(KeyError, "B_q is not among the series"):
             r.series["B_q"]
 
+    def test_frames_of_a_run_that_is_made_longer(self):
+        """The trajectory of the shorter run stays until that of the longer one is whole."""
+        source, made = with_frames(), self.folder / "longer"
+        shutil.copytree(source.folder, made)
+        whole = made / "trajectory.h5md"
+        (made / "trajectory.parts").mkdir()
+        self.assertEqual(len(bagnold.load(made).frames), len(source.frames))
+        for part in ("000000_a.h5md", "000001_b.h5md"):  # those of the shorter run, and as many new ones
+            shutil.copy(whole, made / "trajectory.parts" / part)
+        self.assertEqual(len(bagnold.load(made).frames), 2 * len(source.frames))
+
+    def test_a_cascade_names_its_rates(self):
+        rates = {"protocol": "cascade", "strain_rates": [2.0**-6, 2.0**-7], "strain": 0.25}
+        r = run({**SCENE, "shear": rates}, self.folder / "cascade")
+        for what in ("series", "state", "frames"):
+            with self.assertRaisesRegex(bagnold.FileError, "is a cascade, a run a rate: take one of r.points"):
+                getattr(r, what)
+
     def test_states_of_replicas_at_given_stress(self):
         """Each has a strain of its own."""
         held = {"protocol": "stress", "stress": 2e-3, "time": 2048.0, "strain_rate": 2.0**-7}

@@ -171,6 +171,28 @@ class Displacements(unittest.TestCase):
         np.testing.assert_allclose(structure.unwrapped(without), by_image, atol=1e-9)
         self.assertEqual(structure.unwrapped([]).shape, (0, 0, 2))
 
+    def test_images_unwrap_likewise_in_a_box_that_changes(self):
+        """Disks that the box takes along, and that flow and wander, many boxes up."""
+        random, made = np.random.default_rng(4), []
+        length, place = 9.0, random.uniform(0, 9.0, (20, 2))
+        for k in range(30):
+            box = bagnold.Box(length, length, 0.2 * k * length - length * np.round(0.2 * k))
+            rows = np.floor(place[:, 1] / length)
+            x = place[:, 0] - rows * 0.2 * k * length  # of the image below
+            x -= length * np.floor(x / length)
+            columns = np.rint((place[:, 0] - x - rows * box.tilt) / length)
+            made.append(dataclasses.replace(random_frame(20), step=k, strain=0.2 * k, box=box,
+                                            position=np.stack([x, place[:, 1] - rows * length], axis=1),
+                                            image=np.stack([columns, rows], axis=1).astype(np.int64)))
+            scale = 1 + 0.02 * np.sin(k)
+            length, place = scale * length, scale * place
+            up = random.normal(scale=0.5, size=20) + 0.5
+            place = place + np.stack([0.2 * (place[:, 1] + up / 2) + random.normal(scale=0.3, size=20), up], axis=1)
+        without = [dataclasses.replace(frame, image=None) for frame in made]
+        by_image = structure.unwrapped(made)
+        self.assertGreater(by_image[:, :, 1].max(), 2 * 9.0)
+        np.testing.assert_allclose(structure.unwrapped(without), by_image, atol=1e-9)
+
     def test_images_unwrap_frames_far_apart(self):
         """Disks that went further than half the box from frame to frame, from any frame on."""
         frames, walked = self.walk(1.0)

@@ -112,6 +112,19 @@ TEST(MeanMotion, IsTakenOffAtEveryStart) {
   }
 }
 
+/// A fluid takes it off by itself, and a bath gives one.
+TEST(MeanMotion, IsLeftToADrive) {
+  State const state = moving(rate, {0.02, -0.01});
+  Scene scene = scene_of("equal");
+  for (std::string const kind : {"stokes", "thermal"}) {
+    scene.drive.kind = kind;
+    auto const started = fit_to_scene({state}, scene).front();
+    EXPECT_EQ(started.state.velocity, state.velocity);
+    EXPECT_EQ(recorded(started), 0u);
+    EXPECT_FALSE(started.mean_motion);
+  }
+}
+
 /// What disks do against each other stays: the start is that of the state without its mean.
 TEST(MeanMotion, IsAllThatIsTakenOff) {
   Scene scene = scene_of("area");

@@ -78,6 +78,13 @@ TEST_F(Script, FewerTasksThanChains) {
   EXPECT_EQ(chains(3, 1, 3, 3), "3 6 ");
 }
 
+TEST_F(Script, UnstableStepsAreAcceptedInBoth) {
+  EXPECT_EQ(slurm_collect(job).find("--allow-unstable"), std::string::npos);
+  job.allow_unstable = true;
+  EXPECT_NE(slurm_array(sweep, job).find(" --allow-unstable --chain"), std::string::npos);
+  EXPECT_NE(slurm_collect(job).find(" --allow-unstable --collect"), std::string::npos);
+}
+
 TEST_F(Script, AsTheArrayWasSubmitted) {
   EXPECT_EQ(chains(1, 1, 2, 2), "1 3 5 7 ");
   EXPECT_EQ(chains(2, 1, 2, 2), "2 4 6 ");

@@ -7,6 +7,7 @@
 #include "kernels/cpu/steps/pass_of.hpp"
 #include "kernels/physics/drives/drive_power.hpp"
 #include "kernels/physics/drives/second_drag.hpp"
+#include "kernels/physics/drives/trial_shares.hpp"
 #include "kernels/physics/random.hpp"
 #include "kernels/physics/sums/sums.hpp"
 
@@ -18,7 +19,7 @@ enum class DrivePart {
   force,          ///< adds the force at `now` to the forces in the scratch
   trial_force,    ///< adds the force at the trial state, where the step ends
   second,         ///< adds the second stage: the drag of the changes that `trial` holds
-  power,          ///< powers of the force, with the mean of the velocities of `now` and `trial`
+  power,          ///< powers of the force, by the velocities of `now` and `trial`
   powers_of_both  ///< powers of both stages, with the velocities halfway through the step
 };
 
@@ -40,7 +41,11 @@ class DriveOnBlocks final : public BlockDrive<F, Rotates> {
   using Force = F;
 
   DriveOnBlocks(DriveInput const& input, RandomStream const& stream)
-      : drive_(Drive::make(input)), second_(input), time_step_(input.time_step), stream_(stream) {}
+      : drive_(Drive::make(input)),
+        second_(input),
+        trial_shares_(input),
+        time_step_(input.time_step),
+        stream_(stream) {}
 
   std::unique_ptr<BlockPass const> pass(DrivePart part) const override {
     auto const make = [&](typename PassOf<DriveOnBlocks>::Run run, When when) {
@@ -89,10 +94,8 @@ class DriveOnBlocks final : public BlockDrive<F, Rotates> {
       auto const slot = block.first + i;
       auto const r = simd::load_records(s.trial.record.data() + slot);
       auto const trial = moving(s, s.trial, slot, r, disk.position.y, strain_rate);
-      auto halfway = disk;
-      halfway.velocity = Pack(0.5) * (disk.velocity + trial.velocity);
-      halfway.spin = 0.5 * (disk.spin + trial.spin);
-      return Acting{drag_force(drive_.drag, disk), drive_.push(disk), halfway};
+      return Acting{drag_force(drive_.drag, trial_shares_.dragged(disk, trial)), drive_.push(disk),
+                    trial_shares_.halfway(disk, trial)};
     });
     return {};
   }
@@ -209,6 +212,7 @@ class DriveOnBlocks final : public BlockDrive<F, Rotates> {
 
   Drive drive_;
   SecondDrag second_;
+  TrialShares trial_shares_;
   Real time_step_;
   RandomStream stream_;
 };

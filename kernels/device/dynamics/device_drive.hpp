@@ -6,6 +6,7 @@
 #include "kernels/device/loops.hpp"
 #include "kernels/physics/drives/drive_power.hpp"
 #include "kernels/physics/drives/second_drag.hpp"
+#include "kernels/physics/drives/trial_shares.hpp"
 #include "kernels/physics/motion.hpp"
 #include "kernels/physics/random.hpp"
 #include "kernels/physics/sums/sums.hpp"
@@ -21,9 +22,11 @@ struct DrivenViews {
   Real strain_rate;                                    ///< gammadot, [1 / tau_e]
   std::int64_t step;
 
-  KOKKOS_FUNCTION DrivenDisk<Real> operator()(std::int64_t i) const {
+  KOKKOS_FUNCTION DrivenDisk<Real> operator()(std::int64_t i) const { return moving(motion(i), i); }
+
+  /// Disk i where it is, moving like this.
+  KOKKOS_FUNCTION DrivenDisk<Real> moving(Motion<Rotates> const& moves, std::int64_t i) const {
     DrivenDisk<Real> disk = sized(i);
-    auto const moves = motion(i);
     disk.position = position(i);
     disk.velocity = {peculiar_x(moves.velocity.x, disk.position.y, strain_rate), moves.velocity.y};
     if constexpr (Rotates) disk.spin = moves.spin + strain_rate / 2;
@@ -64,8 +67,8 @@ class DeviceDrive {
   virtual void kick_correction(Space const& space, Disks const& trial, Motions const& motion,
                                Positions const& position) const = 0;
 
-  /// Powers at the velocities halfway from the disks' motion to `after`. change: of the first
-  /// stage, whose drag acts too; or empty.
+  /// Powers at the velocities halfway from the disks' motion to `after`, with `change` of the first
+  /// stage, whose drag acts too; or, without `change`, `after` is the trial motion.
   virtual DrivePower power(Space const& space, Disks const& disks, Motions const& after,
                            Motions const& change) const = 0;
 };
@@ -81,6 +84,7 @@ class DriveOnDevice final : public DeviceDrive<Rotates, Space> {
   DriveOnDevice(DriveInput const& input, RandomStream const& stream)
       : force_{Drive::make(input), stream},
         second_(input),
+        trial_shares_(input),
         kick_{input.table, input.time_step},
         scheme_(input.scheme) {}
 
@@ -107,7 +111,7 @@ class DriveOnDevice final : public DeviceDrive<Rotates, Space> {
     Kokkos::View<DrivePower*, Space> const of_disk("dynamics::drive_power",
                                                    disks.species.extent(0));
     for_all(space, "dynamics::DrivePower", disks,
-            PowerOfDisk{disks, force_, second_, after, change, of_disk});
+            PowerOfDisk{disks, force_, second_, trial_shares_, after, change, of_disk});
     auto const on_host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), of_disk);
     DrivePower total;
     for (std::size_t i = 0; i < on_host.extent(0); ++i) total += on_host(i);
@@ -201,23 +205,27 @@ class DriveOnDevice final : public DeviceDrive<Rotates, Space> {
     Disks disks;
     Force force;
     SecondDrag second;
+    TrialShares shares;
     Motions after, change;
     Kokkos::View<DrivePower*, Space> power;
 
     KOKKOS_FUNCTION void operator()(std::int64_t i) const {
       auto const disk = disks(i);
-      auto drag = force.drag(disk);
-      if (change.extent(0) != 0) drag += second(disks.of(change(i), i));
-      auto const then = after(i);
-      auto halfway = disk;
-      halfway.velocity.x =
-          (disk.velocity.x + peculiar_x(then.velocity.x, disk.position.y, disks.strain_rate)) / 2;
-      halfway.velocity.y = (disk.velocity.y + then.velocity.y) / 2;
+      auto const then = disks.moving(after(i), i);
+      DrivenDisk<Real> halfway;
+      Push<Real> drag;
+      if (change.extent(0) != 0) {
+        halfway = disk;
+        halfway.velocity = 0.5 * (disk.velocity + then.velocity);
+        halfway.spin = (disk.spin + then.spin) / 2;
+        drag = force.drag(disk);
+        drag += second(disks.of(change(i), i));
+      } else {
+        halfway = shares.halfway(disk, then);
+        drag = force.drag(shares.dragged(disk, then));
+      }
       auto push = force.push(disk, i, disks.step);
-      if constexpr (Rotates)
-        halfway.spin = (disk.spin + then.spin + disks.strain_rate / 2) / 2;
-      else
-        push.torque = 0;
+      if constexpr (!Rotates) push.torque = 0;
       power(i) = {-power_of(drag, halfway, disks.strain_rate),
                   power_of(push, halfway, disks.strain_rate)};
     }
@@ -231,6 +239,7 @@ class DriveOnDevice final : public DeviceDrive<Rotates, Space> {
 
   Force force_;
   SecondDrag second_;
+  TrialShares trial_shares_;
   Kick kick_;
   SchemeOnDisk scheme_;
 };

@@ -63,7 +63,6 @@ def _frame(made: object, frame: Frame, contacts: Contacts | None) -> object:
         bonds = made.bonds  # type: ignore[attr-defined]
         bonds.N, bonds.types = len(contacts), ["contact"]
         bonds.group = np.stack([contacts.i, contacts.j], axis=1)
-        if len(contacts):
-            log.update({"bonds/overlap": contacts.overlap, "bonds/normal_force": contacts.normal_force,
-                        "bonds/tangential_force": contacts.tangential_force})
+        log.update({"bonds/overlap": contacts.overlap, "bonds/normal_force": contacts.normal_force,
+                    "bonds/tangential_force": contacts.tangential_force})  # empty ones too, else those of the first frame
     return made

@@ -10,7 +10,7 @@ import numpy as np
 
 from ..contacts import ContactFrames
 from ..frames import Box, Frame, Frames
-from .text import in_cell, rows_of, written_whole
+from .text import file_beside, in_cell, rows_of, written_whole
 
 
 def _box(box: Box) -> str:
@@ -39,7 +39,7 @@ def _disks(frame: Frame) -> str:
 
 def write(frames: Frames, contacts: ContactFrames | None, target: pathlib.Path) -> list[pathlib.Path]:
     """Writes the files; returns them."""
-    told, pairs = target.with_suffix(".frames.csv"), target.with_suffix(".contacts.dump")
+    told, pairs = file_beside(target, ".frames.csv"), file_beside(target, ".contacts.dump")
     with written_whole(told) as table, written_whole(target) as dump:
         table.write("step,time,strain,strain_rate,tilt\n")
         for frame in frames:

@@ -77,7 +77,8 @@ def packing(source: Source | Frame, which: int = -1, *, color: str | Any = "velo
 
     source: a frame, or a run: frame `which` of its trajectory, else its last state. color: "velocity" (beyond the mean flow,
     along it), "speed", "rate" (of its slice: bands), "spin", "contacts", "size", or a number for each disk, [N]. forces: lines
-    between centres, as wide as the force; or the contacts that they are of. axes: to draw into."""
+    between centres, as wide as the force, of a frame alone as the elastic one (``forces=r.contacts[k]`` has the scene's law); or
+    the contacts that they are of. axes: to draw into."""
     with _styled():
         return _as(style, packing_page.draw(source, which, color, forces, axes))
 

@@ -143,7 +143,7 @@ class Packing:
 def frame_of(source, which=-1):
     """A frame and its contacts: of a run frame `which` of its trajectory, else its last state."""
     if isinstance(source, Frame):
-        disks = {"model": "CD", "elasticity": 1.0, "force_exponent": 2.0, "damping_normal": 1.0, "damping_tangential": 1.0}
+        disks = {"model": "", "elasticity": 1.0, "force_exponent": 2.0}  # of no known law: the elastic force
         return source, contacts_of(source, {"disks": disks})
     run = source if isinstance(source, Run) else Run(source)
     if (run.folder / "trajectory.h5md").exists() or float(run.scene.get(f"output.{run.frame_spacing}", 0)) > 0:

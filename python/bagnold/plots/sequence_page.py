@@ -57,15 +57,16 @@ def mean_and_error(run, name, piece, sign=1.0):
     return mean, error
 
 
-def draw_lines(axes, run, name, pieces, where, value=lambda run, name, piece: mean_and_error(run, name, piece)):
-    """A line a piece, with a band of its error, or if there are many windows pale below its running mean."""
+def draw_lines(axes, run, name, pieces, where, value=lambda run, name, piece: mean_and_error(run, name, piece), least=-np.inf):
+    """A line a piece, with a band of its error, or if there are many windows pale below its running mean. `least`: of the
+    band, above 0 on a logarithmic axis."""
     count = max(piece.number for piece in pieces)
     for piece in pieces:
         colour = colour_of(piece.number - 1, count)
         x, (mean, error) = where(piece), value(run, name, piece)
         marker = "o" if len(x) < 40 else None
         if error is not None:
-            axes.fill_between(x, mean - error, mean + error, color=colour, alpha=0.25, lw=0)
+            axes.fill_between(x, np.maximum(mean - error, least), mean + error, color=colour, alpha=0.25, lw=0)
         elif len(x) >= MANY_WINDOWS:
             axes.plot(x, mean, color=colour, alpha=0.3, lw=0.5)
             mean = smooth(mean, len(x) // 100)
@@ -103,7 +104,7 @@ def draw_stop(axes, run, name, pieces):
         mean, error = mean_and_error(run, name, piece)
         return np.abs(mean), error
 
-    draw_lines(axes, run, name, pieces, lambda piece: piece.time(run), size)
+    draw_lines(axes, run, name, pieces, lambda piece: piece.time(run), size, np.finfo(float).tiny)
     count = max(piece.number for piece in pieces)
     for piece in pieces:
         mean = run[name][piece.windows]

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "src/analysis/kinds/kinds.hpp"
@@ -60,16 +61,25 @@ Report merged_table(SweepTable const& table, Request const& request) {
   Panel panel(report, x, y, covers_decades(x), y != "mu");
   Quantity const right(table, x, request.phi_j), up(table, y, request.phi_j);
   std::size_t pooled = 0, data = 0;
-  for (auto const& curve : curves)  // those without an error too: nothing is fitted
+  for (auto const& curve : curves) {  // those without an error too: nothing is fitted
+    std::vector<std::pair<Value, Value>> points;
     for (auto const& datum : curve.data) {
       auto const at = right.of(datum.rows), value = up.of(datum.rows);
       bool const wanted =
           !request.range || (at.mean >= request.range->first && at.mean <= request.range->second);
-      if (!wanted || !std::isfinite(at.mean) || !std::isfinite(value.mean)) continue;
+      if (wanted && std::isfinite(at.mean) && std::isfinite(value.mean))
+        points.emplace_back(at, value);
+    }
+    if (request.first != 0 && request.first < points.size()) {
+      std::ranges::stable_sort(points, {}, [](auto const& point) { return point.first.mean; });
+      points.resize(request.first);
+    }
+    for (auto const& [at, value] : points) {
       ++data;
       pooled += value.pooled;
       panel.point("data", caption(curve.labels), at.mean, at.error, value.mean, value.error);
     }
+  }
   note_errors(report, pooled, data, up.widened());
   return report;
 }

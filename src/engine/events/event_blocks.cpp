@@ -94,6 +94,7 @@ Real EventBlocks<Rotates>::window_end(Real until) const {
   Real leaves = never;
   if (!all_changed_)
     for (auto const& block : blocks_) leaves = std::min(leaves, block->leaves());
+  leaves = std::max(leaves, whole_.disks.now);  // 0: of a line that never comes into reach
   Real const end = std::min({until, whole_.build_time(), whole_.disks.now + window_});
   return leaves < end ? std::min(end, whole_.times.time(whole_.times.step_at(leaves))) : end;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -72,9 +73,11 @@ struct EventState {
   }
 
   /// A disk is out of its reach: the lists are to be built at the first end of a step from a time
-  /// on.
+  /// on, but not where they were built last: the line on which a disk leaves a contact under way
+  /// may pass its place at the build by more than the reach.
   void ask_for_build(std::uint32_t disk, Real from) {
-    if (disks.owns(disk)) build_step = std::min(build_step, times.step_at(from));
+    if (disks.owns(disk))
+      build_step = std::min(build_step, std::max<std::int64_t>(1, times.step_at(from)));
   }
   Real build_time() const { return times.time(build_step); }
 

@@ -32,13 +32,13 @@ std::string flow_of_bands(double kinetic_share) {
 }
 
 /// (<m dv_x^2> - <m dv_y^2>)^(1/2) / (<m>^(1/2) gammadot L_y), where the first is 2 delta_p_kin/n.
-double excess_along(FinishedRun const& finished) {
+double excess_along(FinishedRun const& finished, double height) {
   auto const& [run, found] = finished;
   bool const by_area = run.scene.mass_by_area();
   double const mass = (disk_mass(by_area, small_diameter) + disk_mass(by_area, big_diameter)) / 2;
-  double const density = static_cast<double>(run.scene.disks.count) / run.box_area();
+  double const density = static_cast<double>(run.scene.disks.count) / finished.box_area();
   double const square = 2 * finished.mean("delta_p_kin") / density / mass;
-  return std::sqrt(std::max(0.0, square)) / (run.scene.shear.strain_rate * run.box_height());
+  return std::sqrt(std::max(0.0, square)) / (run.scene.shear.strain_rate * height);
 }
 
 /// A state has as many disks as it has.
@@ -50,13 +50,14 @@ std::string more_disks(FinishedRun const& finished) {
 }  // namespace
 
 std::optional<Warning> box_size(FinishedRun const& finished) {
-  double const anisotropy = finished.mean("R_v"), length = finished.run.box_length;
-  double const height = finished.run.box_height();
+  double const scale = std::sqrt(finished.box_area() / finished.run.box_area());
+  double const anisotropy = finished.mean("R_v"), length = scale * finished.run.box_length;
+  double const height = scale * finished.run.box_height();
   double const kinetic_share = finished.mean("p_kin") / finished.mean("p");
   double const least = std::min(length, height);
   auto const momentum = net_momentum(finished);
   bool const moves_as_one = momentum && !momentum->is_note;  // which raises R_v
-  double const excess = excess_along(finished);
+  double const excess = excess_along(finished, height);
   bool const met = !few_collisions(finished);  // else R_v is what the start was
   if (met && anisotropy > most_anisotropy && excess > least_of_bands && !moves_as_one)
     return Warning{

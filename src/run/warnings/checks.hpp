@@ -113,14 +113,16 @@ inline constexpr Check* checks_of_pieces[] = {contact_network, stress_drift, few
                                               net_momentum};
 
 /// Checks of a flow at given stress, whose strain rate is not known before.
-inline constexpr Check* checks_at_stress[] = {large_overlap, contact_network, steady_state,
-                                              net_momentum,  stress_not_held, arrest};
+inline constexpr Check* checks_at_stress[] = {
+    large_overlap, implicit_inertia, drag_inertia,    contact_network,
+    steady_state,  net_momentum,     stress_not_held, arrest};
 
 /// Checks of a flow at given pressure, whose packing fraction is not known before.
 inline constexpr Check* checks_at_pressure[] = {
-    large_overlap,  energy_balance,  dissipative_pressure, rotation_balance,
-    collision_loss, contact_network, steady_state,         error_bar,
-    few_collisions, net_momentum,    pressure_not_held};
+    large_overlap,  energy_balance,   dissipative_pressure, rotation_balance,
+    collision_loss, implicit_inertia, drag_inertia,         contact_network,
+    steady_state,   error_bar,        few_collisions,       net_momentum,
+    box_size,       pressure_not_held};
 
 /// "the mean motion against the shear flow, (-0.03, 0) d_s/tau_e, 97% of the kinetic energy"
 std::string mean_motion_in_words(std::array<double, 2> const& velocity, double share);

@@ -14,6 +14,7 @@ constexpr double most_kinetic_in_drag = 3e-4;  ///< p_kin / p; docs/results/bubb
 
 std::optional<Warning> drag_inertia(FinishedRun const& finished) {
   auto const& drive = finished.run.scene.drive;
+  auto const& shear = finished.run.scene.shear;
   if (drive.kind != StokesDrag::name) return {};
   double const kinetic = finished.mean("p_kin") / finished.mean("p");
   if (!(kinetic > most_kinetic_in_drag)) return {};
@@ -24,8 +25,10 @@ std::optional<Warning> drag_inertia(FinishedRun const& finished) {
                   "that of bubbles, which depends on gammadot zeta alone",
                   kinetic, most_kinetic_in_drag),
       fmt::format(
-          "for bubbles raise drive.drag = {} and lower shear.strain_rate = {} by one factor",
-          drive.drag, finished.run.scene.shear.strain_rate),
+          "for bubbles raise drive.drag = {}{}", drive.drag,
+          shear.finds_rate()
+              ? ""
+              : fmt::format(" and lower shear.strain_rate = {} by one factor", shear.strain_rate)),
       "",
       /*is_note=*/true};
 }

@@ -2,13 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <span>
 
 #include "src/config/oscillation.hpp"
+#include "src/config/shell_word.hpp"
 #include "src/run/make_longer.hpp"
 #include "src/run/warnings/checks.hpp"
 
@@ -103,21 +102,8 @@ std::string half_the_step(FinishedRun const& finished) {
                      given_step(finished.run, finished.run.plan.time_step / 2, 6));
 }
 
-namespace {
-
-/// Folder quoted for a shell.
-std::string quoted(std::string const& folder) {
-  auto const plain = [](unsigned char c) { return std::isalnum(c) || std::strchr("_./=+-,:", c); };
-  if (std::ranges::all_of(folder, plain)) return folder;
-  std::string word = "'";
-  for (char const c : folder) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return word + "'";
-}
-
-}  // namespace
-
 std::string with_folder(std::string text, std::string const& name) {
-  auto const folder = quoted(name);
+  auto const folder = shell_word(name);
   for (auto at = text.find("DIR"); at != std::string::npos; at = text.find("DIR", at)) {
     text.replace(at, 3, folder);
     at += folder.size();

@@ -231,6 +231,20 @@ TEST_F(Checks, ImplicitDampingWhereInertiaHasAPart) {
   EXPECT_NEAR(number(list[0], "p_kin_share"), 1e-2, 1e-4);
 }
 
+/// At given stress and at given pressure as well.
+TEST_F(Checks, InertiaHasAPartWhateverIsHeld) {
+  for (std::string const protocol : {"stress", "pressure"}) {
+    warnings_of(Flow{.kinetic = 1e-2});
+    run.scene.shear.protocol = protocol;
+    run.scene.shear.stress = 1e-4;
+    run.scene.shear.pressure = 1e-4;
+    run.scene.integration.scheme = ImplicitDamping::name;
+    EXPECT_NE(names(found()).find("implicit_inertia"), std::string::npos) << names(found());
+    run.scene.drive.kind = "stokes";
+    EXPECT_NE(names(found()).find("drag_inertia"), std::string::npos) << names(found());
+  }
+}
+
 /// From 1% on, where energy_balance keeps still to 2%.
 /// Measured: p of N = 256 at phi = 0.82 differs by 0 to 3(3)% below, and by 17(6)% from 4.7e-4 on.
 TEST_F(Checks, ADragThatDoesNotOvercomeInertia) {

@@ -4,10 +4,13 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "src/config/cascade.hpp"
 #include "src/config/errors.hpp"
+#include "src/config/run_time.hpp"
 #include "src/config/scene_file.hpp"
+#include "src/config/shell_word.hpp"
 #include "src/config/toml_text.hpp"
 #include "src/io/atomic_file.hpp"
 #include "src/io/trajectory_parts.hpp"
@@ -81,6 +84,13 @@ void write_summary(RunFolder const& folder, Scene const& cascade) {
   io::replace_text(folder.summary(), summary.dump(2) + "\n");
 }
 
+/// Disk-steps of each stage.
+std::vector<double> work_of_stages(Scene const& cascade) {
+  std::vector<double> work;
+  for (auto const& stage : runs_of(cascade)) work.push_back(disk_steps(stage, make_plan(stage)));
+  return work;
+}
+
 }  // namespace
 
 std::optional<Scene> cascade_in(RunFolder const& folder) {
@@ -112,6 +122,12 @@ fs::path folder_to_resume(fs::path const& folder) {
   return stage ? stage->cascade : folder;
 }
 
+bool asks_for_more(RunFolder const& folder, Scene const& cascade) {
+  auto const last = cascade.shear.strain_rates.size() - 1;
+  return longer_stage(folder.path() / stage_folder(cascade, last), cascade.shear.strain.at(last))
+      .has_value();
+}
+
 void make_cascade_longer(RunFolder const& folder, Scene const& after) {
   auto const last = after.shear.strain_rates.size() - 1;
   auto const path = folder.path() / stage_folder(after, last);
@@ -135,11 +151,16 @@ RunEnd run_cascade(RunFolder const& folder, Scene const& cascade, Machine const&
                    RunMonitor& monitor) {
   KokkosScope const kokkos(machine, cascade);
   auto const stages = cascade.shear.strain_rates.size();
+  auto const work = work_of_stages(cascade);
+  double const all = std::accumulate(work.begin(), work.end(), 0.0);
+  double gone = 0;
   std::string before;
   for (std::size_t k = 0; k < stages; ++k) {
+    monitor.part(gone / all, work[k] / all);
+    gone += work[k];
     if (monitor.stop_requested()) {
       say(fmt::format("stopped before rate {} of {}; `bagnold resume {}` goes on", k + 1, stages,
-                      folder.path().string()));
+                      shell_word(folder.path().string())));
       return RunEnd::stopped;
     }
     auto const path = fs::absolute(folder.path()).lexically_normal() / stage_folder(cascade, k);

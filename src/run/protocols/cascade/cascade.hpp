@@ -36,6 +36,9 @@ std::optional<StageFolder> stage_folder_in_cascade(std::filesystem::path const& 
 /// Folder for `bagnold resume` to continue a run: for a rate of a cascade the cascade's folder.
 std::filesystem::path folder_to_resume(std::filesystem::path const& folder);
 
+/// True if the scene of a cascade has more strain at its last rate than its run.
+bool asks_for_more(RunFolder const& folder, Scene const& cascade);
+
 /// Prepares the folder of a cascade for run_cascade() with more strain at its last rate. Throws
 /// InputError, nothing changed, where that stage cannot be made longer (make_longer.hpp).
 void make_cascade_longer(RunFolder const& folder, Scene const& after);
