@@ -27,6 +27,7 @@ PAGE = ROOT / "docs/results/tangential_damping.md"
 KEYS = {"disks.packing_fraction": float, "disks.damping_tangential": float, "disks.count": int, "disks.seed": int,
         "shear.strain_rate": float, "integration.scheme": str, "integration.engine": str}
 SOFT = 1e-3  # p in k_e from which on overlaps show
+HARD = 0.82  # phi up to which p at k_t = 0 goes as the square of the rate
 NAMES = ("p", "sigma", "mu", "p_kin", "Z", "T_g", "spin_var")
 SOURCES = {"tangential": ("tangential", "tangential_slow"), "tangential_methods": ("tangential_methods",)}
 
@@ -211,7 +212,7 @@ def by_ratio(found):
 
 
 def limits(found):
-    """A row a density: B_0 of no tangential damping, F where gammadot/k_t is 1e-3, where both meet, and exponents with the
+    """A row a density at which disks are hard: B_0 of no tangential damping, F where gammadot/k_t is 1e-3, where both meet, and exponents with the
     rate at two values of k_t over the same gammadot/k_t."""
     def cell(value, error):
         return measured(value, value * error)
@@ -219,7 +220,7 @@ def limits(found):
     rows = [["φ", "B_0, from p at k_t = 0, γ̇ = 1e-4", "F at γ̇/k_t = 1e-3, k_t = 0.1", "F/B_0",
              "exponent, γ̇/k_t of 1e-3 to 0.01, k_t = 0.1", "the same, k_t = 0.01"], ["---"] * 6]
     for phi in sorted({one for _, one, _ in found}):
-        if (0, phi, 1e-4) not in found or (0.1, phi, 1e-4) not in found:
+        if phi > HARD or (0, phi, 1e-4) not in found or (0.1, phi, 1e-4) not in found:
             continue
         (bare, bare_error), (p, error) = found[0, phi, 1e-4], found[0.1, phi, 1e-4]
         steep = [exponents(found, *pair).get((k_t, phi)) for k_t, pair in ((0.1, (1e-3, 1e-4)), (0.01, (1e-4, 1e-5)))]

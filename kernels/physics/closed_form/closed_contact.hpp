@@ -46,8 +46,8 @@ struct StartSpins<true> {
 ///
 /// What is left out is of relative order e^2: below 0.15 e^2 of T, 0.03 e^2 of v for velocities at
 /// the end and 0.1 e^2 on the way, 0.3 e^2 of integrals (tests/kernels/physics/closed_form).
-/// Normals turn by 1.6 gammadot tau_e in the mean square at phi = 0.78, Q = 50, and by 6 at Q = 1,
-/// so at a rate of 1e-4 that is 4e-9 and 5e-8 of T: the next order, of which the term 3 l^2
+/// Normals turn by 16 gammadot tau_e, root mean square, at phi = 0.78, Q = 50, and by 11 at Q = 1,
+/// so at a rate of 1e-4 that is 7e-7 and 2e-7 of T: the next order, of which the term 3 l^2
 /// delta/d_ij^2 of delta'' is the largest, would not be seen. A frozen normal would leave out e/2.
 ///
 /// The rate of shear is constant during a contact and a relative velocity holds that of the image,
