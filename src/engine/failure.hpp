@@ -42,7 +42,8 @@ inline void check_finite(Clock const& clock, std::int64_t step, State const& sta
                                   double overlap) {
   throw NumericalError(fmt::format(
       "{}: disk {} overlaps a neighbour by {:.1f}% (limit {:.0f}%), too soft for a "
-      "grain; take a smaller strain rate, integration.time_step or disks.packing_fraction",
+      "grain; take a smaller strain rate (where they are held, shear.stress or shear.pressure) or "
+      "disks.packing_fraction, or with steps a smaller integration.time_step",
       where(clock, step), disk, 100 * overlap, 100 * largest_relative_overlap));
 }
 

@@ -344,6 +344,48 @@ TEST(EventsLists, AreBuiltOnceAStepAtMost) {
   EXPECT_LT(distance_between(events->state(), oracle.s), 1e-4);
 }
 
+/// A contact that is nearly overdamped goes ahead: its amplitude is many times its overlap.
+TEST(EventsOverlap, IsThatOfTheContact) {
+  Scene scene = dilute_scene("CD_n", 0.05, 4, 1);
+  scene.disks.mass = "equal";
+  State start = shaken_start(scene);
+  start.diameter = {1.0, 1.0, 1.4, 1.4};
+  start.position = {{2, 2}, {5, 2}, {4, 6}, {4, 7.42}};
+  start.velocity = {{0, 0}, {0, 0}, {0, 0.05}, {0, -0.05}};
+  for (std::size_t i = 0; i < 4; ++i) start.velocity[i][0] += slow_rate * start.position[i][1];
+  auto const events = simulate_events(scene, start);
+  reference::System oracle(reference_parameters(in_steps(scene, 0.001)), start);
+  double const time = 40;
+  double deepest = 0;
+  advance(*events, std::llround(time / time_step(scene)));
+  for (int k = 0; k < std::llround(time / 0.001); ++k) {
+    reference::step(oracle);
+    deepest = std::max(deepest, -gap_of(oracle.s, 2, 3) / 1.4);
+  }
+  EXPECT_GT(deepest, 0.01);
+  EXPECT_LT(deepest, 0.05);
+  EXPECT_LT(distance_between(events->state(), oracle.s), 1e-4);
+}
+
+/// What fails is told at its step, with no pair that went on through each other beside it.
+TEST(EventsOverlap, ThatIsTooDeepEndsTheRunThere) {
+  Scene scene = dilute_scene("CD_n", 0.05, 4, 100);
+  State start = shaken_start(scene);
+  start.diameter = {1.0, 1.0, 1.4, 1.4};
+  start.position = {{2, 2}, {6, 2.6}, {4, 6}, {4, 7.6}};
+  start.velocity = {{0.03, 0}, {-0.03, 0}, {0, 0.4}, {0, -0.4}};
+  for (std::size_t i = 0; i < 4; ++i) start.velocity[i][0] += slow_rate * start.position[i][1];
+  auto const events = simulate_events(scene, start);
+  try {
+    advance(*events, 400);
+    ADD_FAILURE();
+  } catch (NumericalError const& error) {
+    EXPECT_NE(std::string(error.what()).find("step 2 "), std::string::npos) << error.what();
+  }
+  EXPECT_EQ(events->step(), 2);
+  EXPECT_GT(gap_of(events->state(), 0, 1), 0);
+}
+
 /// Pressure, temperature and contacts of a steady state are those of the default engine, within
 /// four joint errors of ten blocks.
 TEST(EventsSteadyState, IsThatOfTheDefaultEngine) {

@@ -152,6 +152,15 @@ struct ClosedContact {
   Real largest_overlap() const {
     return std::sqrt(cosine * cosine + sine * sine) + std::fabs(centrifugal[1]);
   }
+  /// The largest overlap itself, [d_s], by bisection: where the approach ends.
+  Real deepest_overlap(Class const& c) const {
+    Real low = 0, high = duration;
+    for (int n = 0; n < 50; ++n) {
+      Real const middle = (low + high) / 2;
+      (polar(c, middle).approach > 0 ? low : high) = middle;
+    }
+    return polar(c, low).overlap;
+  }
   /// Largest relative speed, [d_s / tau_e].
   Real largest_speed(Class const& c) const { return normal_speed(c) + tangential_speed(c); }
   /// Largest force over mu, [d_s / tau_e^2]; share_i of it is that of disk i.

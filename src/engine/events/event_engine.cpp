@@ -185,7 +185,7 @@ void EventEngine<Rotates>::open_window() {
 /// To a step, or to where the rate changes or the lists are to be built.
 template <bool Rotates>
 void EventEngine<Rotates>::go_to(std::int64_t step) {
-  step_ = list_step_ + system_.run(std::min(step, clock_.rate_end) - list_step_);
+  step_ = std::max(step_, list_step_ + system_.run(std::min(step, clock_.rate_end) - list_step_));
   if (auto const& deep = system_.all().too_deep)
     failure::too_deep(clock_, step_, system_.all().disks.name[deep->disk], deep->relative_overlap);
 }

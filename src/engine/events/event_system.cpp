@@ -101,7 +101,8 @@ std::int64_t EventSystem<Rotates>::run(std::int64_t step) {
     blocks_->run(until);
   else
     loop_.run(until);
-  return std::min(step, s_.build_step);
+  auto const reached = std::min(step, s_.build_step);
+  return s_.too_deep ? std::min(reached, s_.times.step_at(s_.disks.now)) : reached;
 }
 
 /// Calls of_contact(contact, its number) and of_cluster(cluster, its number) for all that touch at
@@ -155,6 +156,7 @@ void EventSystem<Rotates>::change_rate(std::int64_t step) {
         cluster.time = time;
       });
   s_.move_to(step);
+  s_.disks.now = std::max(s_.disks.now, time);
   auto pair = pairs.cbegin();
   for_each_under_way(
       time,

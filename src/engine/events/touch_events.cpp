@@ -74,7 +74,9 @@ void TouchEvents<Rotates>::solve(LoneContact<Rotates>& contact, Moving const& a,
   contact.solve(c);
   s_.sums.contact(contact, time, 1);
   expect_end(contact);
-  s_.check_overlap(contact.i, contact.closed.largest_overlap() * c.inverse_distance);
+  auto const relative = [&](Real overlap) { return overlap * c.inverse_distance; };
+  if (!(relative(contact.closed.largest_overlap()) <= largest_relative_overlap))  // else by a bound
+    s_.check_overlap(contact.i, relative(contact.closed.deepest_overlap(c)));
 }
 
 /// New paths for all of a group, by what hangs together in it, and what happens to them next.

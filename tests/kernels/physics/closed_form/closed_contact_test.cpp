@@ -398,6 +398,11 @@ TYPED_TEST(ClosedContacts, BoundsHold) {
         }
         Real const bounds[4] = {contact.largest_overlap(), contact.largest_speed(c),
                                 contact.largest_acceleration(c), contact.largest_deviation(c)};
+        Real deepest = 0;
+        for (int k = 0; k <= 2000; ++k)
+          deepest = std::max(deepest, contact.polar(c, k * contact.duration / 2000).overlap);
+        EXPECT_NEAR(contact.deepest_overlap(c), deepest, 1e-3 * deepest) << name << ", Q " << Q;
+        EXPECT_GE(contact.deepest_overlap(c), deepest * (1 - 1e-12)) << name << ", Q " << Q;
         for (int q = 0; q < 4; ++q) {
           EXPECT_LE(largest[q], bounds[q] * (1 + 1e-9)) << name << ", Q " << Q << ", " << q;
           tightest[q] = std::min(tightest[q], bounds[q] / largest[q]);
