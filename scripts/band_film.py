@@ -6,6 +6,7 @@ Runs inputs/band.toml into DIR (results/band; a minute or two of one core), or t
 its side, disks by the strain rate of their slice, averaged over three frames.
 """
 
+import argparse
 import io
 import pathlib
 import subprocess
@@ -52,7 +53,9 @@ def frame_of(run, frames, number, strain, sigma):
 
 
 def main():
-    folder = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else "results/band")
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", metavar="DIR", nargs="?", type=pathlib.Path, default=pathlib.Path("results/band"))
+    folder = parser.parse_args().folder
     if not (folder / "summary.json").exists():
         program = ROOT / "build/openmp/bagnold"
         subprocess.run([program, "run", ROOT / "inputs/band.toml", "--out", folder], check=True)

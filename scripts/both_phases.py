@@ -3,6 +3,7 @@
 """Draws docs/figures/both_phases.png: flow curves of CD_rot in both phases, beside a packing in which they
 coexist. From the tables in docs/data/figures; nothing is run."""
 
+import argparse
 import csv
 import pathlib
 import sys
@@ -61,6 +62,7 @@ def packing(axes):
 
 
 def main():
+    argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter).parse_args()
     with plt.rc_context(STYLE):
         figure, (left, right) = plt.subplots(2, 1, figsize=(8.6, 6.2), layout="constrained", height_ratios=[3.2, 1])
         flow_curves(left)

@@ -185,7 +185,7 @@ def call(program: str, words: list[str], progress: Progress, name: str, nobodys:
         for stream in (child.stdout, child.stderr):
             if stream is not None:
                 stream.close()
-        shown.end()
+        shown.end(done=child.returncode == 0 and not of_sweep)
     said = "".join(told)
     if nobodys is not None:
         copy = pathlib.Path(name) / ("sweep.toml" if of_sweep else "scene.toml")
@@ -242,10 +242,11 @@ class _Shown:
         self._call = progress if callable(progress) else None
         self._bar = _bar(name) if progress is True else None
         self._line = progress is True and self._bar is None
-        self._name, self._begun = name, False
+        self._name, self._begun, self._last = name, False, 0.0
 
     def share(self, share: float) -> None:
         """Shows a share of the work."""
+        self._last = share
         if self._call is not None:
             self._call(share)
         elif self._bar is not None:
@@ -261,8 +262,10 @@ class _Shown:
             sys.stderr.write(f"\r{line:<60}")
             sys.stderr.flush()
 
-    def end(self) -> None:
-        """Ends the line."""
+    def end(self, done: bool) -> None:
+        """Ends the line, if `done` with the whole."""
+        if done and self._last < 1:
+            self.share(1.0)
         if self._bar is not None:
             self._bar.close()
         if self._begun:

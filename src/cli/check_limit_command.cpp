@@ -26,7 +26,9 @@ std::string text_of(analysis::WithError const& one) {
 }
 
 /// The scheme of the runs, where a longer run would choose another.
-std::string kept_scheme(Scene scene, double strain) {
+std::string kept_scheme(Scene scene, double strain, std::vector<std::string> const& overrides) {
+  for (auto const& put : overrides)
+    if (put.starts_with("integration.scheme=")) return "";
   auto const scheme = scene.integration.scheme;
   scene.shear.strain = strain;
   return scheme != automatic && auto_is_default(scene)
@@ -62,7 +64,8 @@ std::string advice(analysis::Limit const& limit, CheckLimitOptions const& option
   return text +
          fmt::format("; `bagnold check-limit {}{}{} --set shear.strain={:.3g} --out {}` goes on",
                      shell_word(options.run.scene_file.string()), options_again(options),
-                     kept_scheme(scene, strain), strain, shell_word(folder.string()));
+                     kept_scheme(scene, strain, options.run.overrides), strain,
+                     shell_word(folder.string()));
 }
 
 void print(analysis::LimitCheck const& check, CheckLimitOptions const& options, Scene const& scene,

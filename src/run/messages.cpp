@@ -5,6 +5,8 @@
 
 #include <cstdio>
 
+#include "src/config/listed.hpp"
+#include "src/config/scene.hpp"
 #include "src/config/shell_word.hpp"
 
 namespace bagnold {
@@ -23,9 +25,13 @@ std::string no_more_threads(int threads) {
       threads);
 }
 
-std::string stopped_before_the_first_step(std::filesystem::path const& folder) {
-  return fmt::format("stopped before the first step; `bagnold resume {}` begins anew",
-                     shell_word(folder.string()));
+std::string stopped_before_the_first_step(Scene const& scene, std::filesystem::path const& folder) {
+  return fmt::format("stopped before the first step; {} begins anew", resuming(scene, folder));
+}
+
+std::string resuming(Scene const& scene, std::filesystem::path const& folder) {
+  if (!is_listed(scene.disks.model, scene.drive.kind)) return "the same program";
+  return fmt::format("`bagnold resume {}`", shell_word(folder.string()));
 }
 
 }  // namespace bagnold

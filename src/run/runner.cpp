@@ -11,7 +11,6 @@
 #include "src/config/names.hpp"
 #include "src/config/piece_table.hpp"
 #include "src/config/scene_file.hpp"
-#include "src/config/shell_word.hpp"
 #include "src/engine/control_columns.hpp"
 #include "src/engine/levels/levels.hpp"
 #include "src/engine/make_simulation.hpp"
@@ -114,7 +113,7 @@ bool Runner::start(std::vector<std::optional<Snapshot>> snapshots) {
     return true;
   };
   if (!work(all)) {
-    say(stopped_before_the_first_step(folder_.path()));
+    say(stopped_before_the_first_step(run_.scene, folder_.path()));
     return false;
   }
   if (together_) make_all_together(starts);
@@ -395,10 +394,10 @@ void Runner::checkpoint() {
 }
 
 void Runner::say_where_it_stopped() const {
-  say(fmt::format("stopped at step {} of {}{}; `bagnold resume {}` goes on", steps(),
+  say(fmt::format("stopped at step {} of {}{}; {} goes on", steps(),
                   whole_.steps * run_.scene.disks.replicas,
                   simulations_.size() > 1 ? ", all replicas together" : "",
-                  shell_word(folder_to_resume(folder_.path()).string())));
+                  resuming(run_.scene, folder_to_resume(folder_.path()))));
 }
 
 std::string Runner::join_trajectories() {

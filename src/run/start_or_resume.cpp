@@ -135,7 +135,7 @@ RunEnd run_from_start(RunFolder const& folder, Scene const& scene, Machine const
       if (scene.start.relax)
         relax_state(started[r], scene, [&] { return !monitor.stop_requested(); });
     } catch (StartStopped const&) {
-      say(stopped_before_the_first_step(folder_to_resume(folder.path())));
+      say(stopped_before_the_first_step(scene, folder_to_resume(folder.path())));
       return RunEnd::stopped;
     }
     run.replicas[r].start_record = std::move(started[r].record);

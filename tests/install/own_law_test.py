@@ -48,13 +48,15 @@ whole = numbers(work / "whole")
 assert 'model = "CD_t"' in (work / "whole/scene.toml").read_text()
 assert "warnings" in json.loads((work / "whole/summary.json").read_text())
 
-cut = subprocess.Popen([own_law, work / "own.toml", work / "cut"])
+cut = subprocess.Popen([own_law, work / "own.toml", work / "cut"], stderr=subprocess.PIPE, text=True)
 while not (work / "cut/scene.toml").exists():
     assert cut.poll() is None
     time.sleep(0.01)
 time.sleep(0.1)
 cut.send_signal(signal.SIGINT)
-assert cut.wait() == 130, cut.returncode
+said = cut.communicate()[1]
+assert cut.returncode == 130, (cut.returncode, said)
+assert "the same program" in said and "bagnold resume" not in said, said  # which does not know the law
 assert not (work / "cut/summary.json").exists()
 subprocess.run([own_law, work / "own.toml", work / "cut"], check=True)
 expect_same(numbers(work / "cut"), whole)

@@ -8,11 +8,8 @@
 #include <cstdlib>
 
 #include "kernels/cpu/simd/level.hpp"
-#include "kernels/physics/drives/drives.hpp"
-#include "kernels/physics/laws/laws.hpp"
-#include "kernels/physics/type_list.hpp"
-#include "src/config/drives.hpp"
 #include "src/config/errors.hpp"
+#include "src/config/listed.hpp"
 #include "src/engine/blocks/make_block_engine.hpp"
 #include "src/engine/law_engines.hpp"
 #include "src/engine/levels/level_engine.hpp"
@@ -49,11 +46,6 @@ std::vector<Level> levels_of_build() {
   return all;
 }
 
-template <class List>
-bool lists(std::string_view name) {
-  return std::ranges::count(names_of<List>(), name) > 0;
-}
-
 }  // namespace
 
 std::vector<Level> const& levels() {
@@ -76,9 +68,8 @@ Level const& chosen_level() {
 }
 
 Level const& level_of(std::string_view law, std::string_view drive) {
-  bool const listed = lists<Laws>(law) && (drive == no_drive || lists<Drives>(drive));
   static Level const plain = everything_else();
-  return listed ? chosen_level() : plain;
+  return is_listed(law, drive) ? chosen_level() : plain;
 }
 
 }  // namespace bagnold

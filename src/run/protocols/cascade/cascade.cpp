@@ -10,7 +10,6 @@
 #include "src/config/errors.hpp"
 #include "src/config/run_time.hpp"
 #include "src/config/scene_file.hpp"
-#include "src/config/shell_word.hpp"
 #include "src/config/toml_text.hpp"
 #include "src/io/atomic_file.hpp"
 #include "src/io/trajectory_parts.hpp"
@@ -159,8 +158,8 @@ RunEnd run_cascade(RunFolder const& folder, Scene const& cascade, Machine const&
     monitor.part(gone / all, work[k] / all);
     gone += work[k];
     if (monitor.stop_requested()) {
-      say(fmt::format("stopped before rate {} of {}; `bagnold resume {}` goes on", k + 1, stages,
-                      shell_word(folder.path().string())));
+      say(fmt::format("stopped before rate {} of {}; {} goes on", k + 1, stages,
+                      resuming(cascade, folder.path())));
       return RunEnd::stopped;
     }
     auto const path = fs::absolute(folder.path()).lexically_normal() / stage_folder(cascade, k);

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every script tells what it is for by --help, and does nothing else."""
+
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+SOURCE = pathlib.Path(os.environ.get("BAGNOLD_SOURCE", pathlib.Path(__file__).resolve().parents[2]))
+
+
+class Help(unittest.TestCase):
+    def test_usage(self):
+        scripts = [path for path in sorted((SOURCE / "scripts").iterdir()) if path.is_file() and os.access(path, os.X_OK)]
+        self.assertGreater(len(scripts), 10)
+        for script in scripts:
+            with self.subTest(script=script.name), tempfile.TemporaryDirectory() as folder:
+                done = subprocess.run([script, "--help"], capture_output=True, text=True, cwd=folder, timeout=60)
+                if "No module named" in done.stderr:
+                    continue  # it tells which
+                self.assertEqual((done.returncode, os.listdir(folder)), (0, []), done.stderr)
+                self.assertIn("usage", done.stdout.lower())
+
+
+if __name__ == "__main__":
+    unittest.main()
