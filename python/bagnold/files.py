@@ -1,11 +1,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files that are read."""
+"""Files that are read, and names of files beside others."""
 
 from __future__ import annotations
 
 import errno
 import os
 import pathlib
+
+ENDINGS = (".lammpstrj", ".dump", ".lmp", ".txt", ".pvd")  # of exports that have files beside them
+
+
+def beside(path: pathlib.Path, ending: str) -> pathlib.Path:
+    """NAME + ending of NAME or NAME.lammpstrj: the ".80" of "phi0.80" is no ending."""
+    return path.with_name((path.stem if path.suffix in ENDINGS else path.name) + ending)
 
 
 def regular(path: str | os.PathLike[str]) -> pathlib.Path:

@@ -69,7 +69,7 @@ def report(source: Run | Sweep | str | os.PathLike[str], out: str | os.PathLike[
 
 def _read(folder: pathlib.Path) -> Run | Sweep:
     if (folder / "points.json").exists() and not (folder / "sweep.h5").exists():
-        raise InputError(f"{folder} has no tables yet; `bagnold sweep {folder}/sweep.toml --out {folder} --collect` writes those "
+        raise InputError(f"{folder} has no tables yet; `bagnold sweep {_quoted(folder / 'sweep.toml')} --out {_quoted(folder)} --collect` writes those "
                          "of the points that are done")
     if (folder / "sweep.h5").exists():
         return sweep(folder)
@@ -77,11 +77,11 @@ def _read(folder: pathlib.Path) -> Run | Sweep:
 
     run = load(folder)
     if not run.complete and status(folder).state == "running":
-        raise InputError(f"{folder} holds a run that is at work; `bagnold plot {folder}` draws what there is, and a report can be made "
-                         "at its end")
+        raise InputError(f"{folder} holds a run that is at work; `bagnold plot {_quoted(folder)}` draws what there is, and a report can "
+                         "be made at its end")
     if not run.complete:
-        raise InputError(f"{folder} holds a run that is not complete; `bagnold resume {folder}` goes on with it, `bagnold plot "
-                         f"{folder}` draws what there is, and a report can be made at its end")
+        raise InputError(f"{folder} holds a run that is not complete; `bagnold resume {_quoted(folder)}` goes on with it, "
+                         f"`bagnold plot {_quoted(folder)}` draws what there is, and a report can be made at its end")
     return sweep(folder) if "points" in run.summary else run
 
 

@@ -8,8 +8,9 @@ import json
 import math
 import os
 import pathlib
+import shlex
 import tomllib
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -37,8 +38,8 @@ class Series(Mapping[str, Array]):
     """/series of result.h5: ``series["B_p"]`` is [n], one value a window, of R replicas [R, n]; NaN
     where undefined. `discarded` windows at the front are in no average."""
 
-    def __init__(self, path: pathlib.Path, averaged: str = "") -> None:
-        """`averaged`: attribute of the result with averages over parts of the series, "" for one over all."""
+    def __init__(self, path: pathlib.Path, averaged: Callable[[], str] = str) -> None:
+        """`averaged`: tells the attribute of the result with averages over parts of the series, "" for one over all."""
         self._path, self._averaged = path, averaged
         with open_hdf5(path) as file:
             if "series" not in file:
@@ -72,9 +73,9 @@ class Series(Mapping[str, Array]):
     def measured(self, name: str) -> Array:
         """Windows of the averages, [n - discarded] or [R, n - discarded]. NotOfThisRun where each part has an average of
         its own."""
-        if self._averaged:
-            raise NotOfThisRun(f"{self._path.parent} has an average for each of its {self._averaged}, over the later part of "
-                               f"each: take r.{self._averaged}")
+        if parts := self._averaged():
+            raise NotOfThisRun(f"{self._path.parent} has an average for each of its {parts}, over the later part of each: take "
+                               f"r.{parts}")
         return self[name][..., self.discarded:]
 
 
@@ -219,10 +220,12 @@ class Run:
     @cached_property
     def series(self) -> Series:
         """One value a window of every quantity."""
+        return Series(self._file("result.h5"), self._averaged_parts)
+
+    def _averaged_parts(self) -> str:
         stress = self.scene.get("shear.stress")
         by_stress = isinstance(stress, list) and len(stress) > 1
-        parts = "pieces" if self.scene.get("shear.protocol") == "sequence" else "stresses" if by_stress else ""
-        return Series(self._file("result.h5"), parts)
+        return "pieces" if self.scene.get("shear.protocol") == "sequence" else "stresses" if by_stress else ""
 
     @cached_property
     def observables(self) -> dict[str, Observable]:
@@ -303,12 +306,14 @@ class Run:
         rate = float(self.scene.get("shear.strain_rate", math.nan))
         if self.scene.get("shear.protocol", "steady") != "steady":
             rate = math.nan
-        found = [Frames(path, rate) for path in (self.folder / f"{name}.h5md", self.folder / f"{name}.parts")
-                 if path.is_file() or any(path.glob("*.h5md"))]
-        if found:  # both of a finished run that is made longer: its parts hold the old frames too
-            return max(found, key=len)
-        raise FileError(self._rates_apart() or f"{self.folder} has no {name}.h5md: set output.{self.frame_spacing} between frames in the scene and "
-                        "run it again")
+        whole, parts = self.folder / f"{name}.h5md", self.folder / f"{name}.parts"
+        if whole.is_file() and (self.complete or not any(parts.glob("*.h5md"))):
+            return Frames(whole, rate)
+        if any(parts.glob("*.h5md")):  # beside the whole one of a finished run that is made longer they hold its frames too
+            found = Frames(parts, rate)
+            return max(found, Frames(whole, rate), key=len) if whole.is_file() else found
+        raise FileError(self._rates_apart() or f"{self.folder} has no {name}.h5md: set output.{self.frame_spacing} between "
+                        "frames in the scene and run it again")
 
     @property
     def frame_spacing(self) -> str:
@@ -446,7 +451,7 @@ def read_summary(folder: pathlib.Path) -> dict[str, Any]:
     path = folder / "summary.json"
     if not path.exists():
         raise FileError(f"{path} is not there: " + (
-            f"the run is not complete, `bagnold resume {folder}` goes on with it"
+            f"the run is not complete, `bagnold resume {shlex.quote(str(folder))}` goes on with it"
             if (folder / "scene.toml").exists() else _what_is(folder)))
     with _opened(path) as file:
         try:

@@ -153,7 +153,7 @@ def unwrapped(frames: Iterable[Frame]) -> Array:
             off = away[:, 0] - flow[:, 0]
             away[:, 0] -= frame.box.length * np.rint(off / frame.box.length)
             away[:, 0] += strain * above[:, 1]  # whole boxes above the first image
-            rows.append(before + above + away)
+            rows.append(np.asarray(before + above + away, dtype=np.float64))
         last = frame
     return np.stack(rows) if rows else np.zeros((0, 0, 2))
 

@@ -152,6 +152,17 @@ std::size_t count_failed(SweepTable const& table) {
   return count;
 }
 
+std::vector<std::vector<Label>> labels_of(SweepTable const& table, CurveChoice const& choice) {
+  auto const keys = keys_between_curves(table, choice);
+  std::vector<std::vector<Label>> all;
+  for (auto const point : wanted_points(table, choice.where)) {
+    std::vector<Label> labels;
+    for (auto const& key : keys) labels.emplace_back(key, key_text(table, key, point));
+    if (std::ranges::find(all, labels) == all.end()) all.push_back(std::move(labels));
+  }
+  return all;
+}
+
 std::vector<Curve> curves_of(SweepTable const& table, CurveChoice const& choice) {
   refuse_seed(choice.along, "the key along a curve is");
   require_varied(table, choice.along, "the key along a curve is");

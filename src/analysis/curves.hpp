@@ -39,6 +39,9 @@ struct CurveChoice {
 /// not varied, or two data at one place of a curve.
 std::vector<Curve> curves_of(SweepTable const& table, CurveChoice const& choice);
 
+/// Labels of all curves, in the order of the table; `along` need not tell their points apart.
+std::vector<std::vector<Label>> labels_of(SweepTable const& table, CurveChoice const& choice);
+
 /// Points at which each key of `where` has its value. Throws InputError: a key that was not varied.
 std::vector<std::size_t> wanted_points(SweepTable const& table,
                                        std::map<std::string, std::string> const& where);

@@ -236,7 +236,8 @@ bool Quantity::has_bias() const {
   return first_ ? first_->has_bias() || second_->has_bias() : bias_ != nullptr;
 }
 
-Value Quantity::of(std::span<std::size_t const> rows) const {
+Value Quantity::of(std::span<std::size_t const> all) const {
+  auto const rows = present(all);
   auto out = without_bias(rows);
   if (!has_bias()) return out;
   auto const method = bias(rows);
@@ -245,7 +246,8 @@ Value Quantity::of(std::span<std::size_t const> rows) const {
   return out;
 }
 
-Value Quantity::without_bias(std::span<std::size_t const> rows) const {
+Value Quantity::without_bias(std::span<std::size_t const> all) const {
+  auto const rows = present(all);
   auto out = of_merged(rows);
   if (!first_ || is_key()) return out;
   if (auto const* own = own_errors()) {

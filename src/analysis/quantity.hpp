@@ -43,13 +43,14 @@ class Quantity {
   /// Keeps a reference to the table. Throws InputError for an unknown name, with the nearest one.
   Quantity(SweepTable const& table, std::string const& name, std::optional<double> phi_j = {});
 
-  /// Value of one datum. rows: rows of the table that are its seeds. Where the bias of the method
+  /// Value of one datum. all: rows of the table that are its seeds; those without a value of one of
+  /// the parts of a ratio or product are left out. Where the bias of the method
   /// was measured its error is (error^2 + bias^2 + bias_error^2)^(1/2). All seeds have the same
   /// bias, so the mean over seeds has all of it; that of a ratio or product is to first order.
-  Value of(std::span<std::size_t const> rows) const;
+  Value of(std::span<std::size_t const> all) const;
 
   /// The same with the statistical error alone.
-  Value without_bias(std::span<std::size_t const> rows) const;
+  Value without_bias(std::span<std::size_t const> all) const;
 
   /// Value of one datum resampled: n - 1 of its n seeds, of those that have a value, drawn with
   /// replacement. All quantities share the draw. With n - 1 the variance of the mean is right; with

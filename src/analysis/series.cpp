@@ -170,10 +170,9 @@ std::vector<Series> make_differences(SweepTable const& table, Request const& req
     out.push_back(build(curve.labels, places));
   }
   if (out.empty()) throw InputError("no curve is there at both strain rates; give --rates");
-  for (double const rate : rates)
-    for (auto const& curve : curves_at(rate))
-      if (std::ranges::find(out, curve.labels, &Series::labels) == out.end())
-        out.push_back(build(curve.labels, {}));
+  for (auto const& labels : labels_of(table, {x, request.by, {rate_key}, request.where}))
+    if (std::ranges::find(out, labels, &Series::labels) == out.end())
+      out.push_back(build(labels, {}));
   return out;
 }
 

@@ -151,7 +151,13 @@ void tell_apart(std::vector<SweepTable>& tables) {
   if (std::ranges::any_of(tables, [](auto const& one) { return one.scenes.empty(); })) return;
   std::vector<std::map<std::string, KeyColumn>> all;
   for (auto const& table : tables) all.push_back(physics_of(table));
+  auto const has_number = [](auto const& one) {
+    auto const found = one.find("shear.inertial_number");
+    return found != one.end() && !found->second.numbers.empty();
+  };
+  bool const rate_follows = std::ranges::all_of(all, has_number);  // from the pressure
   for (auto const& [key, first] : all.front()) {
+    if (rate_follows && key == "shear.strain_rate") continue;
     if (std::ranges::any_of(all, [&](auto const& other) { return !other.contains(key); })) continue;
     auto const differs = [&](auto const& other) {
       auto const& value = other.at(key);
@@ -184,11 +190,13 @@ std::vector<double> replicas_of(SweepTable const& table) {
   return replicas;
 }
 
-/// Throws InputError for two points that share a system: of the same state and seed, or of seeds so
-/// near that their replicas, [P], have some in common.
-void refuse_twice(SweepTable const& table, std::vector<double> const& replicas) {
+/// Throws InputError for points of two sweeps that share a system: of the same state and seed, or
+/// of seeds so near that their replicas have some in common. replicas, sweep: of each point, [P].
+void refuse_twice(SweepTable const& table, std::vector<double> const& replicas,
+                  std::vector<std::size_t> const& sweep) {
   struct Systems {
     double seed, replicas;  ///< seeds from `seed` to before `seed` + `replicas`
+    std::size_t sweep;
   };
   std::map<std::vector<std::string>, std::vector<Systems>> seen;
   for (std::size_t point = 0; point < table.points; ++point) {
@@ -202,7 +210,8 @@ void refuse_twice(SweepTable const& table, std::vector<double> const& replicas) 
     }
     auto& systems = seen[place];
     for (auto const& other : systems) {
-      bool const shared = seed < other.seed + other.replicas && other.seed < seed + replicas[point];
+      bool const shared = other.sweep != sweep[point] && seed < other.seed + other.replicas &&
+                          other.seed < seed + replicas[point];
       if (!shared) continue;
       if (table.keys.contains(seed_key)) place.push_back(fmt::format("{} = {}", seed_key, seed));
       auto const both = fmt::format("{}: {}", table.origin, fmt::join(place, ", "));
@@ -213,7 +222,7 @@ void refuse_twice(SweepTable const& table, std::vector<double> const& replicas) 
                             "leave one of them out",
                             both, replicas[point], other.replicas, other.seed));
     }
-    systems.push_back({seed, replicas[point]});
+    systems.push_back({seed, replicas[point], sweep[point]});
   }
 }
 
@@ -224,7 +233,8 @@ KeyColumn column_of(SweepTable const& table, std::string const& key) {
   for (std::size_t point = 0; point < table.scenes.size(); ++point) {
     auto const values = values_of(table, point, table.origin);
     auto const found = std::ranges::find(values, key, &KeyValue::name);
-    if (found != values.end() && found->text) out.texts.push_back(*found->text);
+    if (found == values.end() || !found->text) break;
+    out.texts.push_back(*found->text);
   }
   if (out.texts.size() == table.points) return out;
   return {table.numbers(key), {}};
@@ -319,8 +329,10 @@ SweepTable merge_tables(std::vector<SweepTable> tables) {
     to.insert(to.end(), from.begin(), from.end());
   };
   std::vector<double> replicas;
+  std::vector<std::size_t> sweep;
   for (auto const& table : tables) {
     append(replicas, replicas_of(table));
+    sweep.resize(replicas.size(), static_cast<std::size_t>(&table - tables.data()));
     for (auto& [name, column] : out.keys) {
       auto const own = column_of(table, name);
       append(column.texts, own.texts);
@@ -343,7 +355,7 @@ SweepTable merge_tables(std::vector<SweepTable> tables) {
     if (column.is_text() && !column.numbers.empty())
       throw InputError(
           fmt::format("{} is a text in one and a number in another of {}", name, out.origin));
-  refuse_twice(out, replicas);
+  refuse_twice(out, replicas, sweep);
   return out;
 }
 

@@ -36,11 +36,12 @@ std::string kept_scheme(Scene scene, double strain, std::vector<std::string> con
              : "";
 }
 
-/// Options of a command that goes on, but for its strain.
-std::string options_again(CheckLimitOptions const& options) {
+/// Options of a command that goes on, with its strain or without it.
+std::string options_again(CheckLimitOptions const& options, bool with_strain) {
   std::string words;
   for (auto const& put : options.run.overrides)
-    if (!put.starts_with("shear.strain=")) words += fmt::format(" --set {}", shell_word(put));
+    if (with_strain || !put.starts_with("shear.strain="))
+      words += fmt::format(" --set {}", shell_word(put));
   if (options.tolerance != CheckLimitOptions().tolerance)
     words += fmt::format(" --tolerance {}", options.tolerance);
   if (options.run.allow_unstable) words += " --allow-unstable";
@@ -63,7 +64,7 @@ std::string advice(analysis::Limit const& limit, CheckLimitOptions const& option
   double const strain = scene.shear.strain * std::max(1.5, known ? limit.longer : 4.0);
   return text +
          fmt::format("; `bagnold check-limit {}{}{} --set shear.strain={:.3g} --out {}` goes on",
-                     shell_word(options.run.scene_file.string()), options_again(options),
+                     shell_word(options.run.scene_file.string()), options_again(options, false),
                      kept_scheme(scene, strain, options.run.overrides), strain,
                      shell_word(folder.string()));
 }
@@ -99,7 +100,7 @@ int check_limit_command(CheckLimitOptions const& options) {
   auto const check = analysis::check_limit(
       scene, folder,
       {options.run.scene_file, options.tolerance, options.run.allow_unstable,
-       options_again(options), sweep_options(options.run.machine, options.jobs, terminal)});
+       options_again(options, true), sweep_options(options.run.machine, options.jobs, terminal)});
   if (check.runs == sweep::SweepEnd::done && !options.run.quiet)
     print(check, options, scene, folder);
   return exit_code_of(check.runs);

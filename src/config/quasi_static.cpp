@@ -5,8 +5,6 @@
 
 #include <algorithm>
 
-#include "src/config/events.hpp"
-
 namespace bagnold {
 
 namespace {
@@ -24,14 +22,7 @@ std::string because(std::string const& why, std::string const& remedy) {
   return fmt::format("integration.engine = \"{}\" ({}); {}", quasi_static_engine, why, remedy);
 }
 
-std::vector<Refusal> long_step(Scene const& scene) {
-  auto const& integration = scene.integration;
-  if (has_events(scene) && integration.time_step.number > longest_event_unit)
-    return {{{"integration.time_step", "integration.engine"},
-             fmt::format("integration.time_step = {:g} (must be at most {:g} with "
-                         "integration.engine = \"{}\", which builds its lists of neighbours where "
-                         "steps end); set \"auto\"",
-                         *integration.time_step.number, longest_event_unit, event_engine)}};
+std::vector<Refusal> long_step(Scene::Integration const& integration) {
   if (!(integration.time_step.number > longest_explicit_step)) return {};
   return {{{"integration.time_step", "integration.engine"},
            fmt::format("integration.time_step = {:g} (must be at most {:g} but with "
@@ -48,7 +39,7 @@ double quasi_static_time_step(Scene const& scene) {
 }
 
 std::vector<Refusal> misused_quasi_static(Scene const& scene) {
-  if (!is_quasi_static(scene)) return long_step(scene);
+  if (!is_quasi_static(scene)) return long_step(scene.integration);
   std::vector<Refusal> list;
   auto const& shear = scene.shear;
   double const rate = fastest_rate(shear);

@@ -57,8 +57,6 @@ double Ramp::mean_rate(std::int64_t begin, std::int64_t end) const {
 
 namespace {
 
-constexpr double most_beyond = 0.25;  ///< decades that a leg may go beyond strain_rate_high
-
 /// a / b where that is whole to rounding, else 0.
 double whole_quotient(double a, double b) {
   double const quotient = std::round(a / b);
@@ -90,15 +88,8 @@ Ramp make_ramp(Scene const& scene) {
 
   double const window = window_pieces * piece;  // [steps]
   auto const whole_windows = [&](double steps) { return window * round_up(steps / window); };
-  double const decades = std::log10(shear.strain_rate_high / shear.strain_rate);
-  double const leg = whole_windows(decades / shear.ramp_rate / ramp.time_step);
-  double const beyond = leg * ramp.time_step * shear.ramp_rate - decades;
-  if (beyond > most_beyond)
-    throw InputError(fmt::format(
-        "shear.ramp_window = {} (a ramp is whole windows long, so it goes to {:.3g}, beyond "
-        "shear.strain_rate_high = {}); take at most {:.6g}, or lower shear.ramp_rate = {}",
-        shear.ramp_window, shear.strain_rate_high * std::pow(10.0, beyond), shear.strain_rate_high,
-        most_beyond / shear.ramp_rate, shear.ramp_rate));
+  double const leg = whole_windows(std::log10(shear.strain_rate_high / shear.strain_rate) /
+                                   shear.ramp_rate / ramp.time_step);
   bool const by_way = scene.start.kind == "random" && shear.strain_rate < Ramp::fast_rate;
   double const fast = by_way ? whole_windows(shear.strain / (Ramp::fast_rate * ramp.time_step)) : 0;
   double const slow = whole_windows(shear.strain / (shear.strain_rate * ramp.time_step));

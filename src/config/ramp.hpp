@@ -15,7 +15,7 @@ struct Scene;
 /// at the lowest rate; then `cycles` times up and down. A leg up has K pieces of rate
 /// gammadot_low 10^(kappa~ T j), j = 0 .. K - 1, a leg down the same in the opposite order, so that
 /// both strain alike. All stretches are whole windows long, which may take a leg beyond
-/// `strain_rate_high` by less than a window and at most a quarter of a decade.
+/// `strain_rate_high` by less than a window.
 struct Ramp {
   double time_step = 0;           ///< dt, [tau_e]
   double lowest = 0;              ///< gammadot_low, [1/tau_e]

@@ -8,6 +8,7 @@
 
 #include "src/config/errors.hpp"
 #include "src/config/scene_file.hpp"
+#include "src/config/shell_word.hpp"
 #include "src/io/atomic_file.hpp"
 #include "src/io/trajectory_parts.hpp"
 #include "src/run/pictures.hpp"
@@ -71,12 +72,11 @@ Scene with_strain(Scene scene, double strain, std::string const& folder) {
         scene.shear.controlled() ? "shear.time" : "shear.cycles", folder));
   double& last = last_strain(scene);
   if (!(strain >= last))
-    throw InputError(
-        fmt::format("--strain {} ({} has shear.strain = {} {}: must be more); `bagnold "
-                    "run {}/scene.toml --set shear.strain={} --out ...` makes a "
-                    "shorter run",
-                    strain, folder, last,
-                    scene.shear.run_per_rate() ? "at its last rate" : "already", folder, strain));
+    throw InputError(fmt::format(
+        "--strain {} ({} has shear.strain = {} {}: must be more); `bagnold "
+        "run {} --set shear.strain={} --out ...` makes a shorter run",
+        strain, folder, last, scene.shear.run_per_rate() ? "at its last rate" : "already",
+        shell_word(folder + "/scene.toml"), strain));
   last = strain;
   make_plain(scene.shear.strain);
   return scene;

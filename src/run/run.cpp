@@ -67,17 +67,22 @@ void refuse_own_start(fs::path const& name, Scene const& scene) {
         scene.start.file));
 }
 
+/// Refuses to change a rate of a cascade by itself.
+void refuse_rate_of_cascade(fs::path const& folder, double strain) {
+  if (auto const stage = stage_folder_in_cascade(folder))
+    throw InputError(fmt::format(
+        "{}: is a rate of the cascade in {}, whose last rate alone can be made longer: `bagnold "
+        "resume {} --strain {}`",
+        folder.string(), stage->cascade.string(), shell_word(stage->cascade.string()), strain));
+}
+
 /// Gives a run more strain for `bagnold resume DIR --strain`; in a cascade its last rate, from
 /// which no other starts.
 void give_strain(RunFolder const& folder, double strain, RunMonitor& monitor) {
   if (!std::filesystem::exists(folder.scene()))
     throw InputError(fmt::format("{}: has no scene.toml; `bagnold resume {}` writes it again",
                                  folder.path().string(), shell_word(folder.path().string())));
-  if (auto const stage = stage_folder_in_cascade(folder.path()))
-    throw InputError(fmt::format(
-        "{}: is a rate of the cascade in {}, whose last rate alone can be made longer: `bagnold "
-        "resume {} --strain {}`",
-        folder.path().string(), stage->cascade.string(), stage->cascade.string(), strain));
+  refuse_rate_of_cascade(folder.path(), strain);
   refuse_start_of_another(folder.path());
   Scene const before = read_kept_scene(folder.scene());
   Scene const after = with_strain(before, strain, folder.path().string());
@@ -104,6 +109,7 @@ void take_strain_of_scene(RunFolder const& folder) {
   auto const before = parse_scene(checkpoint->scene, "scene in the checkpoint", folder.path());
   auto const after = read_kept_scene(folder.scene());
   if (!is_longer(before, after)) return;
+  refuse_rate_of_cascade(folder.path(), after.shear.strain.at(0));
   refuse_start_of_another(folder.path());
   make_longer(folder, after);
 }

@@ -72,6 +72,18 @@ std::vector<std::string> names_of_frames(Scene scene) {
   return names;
 }
 
+/// Largest number of collisions of a disk in a measured strain. mean: of an observable by its name.
+template <class Mean>
+double collisions_in(Run const& run, double strain, Mean const& mean) {
+  auto const list = observables(run.scene, run.box_length);
+  auto const of = [&](std::string_view name) {
+    return mean(*std::ranges::find(list, name, &Observable::name)).value_or(0);
+  };
+  double const contacts = of("Z");
+  return collisions_per_disk(run.scene, contacts, strain,
+                             mean_overlap(run.scene, of("p_el"), contacts, run.box_area()));
+}
+
 /// True if the first `windows` windows meet the target of every name and disks have collided often
 /// enough in them.
 bool met_at(Run const& run, std::int64_t windows) {
@@ -83,16 +95,17 @@ bool met_at(Run const& run, std::int64_t windows) {
   auto const discarded = discarded_of(run, windows);
   if (std::cmp_greater_equal(discarded, windows)) return false;
   auto const& wanted = run.scene.shear.target_error;
+  auto const estimate = [&](Observable const& of) {
+    return statistics::estimate(addresses, discarded, of.value);
+  };
+  double const collisions =
+      collisions_in(run, measured_strain(run.plan, windows, discarded),
+                    [&](Observable const& of) { return estimate(of).all.mean; });
+  if (!(collisions >= fewest_collisions)) return false;
   for (auto const& observable : observables(run.scene, run.box_length)) {
     auto const target = wanted.find(std::string(observable.name));
-    bool const is_contacts = observable.name == "Z";
-    if (target == wanted.end() && !is_contacts) continue;
-    auto const found = statistics::estimate(addresses, discarded, observable.value);
-    if (is_contacts &&
-        !(collisions_per_disk(run.scene, found.all.mean.value_or(0),
-                              measured_strain(run.plan, windows, discarded)) >= fewest_collisions))
-      return false;
     if (target == wanted.end()) continue;
+    auto const found = estimate(observable);
     auto const error = relative_error(statistics::cautious(found));
     if (!statistics::long_enough(found) || !error || *error > target->second) return false;
   }
@@ -121,15 +134,14 @@ void judge_errors(Run& run) {
 
 std::string until_target(Run const& run) {
   double times = 0;  // of what is short: errors, independent windows, collisions
+  double const collisions =
+      collisions_in(run,
+                    measured_strain(run.plan, run.plan.windows,
+                                    static_cast<std::size_t>(run.plan.discarded_windows)),
+                    [&](Observable const& of) { return estimate(run, of.value).all.mean; });
+  if (collisions < fewest_collisions) times = std::max(times, fewest_collisions / collisions);
   for (auto const& observable : observables(run.scene, run.box_length)) {
     auto const found = estimate(run, observable.value);
-    if (observable.name == "Z") {
-      double const collisions = collisions_per_disk(
-          run.scene, found.all.mean.value_or(0),
-          measured_strain(run.plan, run.plan.windows,
-                          static_cast<std::size_t>(run.plan.discarded_windows)));
-      if (collisions < fewest_collisions) times = std::max(times, fewest_collisions / collisions);
-    }
     auto const reached = run.reached.find(std::string(observable.name));
     if (reached == run.reached.end()) continue;
     if (!reached->second) return {};

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <vector>
 
 #include "kernels/cpu/blocks/most_pairs.hpp"
@@ -10,6 +11,7 @@
 #include "src/config/cascade.hpp"
 #include "src/config/control.hpp"
 #include "src/config/errors.hpp"
+#include "src/config/events.hpp"
 #include "src/config/ladder.hpp"
 #include "src/config/mistakes.hpp"
 #include "src/config/names.hpp"
@@ -21,6 +23,8 @@
 namespace bagnold {
 
 namespace {
+
+constexpr double most_beyond = 0.25;  ///< decades that a ramp may go beyond its highest rate
 
 /// Throws InputError for a run shorter than a window: nothing is left when its transient is
 /// discarded.
@@ -105,6 +109,30 @@ void refuse_light_box(Scene const& scene) {
                   shear.box_inertia ? "raise it" : "lower it"));
 }
 
+/// Throws InputError for a ramp of so few windows that it goes far beyond its highest rate.
+void refuse_overshoot(Scene const& scene, Plan const& plan) {
+  if (!plan.ramp) return;
+  auto const& shear = scene.shear;
+  double const beyond =
+      static_cast<double>(plan.ramp->leg_pieces) * shear.ramp_every * shear.ramp_rate -
+      std::log10(shear.strain_rate_high / shear.strain_rate);
+  if (beyond <= most_beyond) return;
+  throw InputError(fmt::format(
+      "shear.ramp_window = {} (a ramp is whole windows long, so it goes to {:.3g}, beyond "
+      "shear.strain_rate_high = {}); take at most {:.6g}, or lower shear.ramp_rate = {}",
+      shear.ramp_window, shear.strain_rate_high * std::pow(10.0, beyond), shear.strain_rate_high,
+      most_beyond / shear.ramp_rate, shear.ramp_rate));
+}
+
+/// Throws InputError for events in units of time in which disks fly far beyond their lists.
+void refuse_long_event_unit(Scene const& scene) {
+  if (!has_events(scene) || !(scene.integration.time_step.number > longest_event_unit)) return;
+  throw InputError(fmt::format(
+      "integration.time_step = {:g} (must be at most {:g} with integration.engine = \"{}\", which "
+      "builds its lists of neighbours where steps end); set \"auto\"",
+      *scene.integration.time_step.number, longest_event_unit, event_engine));
+}
+
 }  // namespace
 
 void validate_scene(Scene const& scene, Plan const& plan, bool allow_unstable) {
@@ -113,6 +141,8 @@ void validate_scene(Scene const& scene, Plan const& plan, bool allow_unstable) {
   mistakes.collect("", [&] { check_feasible(scene, plan, allow_unstable); });
   mistakes.collect("", [&] { refuse_unseen_accuracy(scene); });
   mistakes.collect("", [&] { refuse_light_box(scene); });
+  mistakes.collect("", [&] { refuse_overshoot(scene, plan); });
+  mistakes.collect("", [&] { refuse_long_event_unit(scene); });
   mistakes.collect("", [&] { check_target(scene); });
   mistakes.collect("", [&] { refuse_correlations_with_target(scene); });
   mistakes.collect("", [&] { refuse_less_than_a_window(scene, plan); });

@@ -71,12 +71,13 @@ std::string suspect_points(Sweep const& sweep, Results const& results,
   if (text.empty()) return text;
   text += "; which, and why: column warnings of sweep.csv, and the points' summary.json";
   auto const names = counts_of(results.warnings);
+  bool const by_option = sweep.options.find("shear.strain=") != std::string::npos;
   for (auto const* short_run : {"steady_state", "error_bar", "few_collisions", "contact_durations"})
     if (names.contains(short_run))
       return text + fmt::format(
                         "; raise shear.strain in {}, and `{}` goes on with points from which no "
                         "other starts",
-                        sweep.origin, command_of(sweep, folder));
+                        by_option ? "--set" : sweep.origin, command_of(sweep, folder));
   return text;
 }
 

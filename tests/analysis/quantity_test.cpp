@@ -263,6 +263,17 @@ TEST(Quantity, BiasesAreAddedToErrors) {
 }
 
 /// Seeds without a value are not drawn: of one that has it the spread is its error.
+TEST(Quantity, ARatioIsOfSeedsThatHaveBoth) {
+  auto table = small_table();
+  auto& b = table.observables["b"];
+  b = table.observables["p"];
+  for (std::size_t k = 0; k < table.points; ++k) b.mean[k] = 2 * table.observables["p"].mean[k];
+  b.mean[2] = nothing;
+  std::vector<std::size_t> const seeds{0, 1, 2};
+  EXPECT_NEAR(Quantity(table, "b/p").of(seeds).mean, 2.0, 1e-12);
+  EXPECT_NEAR(Quantity(table, "p/b").without_bias(seeds).mean, 0.5, 1e-12);
+}
+
 TEST(Quantity, ResamplingLeavesOutSeedsWithoutAValue) {
   auto table = small_table();
   table.observables["sigma"] = table.observables["p"];

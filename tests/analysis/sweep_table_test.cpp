@@ -336,6 +336,26 @@ TEST_F(MergedSweeps, AreNotOneCurveWhereNoRateIsInBoth) {
   }
 }
 
+/// At given I the rate follows from the pressure: sweeps at other pressures are one curve.
+TEST_F(MergedSweeps, AtOneInertialNumberAreOneCurve) {
+  auto loose = scene_of("pressure");
+  loose.shear.inertial_number = 0.3;
+  loose.shear.pressure = 1e-4;
+  loose.shear.strain_rate = 3e-3;
+  auto tight = loose;
+  tight.shear.pressure = 4e-4;
+  tight.shear.strain_rate = 6e-3;
+  auto one = sweep_of(loose), other = sweep_of(tight);
+  for (auto* table : {&one, &other}) {
+    table->keys.erase("disks.elasticity");
+    table->keys["disks.seed"].numbers = {1, 2, 3};
+  }
+  auto const curves = curves_of(merge_tables({one, other}), {"shear.pressure"});
+  ASSERT_EQ(curves.size(), 1u);
+  EXPECT_TRUE(curves[0].labels.empty());
+  EXPECT_EQ(curves[0].data.size(), 2u);
+}
+
 TEST_F(MergedSweeps, OfReplicasThatAreInBothAreRefused) {
   auto scene = scene_of("steady");
   scene.disks.replicas = 4;
@@ -361,6 +381,11 @@ TEST_F(MergedSweeps, OfReplicasThatAreInBothAreRefused) {
   EXPECT_THROW(merge_tables({third, second}), InputError);
   third.keys["disks.seed"].numbers = {9, 9, 10};
   EXPECT_FALSE(merge_tables({second, third}).keys.contains("disks.replicas"));
+  // two points of one sweep, which tells them apart
+  auto both = sweep_of(alone);
+  both.keys["disks.seed"].numbers = {1, 1, 2};
+  both.keys["disks.replicas"].numbers = {1, 4, 1};
+  EXPECT_EQ(merge_tables({both, third}).points, 2 * count);
 }
 
 }  // namespace

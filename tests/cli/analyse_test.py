@@ -164,7 +164,7 @@ class AnalyseTest(CliTest):
         both, one = self.analyse("transition")
         self.near(both, "Q_c", 14.0)
         self.assertEqual((one["disks.packing_fraction"], one["Q_c"]), ("0.82", ""))
-        self.assertIn("no point is at both strain rates", self.result.stdout + self.result.stderr)
+        self.assertIn("no point has values at both strain rates", self.result.stdout + self.result.stderr)
         (other,) = self.analyse("transition", "--where", "disks.packing_fraction=0.82")
         self.near(other, "Q_c", 14.0)
 

@@ -70,6 +70,16 @@ class CheckLimit(CliTest):
         points = [read_summary(point)["scene"] for point in (out / "points").iterdir()]
         self.assertEqual([(one["disks"]["seed"], one["shear"]["strain"]) for one in points], [(3, 0.75)] * 2)
 
+    def test_the_command_after_a_failed_point(self):
+        out, scene = self.folder / "failed", self.scene(shear__strain_rate=0.5, disks__packing_fraction=0.84)
+        said = self.bagnold("check-limit", scene, "--out", out, "--set", "disks.seed=3", "--set", "shear.strain=20")
+        self.assertNotEqual(said.returncode, 0, said.stderr)
+        command = re.search(r"`bagnold (check-limit .*)` tries them again", said.stderr)
+        self.assertIsNotNone(command, said.stderr)
+        again = self.bagnold(*shlex.split(command[1]))
+        self.assertNotIn("holds the sweep of another file", again.stderr)
+        self.assertIn("tries them again", again.stderr)
+
     def test_disks_that_never_met_tell_nothing(self):
         """Their B_p is rounding, 1e-33, with an error of 0."""
         found, said, out = self.check(

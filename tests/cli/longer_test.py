@@ -201,7 +201,16 @@ class LongerTest(CliTest):
         text = self.longer(out, 0.2)
         self.assertIn("last rate", text)
         scene = out / "scene.toml"  # and once more by hand
-        scene.write_text(scene.read_text().replace("0.2]", "0.3]"))
+        before = scene.read_text()
+        scene.write_text(before.replace("[0.1, 0.2]", "0.3"))  # the second rate started from the end of the first
+        self.assert_clean_error(self.bagnold("resume", out), 2, "rate 1 of 2", "of which the last alone is more")
+        self.assertTrue((out / "summary.json").exists())
+        stage = out / "0001_strain_rate=0.0078125" / "scene.toml"
+        text = stage.read_text()
+        stage.write_text(text.replace("\nstrain = 0.1\n", "\nstrain = 0.3\n"))
+        self.assert_clean_error(self.bagnold("resume", stage.parent), 2, "is a rate of the cascade")
+        stage.write_text(text)
+        scene.write_text(before.replace("0.2]", "0.3]"))
         self.assertEqual(self.bagnold("resume", out).returncode, 0)
         whole = self.run_new("whole", shear__strain=[0.1, 0.3], **changes)
         for stage in ("0001_strain_rate=0.0078125", "0002_strain_rate=0.00390625"):

@@ -8,7 +8,6 @@
 #include "src/config/abilities.hpp"
 #include "src/config/errors.hpp"
 #include "src/config/laws.hpp"
-#include "src/config/quasi_static.hpp"
 #include "tests/support/contacts.hpp"
 #include "tests/support/events.hpp"
 
@@ -447,11 +446,6 @@ TEST(EventsRefuse, WhatTheyCannotDo) {
   has(refused(
           [](Scene& s) { s.integration.engine = "auto", s.integration.scheme = exact_contacts; }),
       "engine = \"events\" alone");
-  Scene scene = dilute_scene("CD_n");
-  scene.integration.time_step = 1;
-  EXPECT_TRUE(misused_quasi_static(scene).empty());
-  scene.integration.time_step = 1.5;
-  has(misused_quasi_static(scene).at(0).message, "must be at most 1 with integration.engine");
   EXPECT_NEAR(least_underdamped_elasticity(dilute_scene("CD_n")), 0.588, 0.001);
 }
 

@@ -172,13 +172,13 @@ class Exports(Folder):
             np.testing.assert_allclose(frame.box.nearest(ends[:, 1] - frame.position[contacts.j])[0], 0, atol=1e-9)
 
     def test_names_with_dots(self):
-        """"phi0.80" and "phi0.82" have no file in common."""
+        """"phi0.80" and "phi0.v2" have no file in common."""
         run = with_frames()
         for to in ("vtk", "lammps"):
-            one, two = (set(bagnold.export(run, to, self.folder / name, contacts=True)) for name in ("phi0.80", "phi0.82"))
+            one, two = (set(bagnold.export(run, to, self.folder / name, contacts=True)) for name in ("phi0.80", "phi0.v2"))
             self.assertFalse(one & two)
         self.assertTrue((self.folder / "phi0.80_vtk" / "000000.vtp").exists())
-        self.assertTrue((self.folder / "phi0.82_vtk" / "000000.vtp").exists())
+        self.assertTrue((self.folder / "phi0.v2_vtk" / "000000.vtp").exists())
         self.assertTrue((self.folder / "phi0.80.frames.csv").exists())
 
     def test_frames_are_chosen(self):

@@ -58,6 +58,7 @@ class Results(Folder):
         whole = made / "trajectory.h5md"
         (made / "trajectory.parts").mkdir()
         self.assertEqual(len(bagnold.load(made).frames), len(source.frames))
+        (made / "summary.json").unlink()  # it is being made longer
         for part in ("000000_a.h5md", "000001_b.h5md"):  # those of the shorter run, and as many new ones
             shutil.copy(whole, made / "trajectory.parts" / part)
         self.assertEqual(len(bagnold.load(made).frames), 2 * len(source.frames))

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "src/config/errors.hpp"
+#include "src/config/events.hpp"
 
 namespace bagnold {
 namespace {
@@ -37,6 +38,34 @@ TEST(ValidateScene, RefusesMorePairsThanListsCanName) {
   plain.integration.engine = "reference";
   for (auto const& scene : {scene_with(40'000'000, 0.35), scene_with(20'000'000, 10.0), plain})
     EXPECT_EQ(refusal(scene).find("pairs"), std::string::npos) << refusal(scene);
+}
+
+/// A leg of whole windows: one window of 1000 tau_e would be ten decades.
+TEST(ValidateScene, RefusesRampsThatPassTheirTop) {
+  Scene scene = scene_with(64, 0.35);
+  auto& shear = scene.shear;
+  shear.protocol = "ramp";
+  shear.strain_rate = 1e-4;
+  shear.strain_rate_high = 1e-2;
+  shear.ramp_rate = 1e-2;
+  auto const said = refusal(scene);
+  for (auto const* words :
+       {"shear.ramp_window = 1000 (a ramp is whole windows long, so it goes to 1e+06",
+        "take at most 25,"})
+    EXPECT_NE(said.find(words), std::string::npos) << said;
+  shear.ramp_window = 20;
+  EXPECT_EQ(refusal(scene), "");
+}
+
+TEST(ValidateScene, RefusesLongTimeUnitsOfEvents) {
+  Scene scene = scene_with(64, 0.35);
+  scene.disks.elasticity = 20;
+  scene.integration.engine = event_engine;
+  scene.integration.time_step = 1;
+  EXPECT_EQ(refusal(scene), "");
+  scene.integration.time_step = 1.5;
+  EXPECT_NE(refusal(scene).find("must be at most 1 with integration.engine"), std::string::npos)
+      << refusal(scene);
 }
 
 }  // namespace

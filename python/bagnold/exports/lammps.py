@@ -9,8 +9,9 @@ import pathlib
 import numpy as np
 
 from ..contacts import ContactFrames
+from ..files import beside
 from ..frames import Box, Frame, Frames
-from .text import file_beside, in_cell, rows_of, written_whole
+from .text import in_cell, rows_of, written_whole
 
 
 def _box(box: Box) -> str:
@@ -39,7 +40,7 @@ def _disks(frame: Frame) -> str:
 
 def write(frames: Frames, contacts: ContactFrames | None, target: pathlib.Path) -> list[pathlib.Path]:
     """Writes the files; returns them."""
-    told, pairs = file_beside(target, ".frames.csv"), file_beside(target, ".contacts.dump")
+    told, pairs = beside(target, ".frames.csv"), beside(target, ".contacts.dump")
     with written_whole(told) as table, written_whole(target) as dump:
         table.write("step,time,strain,strain_rate,tilt\n")
         for frame in frames:

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import os
 import pathlib
-import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any, TextIO
@@ -25,11 +24,6 @@ def written_whole(path: pathlib.Path) -> Iterator[TextIO]:
         os.replace(part, path)
     finally:
         part.unlink(missing_ok=True)
-
-
-def file_beside(path: pathlib.Path, ending: str) -> pathlib.Path:
-    """NAME + ending of NAME or NAME.lammpstrj, as a file beside an export: the ".80" of "phi0.80" is no ending."""
-    return path.with_name(re.sub(r"\.[A-Za-z]\w*$", "", path.name) + ending)
 
 
 def in_cell(frame: Frame) -> tuple[Array, Integers | None]:

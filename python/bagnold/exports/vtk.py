@@ -13,8 +13,9 @@ from numpy.typing import NDArray
 from typing import Any
 
 from ..contacts import ContactFrames, Contacts
+from ..files import beside
 from ..frames import Array, Frame, Frames
-from .text import contact_segment, file_beside, in_cell, written_whole
+from .text import contact_segment, in_cell, written_whole
 
 TYPES = {"float64": "Float64", "int64": "Int64"}
 
@@ -92,7 +93,7 @@ def _collection(path: pathlib.Path, frames: list[tuple[float, str]]) -> None:
 
 def write(frames: Frames, contacts: ContactFrames | None, target: pathlib.Path) -> list[pathlib.Path]:
     """Writes the files; returns the collections."""
-    folder = file_beside(target, "_vtk")
+    folder = beside(target, "_vtk")
     folder.mkdir(exist_ok=True)
     disks, pairs = [], []
     for k, frame in enumerate(frames):
@@ -108,6 +109,6 @@ def write(frames: Frames, contacts: ContactFrames | None, target: pathlib.Path) 
     _collection(target, disks)
     if contacts is None:
         return [target]
-    of_pairs = file_beside(target, ".contacts.pvd")
+    of_pairs = beside(target, ".contacts.pvd")
     _collection(of_pairs, pairs)
     return [target, of_pairs]

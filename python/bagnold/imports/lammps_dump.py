@@ -11,8 +11,8 @@ from itertools import islice
 
 import numpy as np
 
+from .. import files
 from ..errors import InputError
-from ..exports.text import file_beside
 from ..frames import Array, Box
 from .columns import Columns, whole_ids
 from .configuration import Configuration, Wishes, chosen
@@ -155,7 +155,7 @@ def _told(path: pathlib.Path, items: Mapping[str, Item], box: Box) -> tuple[floa
         notes.append(f"TIMESTEP {step!r} is written as no whole number: read as the time")
     elif beside := _beside(path, int(step), box):
         time, rate = beside
-        notes.append(f"time and strain rate of {file_beside(path, '.frames.csv').name}")
+        notes.append(f"time and strain rate of {files.beside(path, '.frames.csv').name}")
     if "TIME" in items:
         time = _only_number(items["TIME"], f"{path}, line {items['TIME'].line}, TIME", "a number")
     return time, rate, notes
@@ -171,7 +171,7 @@ def _only_number(item: Item, where: str, kind: str) -> float:
 def _beside(path: pathlib.Path, step: int, box: Box) -> tuple[float, float] | None:
     """Time and rate of the step in the table that `bagnold export` writes beside a dump. Raises InputError if it is the
     table of another dump."""
-    beside = file_beside(path, ".frames.csv")
+    beside = files.beside(path, ".frames.csv")
     if not beside.is_file():
         return None
     refuse_cut_end(beside)

@@ -41,7 +41,8 @@ struct Residuals {
   Model const* model;
   Points const* points;
   std::vector<std::size_t> free;
-  Values all;  ///< fixed parameters at their values
+  Values all;   ///< fixed parameters at their values
+  Values unit;  ///< [free], what each is measured in: columns of the Jacobian are of length 1
 
   int inputs() const { return static_cast<int>(free.size()); }
   int values() const { return static_cast<int>(points->size()); }
@@ -49,7 +50,8 @@ struct Residuals {
   Values parameters(InputType const& inside) const {
     Values out = all;
     for (std::size_t k = 0; k < free.size(); ++k)
-      out[free[k]] = outside_of(model->parameters[free[k]], inside[static_cast<Eigen::Index>(k)]);
+      out[free[k]] =
+          outside_of(model->parameters[free[k]], unit[k] * inside[static_cast<Eigen::Index>(k)]);
     return out;
   }
 
@@ -72,12 +74,13 @@ constexpr double difference_step = 4e-11;  // its square root is the step: epsil
 
 Residuals residuals_of(Model const& model, Points const& points, Fixed const& fixed,
                        Values const& start) {
-  Residuals out{&model, &points, {}, start};
+  Residuals out{&model, &points, {}, start, {}};
   for (std::size_t k = 0; k < model.parameters.size(); ++k)
     if (auto const found = fixed.find(model.parameters[k].name); found != fixed.end())
       out.all[k] = found->second;
     else
       out.free.push_back(k);
+  out.unit.assign(out.free.size(), 1.0);
   return out;
 }
 
@@ -93,6 +96,23 @@ void check_fixed(Model const& model, Fixed const& fixed) {
   }
 }
 
+/// The search takes a column of the Jacobian below 1e-15 of the longest for none. Where columns
+/// differ by so much, as of stresses of slow flows, which are as small as the rate squared,
+/// parameters are measured in units that make them of length 1.
+void measure_in_units(Differentiable& residuals, Eigen::VectorXd& inside) {
+  constexpr double far_apart = 1e6;
+  Eigen::MatrixXd jacobian(residuals.values(), residuals.inputs());
+  residuals.df(inside, jacobian);
+  Eigen::VectorXd const length = jacobian.colwise().norm();
+  if (!length.allFinite() || !(length.minCoeff() > 0.0) ||
+      length.maxCoeff() < far_apart * length.minCoeff())
+    return;
+  for (Eigen::Index k = 0; k < length.size(); ++k) {
+    residuals.unit[static_cast<std::size_t>(k)] = 1.0 / length[k];
+    inside[k] *= length[k];
+  }
+}
+
 }  // namespace
 
 Fit fit_from(Model const& model, Points const& points, Fixed const& fixed, Values const& start) {
@@ -105,6 +125,7 @@ Fit fit_from(Model const& model, Points const& points, Fixed const& fixed, Value
     inside[static_cast<Eigen::Index>(k)] =
         inside_of(model.parameters[free[k]], residuals.all.at(free[k]));
   if (!free.empty()) {
+    measure_in_units(residuals, inside);
     Eigen::LevenbergMarquardt<Differentiable> search(residuals);
     search.parameters.ftol = search.parameters.xtol = 1e-13;
     search.parameters.maxfev = 1000;
@@ -128,7 +149,7 @@ Fit fit_from(Model const& model, Points const& points, Fixed const& fixed, Value
   residuals.df(inside, jacobian);
   for (std::size_t k = 0; k < free.size(); ++k)
     jacobian.col(static_cast<Eigen::Index>(k)) /=
-        slope_of(model.parameters[free[k]], out.value[free[k]]);
+        residuals.unit[k] * slope_of(model.parameters[free[k]], out.value[free[k]]);
   Fit of_free{{}, {}, {}, out.chi2, out.freedom};
   set_covariance(of_free, jacobian, points.weighted());
   for (std::size_t k = 0; k < free.size(); ++k) {

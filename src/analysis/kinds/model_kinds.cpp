@@ -20,14 +20,22 @@ Points with_misfit(Points points, double misfit) {
   return points;
 }
 
+/// A misfit that no point would show: a tenth of the smallest relative error.
+double least_misfit(Points const& points) {
+  double least = 1e-4;
+  for (std::size_t k = 0; k < points.error.size(); ++k)
+    if (points.y[k] != 0.0) least = std::min(least, 0.1 * points.error[k] / std::abs(points.y[k]));
+  return least;
+}
+
 /// m of fit_all; 0 where chi2 is one of chance, or no fit is found on the way.
 double misfit_of(Model const& model, Points const& points, Fixed const& fixed,
                  Fit const& first) try {
   FitResult found{{}, {}, first.chi2, first.freedom};
   found.weighted = points.weighted();
   if (!beyond_chance(found)) return 0.0;
-  double low = 1e-4, high = 1.0;
-  constexpr int halvings = 24;  // of ln m: m to a millionth
+  double low = least_misfit(points), high = 1.0;
+  constexpr int halvings = 25;  // of ln m: m to a millionth
   for (int i = 0; i < halvings; ++i) {
     double const middle = std::sqrt(low * high);
     auto const fitted = fit_from(model, with_misfit(points, middle), fixed, first.value);

@@ -76,7 +76,10 @@ Report peak(SweepTable const& table, Request const& request) {
   auto const x = or_else(request.x, "disks.packing_fraction"), y = or_else(request.y, "spin_var");
   Report report;
   auto const series = make_series(table, request, x, y);
-  bool const log_x = covers_decades(x);
+  bool const log_x =
+      covers_decades(x) && std::ranges::all_of(series, [](auto const& one) {
+        return std::ranges::all_of(one.points(0).x, [](double at) { return at > 0; });
+      });
   std::vector<Task> tasks;
   for (auto const& one : series)
     tasks.push_back({one.labels, [points = one.points, log_x](std::uint32_t replica) {

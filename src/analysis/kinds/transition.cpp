@@ -68,7 +68,8 @@ std::vector<Outcome> find_transitions(SweepTable const& table, Request const& re
            auto const drawn = points(replica);
            if (drawn.size() == 0)
              throw InputError(
-                 "no point is at both strain rates; choose them with --rates, or curves with "
+                 "no point has values at both strain rates; choose them with --rates, or curves "
+                 "with "
                  "--where");
            return meet(drawn, request, {request.seed, replica, curve});
          }});

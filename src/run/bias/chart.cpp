@@ -73,8 +73,9 @@ std::vector<Stepping> methods_for(Scene const& scene) {
 /// A system that steps a stretch, and its sums at each of its instants.
 class Path {
  public:
-  Path(Scene const& scene, State const& start, Method const& method)
-      : scene_(scene), start_(start), method_(method) {}
+  /// start: of a run by the scene `from`.
+  Path(Scene const& scene, State const& start, Scene const& from, Method const& method)
+      : scene_(scene), start_(handed_over(start, from, scene, serial)), method_(method) {}
 
   using GoOn = std::function<bool()>;
 
@@ -112,7 +113,7 @@ class Path {
   }
 
   Scene scene_;
-  State const& start_;
+  State start_;
   double seconds_ = 0;  ///< of the steps, as if the first had taken as long as others
   Method method_;
   OpenWindows windows_;
@@ -146,7 +147,7 @@ Chart chart(Scene const& given, State const& start, ChartRequest const& request)
   std::string what = "warming up";
   auto const go_on = [&] { return request.go_on(share, what); };
   Scene to_warm_up = scene;
-  to_warm_up.integration.engine = automatic;
+  to_warm_up.integration.engine = steps_engine;  // velocities of its states are those of steps
   auto const run = make_simulation(to_warm_up, first_snapshot(start), serial);
   OpenWindows unused;
   StretchSize size;
@@ -159,7 +160,7 @@ Chart chart(Scene const& given, State const& start, ChartRequest const& request)
     auto const step = warm + static_cast<std::int64_t>(k) * next;
     if (!size.step(*run, {.last_step = step}, unused, go_on)) break;
     State const state = run->state();
-    Path finer(made.finest, state, finest);
+    Path finer(made.finest, state, to_warm_up, finest);
     what = fmt::format("state {} of {}, the finest method", k + 1, request.states);
     if (!finer.step(ticks, go_on)) break;
     bool stopped = false;
@@ -171,13 +172,13 @@ Chart chart(Scene const& given, State const& start, ChartRequest const& request)
                          time_step(of));
       if (failed[m]) continue;
       try {
-        Path coarse(of, state, method);
+        Path coarse(of, state, to_warm_up, method);
         if (!coarse.step(ticks, go_on)) {
           stopped = true;
           break;
         }
         pairs[m].push_back({run->step(), coarse.averages(1), finer.averages(method.length)});
-        auto const took = Path(of, state, method).seconds(ticks, go_on);
+        auto const took = Path(of, state, to_warm_up, method).seconds(ticks, go_on);
         if (took)
           seconds[m].push_back(*took);
         else

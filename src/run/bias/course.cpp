@@ -71,6 +71,10 @@ std::int64_t Course::next(std::size_t replica) const {
   return chooses() ? end() : (place_ + 1) * grid_;
 }
 
+Scene Course::run_by() const {
+  return chooses() ? with_method(scene_, ladder_.methods[main_]) : methods_.coarse;
+}
+
 Own Course::own() const {
   if (!ladder_.shares || place_ < pair_place_) return Own::neither;
   auto const& method = ladder_.methods[on_trial_];

@@ -128,6 +128,9 @@ class Course {
     return (windows + 1) / 2;
   }
 
+  /// The scene by whose scheme and step the run steps at present.
+  Scene run_by() const;
+
   /// Method by which the run steps, of its ladder.
   std::size_t method() const { return main_; }
 

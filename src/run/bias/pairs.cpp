@@ -101,6 +101,7 @@ bool ReplicaPairs::take_due(Simulation const& run, statistics::Windows const& wi
   auto const step = run.step();
   Methods const* methods = nullptr;
   Own own;
+  Scene run_by;
   {
     std::unique_lock lock(shared_.mutex);
     if (!is_due(step)) return true;
@@ -121,11 +122,14 @@ bool ReplicaPairs::take_due(Simulation const& run, statistics::Windows const& wi
     }
     methods = &course.methods();
     own = course.own();
+    run_by = course.run_by();
   }
   if (!start_) start_ = run.state();
   auto const averages_of = [&](Scene const& scene, std::int64_t every) -> std::optional<Averages> {
     if (!stretch_)
-      stretch_ = std::make_unique<Stretch>(scene, *start_, shared_.backend, methods->third, every);
+      stretch_ =
+          std::make_unique<Stretch>(scene, handed_over(*start_, run_by, scene, shared_.backend),
+                                    shared_.backend, methods->third, every);
     if (!stretch_->advance(go_on)) return {};
     auto const found = stretch_->averages();
     stretch_.reset();

@@ -2,9 +2,13 @@
 #include "src/run/bias/stretch.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 #include <vector>
 
+#include "kernels/physics/schemes/schemes.hpp"
+#include "src/config/schemes.hpp"
+#include "src/config/time_step.hpp"
 #include "src/engine/make_simulation.hpp"
 #include "src/measure/observables.hpp"
 
@@ -27,7 +31,33 @@ Averages averages_from(Scene const& scene, double box_length, std::vector<double
           .temperature_before = value("T_g", before)};
 }
 
+/// Time by which velocities lag behind the positions of a state, [tau_e]: leapfrogs have them half
+/// a step before.
+double lag(Scene const& scene) {
+  auto const scheme = scheme_of(scene);
+  return scheme == default_scheme || scheme == ImplicitDamping::name ? time_step(scene) / 2 : 0;
+}
+
 }  // namespace
+
+State handed_over(State start, Scene const& from, Scene const& to, std::string const& backend) {
+  double const share = (lag(from) - lag(to)) / time_step(from);
+  if (!(share > 0)) return start;
+  auto const one = make_simulation(from, first_snapshot(start), backend);
+  OpenWindows unused;
+  one->advance(1, {.last_step = 1}, unused);
+  State const next = one->state();
+  double const dt = time_step(from), height = start.box_height();
+  for (std::size_t i = 0; i < start.count(); ++i) {
+    auto& v = start.velocity[i];
+    auto w = next.velocity[i];  // less the flow of the boxes that it rose by
+    w[0] += std::round((start.position[i][1] + dt * w[1] - next.position[i][1]) / height) *
+            from.shear.strain_rate * height;
+    for (int axis : {0, 1}) v[axis] += share * (w[axis] - v[axis]);
+    if (!start.spin.empty()) start.spin[i] += share * (next.spin[i] - start.spin[i]);
+  }
+  return start;
+}
 
 Stretch::Stretch(Scene const& scene, State const& start, std::string const& backend,
                  std::int64_t third, std::int64_t every)

@@ -14,6 +14,7 @@ constexpr double small_share = 0.05;
 }  // namespace
 
 std::optional<Warning> dissipative_pressure(FinishedRun const& finished) {
+  if (ends_quasi_static(finished.run)) return {};  // quasi_static_inertia
   auto const* found = finished.of("p_dis_share");
   if (!found || !found->estimate.all.mean || !found->estimate.all.error) return {};
   double const share = *found->estimate.all.mean, error = *found->estimate.all.error;

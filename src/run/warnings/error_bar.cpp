@@ -37,10 +37,13 @@ Warning none_or_rough(FinishedRun const& finished, NamedEstimate const& found) {
       {{"measured_strain", strain},
        {"correlation_strain", all.independent > 0 ? correlation : std::nan("")},
        {"independent_windows", all.independent}},
-      fmt::format("{} has {} error: the measured strain of {:.3g} holds about {:.2g} independent "
-                  "windows, an error takes {}",
-                  found.observable.name, all.rough ? "a rough" : "no", strain, all.independent,
-                  enough_windows),
+      all.rough
+          ? fmt::format("{} has a rough error, from {} blocks of the measured strain of {:.3g}: a "
+                        "sure one takes {}",
+                        found.observable.name, all.blocks, strain, statistics::fewest_blocks)
+          : fmt::format("{} has no error: the measured strain of {:.3g} holds about {:.2g} "
+                        "independent windows, an error takes {}",
+                        found.observable.name, strain, all.independent, enough_windows),
       "make the run longer, or take disks.replicas of 3 or more",
       until_errors(finished),
       /*is_note=*/all.rough};

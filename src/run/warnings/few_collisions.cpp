@@ -68,7 +68,8 @@ std::optional<Warning> few_collisions(FinishedRun const& finished) {
     return {};
   }
   double const strain = finished.measured_strain();
-  double const found = collisions_per_disk(run.scene, finished.mean("Z"), strain);
+  double const found =
+      collisions_per_disk(run.scene, finished.mean("Z"), strain, mean_overlap(finished));
   if (!(found < fewest_collisions)) return {};
   return warning_of(found, fmt::format("in the measured strain of {:.3g}", strain),
                     "make the run longer", longer_run(run, 1.5 * fewest_collisions / found));

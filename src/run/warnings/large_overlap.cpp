@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "src/run/collisions.hpp"
 #include "src/run/warnings/checks.hpp"
 
 namespace bagnold {
@@ -33,10 +34,8 @@ Warning with_remedy(Warning warning, Scene const& scene) {
 }  // namespace
 
 double mean_overlap(FinishedRun const& finished) {
-  auto const& disks = finished.run.scene.disks;
-  double const area = finished.box_area();
-  double const contacts = static_cast<double>(disks.count) * finished.mean("Z") / 2;
-  return std::pow(2 * finished.mean("p_el") * area / contacts, 1 / (disks.force_exponent - 1));
+  return mean_overlap(finished.run.scene, finished.mean("p_el"), finished.mean("Z"),
+                      finished.box_area());
 }
 
 std::optional<Warning> large_overlap(FinishedRun const& finished) {

@@ -27,7 +27,10 @@ std::optional<Warning> quasi_static_inertia(FinishedRun const& finished) {
                   found->in_words(), quasi_static_engine),
       is_quasi_static(finished.run.scene)
           ? "set integration.engine = \"auto\", which steps through collisions"
-          : "set integration.scheme = \"two-stage-leapfrog\", which steps through collisions"};
+          : "set integration.scheme = \"two-stage-leapfrog\", which steps through collisions",
+      "bagnold run DIR/scene.toml --set integration.engine=auto --set "
+      "integration.scheme=two-stage-leapfrog --set integration.time_step=auto --out "
+      "DIR-two-stages"};
 }
 
 }  // namespace bagnold

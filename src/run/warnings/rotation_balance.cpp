@@ -29,7 +29,8 @@ double energy(FinishedRun const& finished, std::size_t window) {
 std::optional<Warning> rotation_balance(FinishedRun const& finished) {
   auto const* found = finished.of("torque_power");
   if (!found || !found->estimate.all.mean || !found->estimate.all.error) return {};
-  if (finished.run.scene.driven()) return {};  // a fluid takes torques too
+  if (finished.run.scene.driven()) return {};      // a fluid takes torques too
+  if (ends_quasi_static(finished.run)) return {};  // quasi_static_inertia
   double const power = *found->estimate.all.mean, error = *found->estimate.all.error;
   double const changed = finished.change([&](std::size_t w) { return energy(finished, w); });
   double const kept = changed / std::abs(finished.mean("sigma") * finished.measured_strain());

@@ -79,6 +79,35 @@ TEST(LevenbergMarquardt, FindsTheParametersOfExactPoints) {
   }
 }
 
+/// Stresses of slow flows are as small as their rate squared: the unit of y changes no fit.
+TEST(LevenbergMarquardt, UnitsDoNotMatter) {
+  for (auto const& c : cases()) {
+    SCOPED_TRACE(c.name);
+    std::mt19937_64 random(3);
+    auto const points = sampled(
+        c.x, c.curve, [&](double y) { return c.noise * y; }, &random);
+    auto const model = c.model(points);
+    if (model.parameters[0].name == "mu_J") continue;  // of numbers of order 1
+    auto const expected = fit(model, points, c.fixed);
+    for (double const unit : {1e-14, 1e-20, 1e-30, 1e30}) {
+      auto scaled = points;
+      for (double& y : scaled.y) y *= unit;
+      for (double& error : scaled.error) error *= unit;
+      auto const found = fit(c.model(scaled), scaled, c.fixed);
+      EXPECT_NEAR(found.chi2, expected.chi2, 1e-6 * expected.chi2) << unit;
+      for (std::size_t k = 0; k < found.value.size(); ++k) {
+        bool const of_y = model.parameters[k].name == "C" || model.parameters[k].name == "c" ||
+                          model.parameters[k].name == "Q0";
+        double const by = of_y ? unit : 1.0;
+        EXPECT_NEAR(found.value[k] / by, expected.value[k], 1e-5 * std::abs(expected.value[k]))
+            << unit << " " << k;
+        EXPECT_NEAR(found.error[k] / by, expected.error[k], 1e-4 * expected.error[k])
+            << unit << " " << k;
+      }
+    }
+  }
+}
+
 /// A law of others, all of it given: how well points agree.
 TEST(LevenbergMarquardt, NothingFree) {
   Points const points{{1, 2, 3}, {1.2, 2.0, 2.9}, {0.1, 0.1, 0.1}};

@@ -10,6 +10,7 @@
 #include "kernels/physics/sums/sums.hpp"
 #include "src/config/jamming.hpp"
 #include "src/config/quasi_static.hpp"
+#include "src/run/collisions.hpp"
 #include "tests/config/scenes.hpp"
 #include "tests/support/schemes.hpp"
 
@@ -357,6 +358,21 @@ TEST_F(Checks, TooFewCollisions) {
     EXPECT_EQ(names(list), wanted < 10 ? "few_collisions" : "");
     for (auto const& warning : list)
       EXPECT_NEAR(number(warning, "collisions_per_disk"), wanted, 1e-6);
+  }
+}
+
+/// Hertzian disks are as stiff as at their mean overlap: t_c ~ overlap^(-1/4).
+TEST_F(Checks, TooFewCollisionsOfHertzianDisks) {
+  scene.disks.force_exponent = 2.5;
+  scene.disks.elasticity = 1e4;
+  auto const at = [&](double overlap) { return collisions_per_disk(scene, 1, 10, overlap); };
+  EXPECT_NEAR(at(1e-4) / at(1e-6), std::sqrt(10), 1e-3);
+  EXPECT_EQ(at(0), at(largest_relative_overlap));
+  double const overlap = std::pow(1e-5, 2 / 3.0);
+  for (double const wanted : {9.0, 11.0}) {
+    auto const list = warnings_of(Flow{.contacts = wanted / at(overlap)});
+    EXPECT_EQ(names(list).find("few_collisions") != std::string::npos, wanted < 10);
+    if (wanted < 10) EXPECT_NEAR(number(list.at(0), "collisions_per_disk"), wanted, 0.1);
   }
 }
 

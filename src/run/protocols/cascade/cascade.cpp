@@ -37,6 +37,19 @@ std::optional<Scene> longer_stage(fs::path const& path, double strain) {
   return stage;
 }
 
+/// Throws InputError where the cascade has more strain at a rate than its run, from whose end the
+/// next one has started.
+void refuse_more_before_others(RunFolder const& folder, Scene const& cascade) {
+  auto const path = [&](std::size_t k) { return folder.path() / stage_folder(cascade, k); };
+  for (std::size_t k = 0; k + 1 < cascade.shear.strain_rates.size(); ++k)
+    if (begun(path(k + 1)) && longer_stage(path(k), cascade.shear.strain.at(k)))
+      throw InputError(fmt::format(
+          "{}: shear.strain = {} at rate {} of {} (more than its run, from whose end the next rate "
+          "started); give a list of strains, of which the last alone is more",
+          folder.scene().string(), cascade.shear.strain.at(k), k + 1,
+          cascade.shear.strain_rates.size()));
+}
+
 /// Runs a stage, or continues it; if it is finished, draws pictures that a kill left out.
 RunEnd run_stage(fs::path const& path, Scene const& scene, Machine const& machine,
                  RunMonitor& monitor) {
@@ -122,6 +135,7 @@ fs::path folder_to_resume(fs::path const& folder) {
 }
 
 bool asks_for_more(RunFolder const& folder, Scene const& cascade) {
+  refuse_more_before_others(folder, cascade);
   auto const last = cascade.shear.strain_rates.size() - 1;
   return longer_stage(folder.path() / stage_folder(cascade, last), cascade.shear.strain.at(last))
       .has_value();
@@ -148,6 +162,7 @@ void draw_missing_pictures_of_cascade(RunFolder const& folder, Scene const& casc
 
 RunEnd run_cascade(RunFolder const& folder, Scene const& cascade, Machine const& machine,
                    RunMonitor& monitor) {
+  refuse_more_before_others(folder, cascade);
   KokkosScope const kokkos(machine, cascade);
   auto const stages = cascade.shear.strain_rates.size();
   auto const work = work_of_stages(cascade);
