@@ -63,8 +63,11 @@ Outcome carry_out(Task const& task, std::uint32_t number, Request const& request
     } catch (InputError const&) {
       out.replicas.emplace_back(parameters, unknown);
     }
-  for (std::size_t k = 0; k < parameters; ++k)
-    out.bootstrap.push_back(standard_deviation(out.replicas, k));
+  for (std::size_t k = 0; k < parameters; ++k) {
+    double const deviation = standard_deviation(out.replicas, k);
+    bool const none_drawn = deviation == 0.0 && out.found.error[k] > 0.0;  // data without an error
+    out.bootstrap.push_back(none_drawn ? unknown : deviation);
+  }
   return out;
 }
 

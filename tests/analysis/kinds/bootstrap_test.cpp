@@ -53,5 +53,20 @@ TEST(Bootstrap, TellsTheSpreadOfAFittedParameter) {
   }
 }
 
+/// Nothing can be drawn of one seed without an error.
+TEST(Bootstrap, IsUnknownWithoutErrors) {
+  std::mt19937_64 random(22);
+  auto table = table_of(1, random);
+  for (double& error : table.observables["mu"].error) error = std::nan("");
+  Request request;
+  request.resamples = 50;
+  auto const found = fit_all(
+      make_series(table, request, "I", "mu"), [](Points const&) { return friction_law_model(); },
+      {{"b", 1.0}}, true, request);
+  EXPECT_GT(found.at(0).found.error[1], 0.0);
+  EXPECT_TRUE(std::isnan(found.at(0).bootstrap[1]));
+  EXPECT_EQ(found.at(0).bootstrap[2], 0.0);  // b is given
+}
+
 }  // namespace
 }  // namespace bagnold::analysis
