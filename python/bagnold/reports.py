@@ -69,8 +69,8 @@ def report(source: Run | Sweep | str | os.PathLike[str], out: str | os.PathLike[
 
 def _read(folder: pathlib.Path) -> Run | Sweep:
     if (folder / "points.json").exists() and not (folder / "sweep.h5").exists():
-        raise InputError(f"{folder} has no tables yet; `bagnold sweep {_quoted(folder / 'sweep.toml')} --out {_quoted(folder)} --collect` writes those "
-                         "of the points that are done")
+        raise InputError(f"{folder} has no tables yet; `bagnold sweep {_quoted(folder / 'sweep.toml')} --out {_quoted(folder)} "
+                         "--collect` writes those of the points that are done")
     if (folder / "sweep.h5").exists():
         return sweep(folder)
     from .commands import status

@@ -237,10 +237,9 @@ bool Quantity::has_bias() const {
 }
 
 Value Quantity::of(std::span<std::size_t const> all) const {
-  auto const rows = present(all);
-  auto out = without_bias(rows);
+  auto out = without_bias(all);
   if (!has_bias()) return out;
-  auto const method = bias(rows);
+  auto const method = bias(present(all));
   if (std::abs(method.bias) > 0.0 || method.error > 0.0)
     out.error = std::hypot(out.error, method.bias, method.error);
   return out;

@@ -44,9 +44,9 @@ class Quantity {
   Quantity(SweepTable const& table, std::string const& name, std::optional<double> phi_j = {});
 
   /// Value of one datum. all: rows of the table that are its seeds; those without a value of one of
-  /// the parts of a ratio or product are left out. Where the bias of the method
-  /// was measured its error is (error^2 + bias^2 + bias_error^2)^(1/2). All seeds have the same
-  /// bias, so the mean over seeds has all of it; that of a ratio or product is to first order.
+  /// the parts of a ratio or product are left out. Where the bias of the method was measured its
+  /// error is (error^2 + bias^2 + bias_error^2)^(1/2). All seeds have the same bias, so the mean
+  /// over seeds has all of it; that of a ratio or product is to first order.
   Value of(std::span<std::size_t const> all) const;
 
   /// The same with the statistical error alone.

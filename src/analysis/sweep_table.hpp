@@ -69,9 +69,8 @@ SweepTable read_sweep_table(std::filesystem::path const& path);
 
 /// Several sweeps as one, their points one after another. Keys are those that any of them varies,
 /// looked up in the scenes of the others, and those of is_physics in which one sweep differs from
-/// another; observables those of any, NaN where one
-/// has none. Throws InputError: a key that a sweep does not tell, or the same system, as a run or
-/// as a replica of one, in two of them.
+/// another; observables those of any, NaN where one has none. Throws InputError: a key that a sweep
+/// does not tell, or the same system, as a run or as a replica of one, in two of them.
 SweepTable merge_tables(std::vector<SweepTable> tables);
 
 }  // namespace bagnold::analysis

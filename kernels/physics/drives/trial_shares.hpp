@@ -17,19 +17,20 @@ class TrialShares {
  public:
   explicit TrialShares(DriveInput const& input) {
     auto const& table = input.table;
-    for (Species const s : {Species{0}, Species{1}}) {
-      Real const dt = input.time_step, torque = spin_drag(input.drag, table.diameter[s]);
-      auto const of = shares(input.scheme, input.drag * dt * table.inverse_mass[s]);
-      auto const of_spin = shares(input.scheme, torque * dt * table.inverse_inertia[s]);
-      (s == 0 ? drag_.small : drag_.big) = of.drag;
-      (s == 0 ? halfway_.small : halfway_.big) = of.halfway;
-      (s == 0 ? spin_drag_.small : spin_drag_.big) = of_spin.drag;
-      (s == 0 ? spin_halfway_.small : spin_halfway_.big) = of_spin.halfway;
-    }
+    auto const of = [&](Species s) {
+      return shares(input.scheme, input.drag * input.time_step * table.inverse_mass[s]);
+    };
+    auto const of_spin = [&](Species s) {
+      Real const zeta = spin_drag(input.drag, table.diameter[s]);
+      return shares(input.scheme, zeta * input.time_step * table.inverse_inertia[s]);
+    };
+    drag_ = {of(0).drag, of(1).drag};
+    halfway_ = {of(0).halfway, of(1).halfway};
+    spin_drag_ = {of_spin(0).drag, of_spin(1).drag};
+    spin_halfway_ = {of_spin(0).halfway, of_spin(1).halfway};
   }
 
-  /// `disk` with the velocities whose drag acts in the step; `trial`: with those of the trial
-  /// state.
+  /// `disk` with the velocities whose drag acts in the step; trial: that at the trial state.
   template <class T>
   KOKKOS_FORCEINLINE_FUNCTION DrivenDisk<T> dragged(DrivenDisk<T> const& disk,
                                                     DrivenDisk<T> const& trial) const {

@@ -69,8 +69,7 @@ std::vector<Outcome> find_transitions(SweepTable const& table, Request const& re
            if (drawn.size() == 0)
              throw InputError(
                  "no point has values at both strain rates; choose them with --rates, or curves "
-                 "with "
-                 "--where");
+                 "with --where");
            return meet(drawn, request, {request.seed, replica, curve});
          }});
   return carry_out(tasks, request);
