@@ -21,12 +21,18 @@ Report run_kind(Kind const& kind, SweepTable const& table, Request const& reques
   throw InputError(fmt::format("{}; {}", error.what(), table.left_out()));
 }
 
-/// Throws InputError where a file to be written is one that was read, or a table of a sweep that
-/// was.
+/// Folder of a sweep, from it or from a file in it.
+std::filesystem::path folder_of(std::filesystem::path const& sweep) {
+  return std::filesystem::is_directory(sweep) ? sweep : sweep.parent_path();
+}
+
+/// Throws InputError where a file to be written is one that was read, or a table of a sweep beside
+/// it.
 void refuse_inputs(std::vector<std::filesystem::path> const& sweeps,
                    std::filesystem::path const& written) {
   for (auto const& sweep : sweeps)
-    for (auto const& kept : {sweep, sweep / "sweep.csv", sweep / "pieces.csv"}) {
+    for (auto const& kept :
+         {sweep, folder_of(sweep) / "sweep.csv", folder_of(sweep) / "pieces.csv"}) {
       std::error_code not_there;
       if (std::filesystem::equivalent(kept, written, not_there))
         throw InputError(
@@ -48,7 +54,7 @@ Analysis analyse(std::vector<std::filesystem::path> const& sweeps, KindRequest c
   auto const table = merge_tables(std::move(tables));
   auto const& sweep = sweeps.front();
   if (prefix.empty())
-    prefix = (std::filesystem::is_directory(sweep) ? sweep : sweep.parent_path()) / asked.kind;
+    prefix = folder_of(sweep) / asked.kind;
   else if (prefix.filename().empty())
     prefix /= asked.kind;
   for (auto const* ending : {".csv", ".drawn.csv"})

@@ -475,6 +475,8 @@ grid = { "disks.elasticity" = [1, 2] }
         self.assertEqual(table.read_bytes(), before)
         (self.sweep_folder / "sweep.csv").write_text("kept")
         self.refused("crossover", "--out", self.sweep_folder / "sweep", words=["holds what is analysed"])
+        self.assert_clean_error(self.bagnold("analyse", "crossover", self.sweep_folder / "sweep.h5",
+                                             "--out", self.sweep_folder / "sweep"), 2, "holds what is analysed")
         self.assertEqual(self.bagnold("analyse", "crossover", table, "--out", f"{self.folder}/other/").returncode, 0)
         self.assertTrue((self.folder / "other" / "crossover.csv").exists())
 

@@ -135,7 +135,7 @@ class Framed(Choice):
         self.assertEqual(read_summary(out)["bias"]["method"]["scheme"], "implicit-damping")
         with h5py.File(out / "trajectory.h5md") as file:
             steps = file["particles/trajectory/position/step"][...]
-        self.assertEqual(set((steps[1:] - steps[:-1]).tolist()), {1610})  # 0.0321/2e-5 = 1605, made up to whole ones of 7
+        self.assertEqual(set((steps[1:] - steps[:-1]).tolist()), {1611})  # 0.0321/2e-5 = 1605, made up to whole ones of 9
 
 
 class Continued(Choice):
@@ -183,7 +183,7 @@ class Said(Choice):
                                r"stretches \(p [+-]\d.*\); taken from here on")
         self.assertIn("method: implicit-damping, a step of 1.6 tau_e", text)
         text = self.run_scene(self.scene(**DILUTE), self.folder / "gas").stdout
-        self.assertIn("not taken: implicit-damping, a step of 1.4 tau_e: inertia (p_kin/p above 0.0003)", text)
+        self.assertIn("not taken: implicit-damping, a step of 1.8 tau_e: inertia (p_kin/p above 0.0003)", text)
 
     def test_measures_the_bias_of_all(self):
         """measure.bias with scheme = "auto" judges the usual method too."""

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "tests/reference/system.hpp"
@@ -42,14 +43,23 @@ inline double contact_weight(int contacts, bool rolling) {
 }
 
 /// Powers of an implicit step, and what its iterations leave of the equation, in the norm of the
-/// kinetic energy: a share of its right side, at most 1/T_n(1 + 2/bound).
+/// kinetic energy: a share of its right side, and how large it may be.
 struct ImplicitPower : StepPower {
   double left = 0.0, allowed = 0.0;
 };
 
-/// A step of the leapfrog with implicit damping. iterations: Chebyshev's for w, in their form with
-/// residuals and directions (Saad, Iterative Methods, 2nd ed., Alg. 12.1); 0: w is solved to
-/// rounding, by conjugate gradients. dissipative: out, sum f_a r_b of the damping of v + w.
+/// Lift s of the polynomial of Chebyshev iterations.
+inline constexpr double lift = 0.5;
+
+/// Largest part that Chebyshev iterations leave of a right side: (1 + s)/(T_n(1 + 2/bound) + s).
+inline double left_at_most(int iterations, double bound) {
+  return (1 + lift) / (std::cosh(iterations * std::acosh(1 + 2 / bound)) + lift);
+}
+
+/// A step of the leapfrog with implicit damping. w is solved to rounding, by conjugate gradients:
+/// with 0 iterations for a, else for a less what as many Chebyshev iterations leave of it,
+/// [T_n(1 - 2 B/bound) + s] a / [T_n(1 + 2/bound) + s], by the recurrence of T_n. dissipative: out,
+/// sum f_a r_b of the damping of v + w.
 inline ImplicitPower implicit_step(System& system, int iterations, double (&dissipative)[2][2]) {
   Parameters const& p = system.p;
   State& s = system.s;
@@ -110,43 +120,41 @@ inline ImplicitPower implicit_step(System& system, int iterations, double (&diss
     ++count[c.i];
     ++count[c.j];
   }
-  Motions w = none, left = a, direction = none;
-  double bound = 0;
-  if (iterations == 0) {
-    direction = left;
-    for (double left2 = product(left, left), start2 = left2; left2 > 1e-30 * start2;) {
-      auto const applied = combined(1, direction, -1, damping(direction));
-      double const along = left2 / product(direction, applied);
-      w = combined(1, w, along, direction);
-      left = combined(1, left, -along, applied);
-      double const before2 = left2;
-      left2 = product(left, left);
-      direction = combined(1, left, left2 / before2, direction);
+  double bound = 0, damped = 1 / p.elasticity;
+  if (p.model == Parameters::Model::CD_nt)
+    damped *= std::max(p.damping_normal, p.damping_tangential);
+  for (std::size_t i = 0; i < s.count(); ++i)
+    bound = std::max(
+        bound, 2 * damped * dt / mass(p, s.diameter[i]) * contact_weight(count[i], rotates(p)));
+  Motions solved_for = a;
+  if (iterations > 0 && bound > 0) {
+    auto const mapped = [&](Motions const& x) { return combined(1, x, 2 / bound, damping(x)); };
+    double const outside = 1 + 2 / bound;
+    Motions before = a, now = mapped(a);
+    double before_outside = 1, now_outside = outside;
+    for (int k = 1; k < iterations; ++k) {
+      before = std::exchange(now, combined(2, mapped(now), -1, before));
+      before_outside = std::exchange(now_outside, 2 * outside * now_outside - before_outside);
     }
-  } else {
-    double damped = 1 / p.elasticity;
-    if (p.model == Parameters::Model::CD_nt)
-      damped *= std::max(p.damping_normal, p.damping_tangential);
-    for (std::size_t i = 0; i < s.count(); ++i)
-      bound = std::max(
-          bound, 2 * damped * dt / mass(p, s.diameter[i]) * contact_weight(count[i], rotates(p)));
-    double const middle = 1 + bound / 2, half = bound / 2;
-    double ratio = half / middle;
-    direction = combined(1 / middle, left, 0, none);
-    for (int k = 0; k < (bound == 0 ? 0 : iterations); ++k) {
-      w = combined(1, w, 1, direction);
-      left = combined(1, left, -1, combined(1, direction, -1, damping(direction)));
-      double const next = 1 / (2 * middle / half - ratio);
-      direction = combined(next * ratio, direction, 2 * next / half, left);
-      ratio = next;
-    }
-    left = combined(1, a, -1, combined(1, w, -1, damping(w)));
+    double const whole = now_outside + lift;
+    solved_for = combined(1 - lift / whole, a, -1 / whole, now);
   }
+  Motions w = none, left = solved_for, direction = left;
+  double left2 = product(left, left);
+  for (double const start2 = left2; left2 > 1e-30 * start2;) {
+    auto const applied = combined(1, direction, -1, damping(direction));
+    double const along = left2 / product(direction, applied);
+    w = combined(1, w, along, direction);
+    left = combined(1, left, -along, applied);
+    double const before2 = std::exchange(left2, product(left, left));
+    direction = combined(1, left, left2 / before2, direction);
+  }
+  if (iterations > 0) left = combined(1, a, -1, combined(1, w, -1, damping(w)));
 
   ImplicitPower power;
   if (bound > 0) {
     power.left = std::sqrt(product(left, left) / product(a, a));
-    power.allowed = 1 / std::cosh(iterations * std::acosh(1 + 2 / bound));
+    power.allowed = left_at_most(iterations, bound);
   }
   for (auto& row : dissipative) row[0] = row[1] = 0.0;
   Motions after = none, halfway = none;

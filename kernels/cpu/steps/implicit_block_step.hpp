@@ -37,7 +37,7 @@ struct BlockStep<L, R, S> {
   Forces forces;
   Real time_step;  ///< dt, [tau_e]
   DampingBound bound;
-  ChebyshevRoots roots = ChebyshevRoots::make(iterations + 1);
+  ChebyshevRoots roots = ChebyshevRoots::make(iterations + 1, Scheme::lift);
 
   BlockStep(Law const& law, Repulsion const& repulsion, SpeciesTable const& table, Real dt)
       : forces{law, repulsion}, time_step(dt), bound(DampingBound::of(law, table)) {}

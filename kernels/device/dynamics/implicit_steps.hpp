@@ -204,7 +204,7 @@ struct StepViews<Rotates, Scheme, Space> {
     for (auto& each : iterate)
       each = Kokkos::View<Motion<Rotates>*, Space>("dynamics::iterate", disks);
     bound = bound_on_device<Space>(law, table);
-    roots = ChebyshevRoots::make(Scheme::terms(Law::rotates));
+    roots = ChebyshevRoots::make(Scheme::terms(Law::rotates), Scheme::lift);
   }
 };
 
@@ -226,7 +226,7 @@ struct StepTables<Rotates, Scheme, Space> {
     for (auto& each : iterate)
       each = SystemTable<Motion<Rotates>, Space>("dynamics::iterate", systems, disks);
     bound = bound_on_device<Space>(law, table);
-    roots = ChebyshevRoots::make(Scheme::terms(Law::rotates));
+    roots = ChebyshevRoots::make(Scheme::terms(Law::rotates), Scheme::lift);
   }
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -23,34 +24,41 @@ struct ChebyshevIteration {
   }
 };
 
-/// 1 - cos((2 j - 1) pi/(2 n)) of the roots of Chebyshev's polynomial T_n, in the order of the
-/// iterations. Made on the host: the cosine of a device may differ in the last bit.
+/// 1 - x of the zeros x of T_n(x) + s, T_n: Chebyshev's polynomial, s: the lift, in the order of
+/// the iterations. Made on the host: the cosine of a device may differ in the last bit.
 struct ChebyshevRoots {
   static constexpr int most = 9;
   int terms;  ///< n, 2 to most
   Real of[most];
 
-  static ChebyshevRoots make(int terms) {
+  /// lift: 0 to 1.
+  static ChebyshevRoots make(int terms, Real lift) {
+    Real rising[most];
+    for (int j = 0; j < terms; ++j)
+      rising[j] = 1 - std::cos((std::acos(-lift) + 2 * j * std::numbers::pi) / terms);
+    std::sort(rising, rising + terms);
     ChebyshevRoots roots{terms, {}};
-    for (int k = 0; k < terms; ++k) {
-      int const j = k % 2 == 0 ? terms - k / 2 : k / 2 + 1;
-      Real const angle = (2 * j - 1) * std::numbers::pi / (2 * terms);
-      roots.of[k] = 1 - std::cos(angle);
-    }
+    for (int k = 0; k < terms; ++k) roots.of[k] = rising[k % 2 == 0 ? terms - 1 - k / 2 : k / 2];
     return roots;
   }
 };
 
 /// Iterations of (1 + B) w = a for a B whose eigenvalues lie in [0, bound], Saad, Iterative Methods
-/// (2nd ed.), Sec. 12.3.2: Richardson's, by the roots 1/g of Chebyshev's polynomial T_n,
+/// (2nd ed.), Sec. 12.3.2: Richardson's, by the roots 1/g of a polynomial,
 ///
 ///     w_k+1 = w_k + g_k (a - w_k - B w_k),   w_0 = 0,   k = 0 .. n - 1,
-///     1/g = 1 + (bound/2) (1 - cos((2 j - 1) pi/(2 n))),   j = 1 .. n
+///     1/g = 1 + (bound/2) (1 - x),           T_n(x) = -s
 ///
-/// No other polynomial of a and B with as many terms is nearer to the solution for the worst such
-/// B: the error is 1/T_n(1 + 2/bound). Large and small roots alternate, so that rounding errors do
-/// not grow. A component of a in the null space of B is multiplied by 1 less the error. The
-/// momentum of all disks is conserved nevertheless, since pair forces give none to a.
+/// They leave of a component of `a` with the eigenvalue b the part
+///
+///     [T_n(1 - 2 b/bound) + s] / [T_n(1 + 2/bound) + s],
+///
+/// from -(1 - s) to 1 + s of 1/(T_n(1 + 2/bound) + s). With s = 0 no other polynomial of as many
+/// terms is nearer to the solution for the worst such B. With s > 0 the part that is taken too far,
+/// below 0, is smaller and the other larger (why: ImplicitDamping::lift). Large and small roots
+/// alternate, so that rounding errors do not grow. A component in the null space of B is multiplied
+/// by 1 less its part. The momentum of all disks is conserved nevertheless, since pair forces give
+/// none to a.
 ///
 /// w_1 is never computed: the first iteration takes `a` for u.
 struct ChebyshevIterations {
@@ -71,8 +79,8 @@ struct ChebyshevIterations {
   }
 
   /// Iterations up to w_`terms`, 2 to most + 1, on the host.
-  ChebyshevIterations(Real bound, int terms)
-      : ChebyshevIterations(bound, ChebyshevRoots::make(terms)) {}
+  ChebyshevIterations(Real bound, int terms, Real lift)
+      : ChebyshevIterations(bound, ChebyshevRoots::make(terms, lift)) {}
 };
 
 }  // namespace bagnold

@@ -45,8 +45,8 @@ concept TwoStageScheme = requires(Vec2<Real> v, Real t) {
 };
 
 /// All forces once a step; then the change w of all velocities from an equation in which the
-/// damping of w acts with the weight theta, solved by as many iterations as `iterations` says
-/// (Chebyshev):
+/// damping of w acts with the weight theta, solved by as many Chebyshev iterations as `terms` says,
+/// of a polynomial with the given lift (ChebyshevIterations):
 ///
 ///     a = change(f(r_0, v_0), dt/m),          w - (theta dt/m) f_dis(r_0, w) = a
 ///     v_1 = velocity(v_0, w),                 r_1 = position(r_0, v_1, dt)
@@ -56,6 +56,7 @@ template <class S>
 concept ImplicitScheme = requires(Vec2<Real> v, Real t) {
   { S::theta } -> std::convertible_to<Real>;
   { S::terms(true) } -> std::same_as<int>;
+  { S::lift } -> std::convertible_to<Real>;
   { S::change(v, t) } -> std::same_as<Vec2<Real>>;
   { S::velocity(v, v) } -> std::same_as<Vec2<Real>>;
   { S::position(v, v, t) } -> std::same_as<Vec2<Real>>;

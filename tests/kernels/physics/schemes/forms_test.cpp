@@ -59,7 +59,7 @@ struct Free {
         EXPECT_TRUE(same(S::velocity(spin, spin, still, T(0.5) * per_mass), spin)) << S::name;
         EXPECT_TRUE(same(S::position(r, v, v, T(0.5) * dt), reached)) << S::name;
       } else if constexpr (ImplicitScheme<S>) {
-        ChebyshevIterations const plan(28.8, S::terms(true));
+        ChebyshevIterations const plan(28.8, S::terms(true), S::lift);
         EXPECT_TRUE(same(S::change(none, per_mass), none)) << S::name;
         for (int k = 0; k < plan.count; ++k)
           EXPECT_TRUE(same(plan.iteration[k](none, none, per_mass, none), none)) << S::name;
