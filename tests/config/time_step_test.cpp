@@ -103,7 +103,7 @@ TEST(ImplicitDampingRule, GoesByTheNormalDamping) {
     return rule_time_step(scene, "implicit-damping");
   };
   EXPECT_DOUBLE_EQ(step(1, 1), 1.8);
-  EXPECT_DOUBLE_EQ(step(1, 0.5), 1.8);
+  EXPECT_DOUBLE_EQ(step(1, 0.5), 1.4);
   EXPECT_DOUBLE_EQ(step(0.5, 1), 1.8 / std::cbrt(2));
   EXPECT_DOUBLE_EQ(step(0.5, 1, 10), 1.8 / std::cbrt(20));
   EXPECT_DOUBLE_EQ(step(0, 1), 0.2);

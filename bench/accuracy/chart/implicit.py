@@ -44,7 +44,7 @@ STATES = [
     *(newtonian(model, rate) for rate in (1e-3, 1e-4, 1e-5, 1e-6) for model in ("CD", "CD_rot")),
     newtonian("CD_nt", 1e-4),
     State("CD", 0.78, 1.0, 1e-4, (0.8, 1.2, 1.6, 2.0)),
-    *(newtonian(model, rate, 16384) for rate in (1e-3, 1e-4, 1e-5) for model in ("CD", "CD_rot")),
+    *(newtonian(model, rate, 16384) for rate in (1e-3, 1e-4) for model in ("CD", "CD_rot")),
     *(State(model, 0.84, 1.0, 1e-4, (0.8, 1.2, 1.6)) for model in ("CD", "CD_n")),
     State("CD_rot", 0.84, 1.0, 1e-4, (0.8, 1.4, 1.8, 2.0)),
     State("CD", 0.82, 0.1, 1e-4, (1.6, 3.0, 5.0, 10.0)),

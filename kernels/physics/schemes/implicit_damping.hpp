@@ -57,16 +57,18 @@ struct ImplicitDamping {
   static constexpr bool can_step = LinearLaw<Law>;
   static constexpr std::string_view cannot_step = "damping is not linear in the velocity";
 
-  /// Rule for dt, [tau_e]: 1.6 min{1, Q^-0.3}, where disks roll 1.8 min{1, Q^-1/3}, with Q over the
-  /// normal damping constant in units of 1/Q, as that alone holds the stiff motions along normals;
-  /// 0.2 where these are undamped, or sliding contacts (nearly), so that inertia always matters.
-  /// Biases in Newtonian flow are below 0.4% (docs/accuracy.md, "Implicit damping").
+  /// Rule for dt, [tau_e]: 1.6 min{1, Q^-0.3}; where disks roll 1.8 min{1, Q^-1/3}, 1.4 for 1.8
+  /// where sliding contacts are damped less than normals, so that inertia matters more. Q is over
+  /// the normal damping constant in units of 1/Q, as that alone holds the stiff motions along
+  /// normals; 0.2 where these are undamped, or sliding contacts (nearly), so that inertia always
+  /// matters. Biases in Newtonian flow are below 0.5% (docs/long_steps.md, "Implicit damping").
   template <LinearLaw Law>
   static Real time_step(DampingInput const& input) {
     Law const at_one = Law::make({1, input.normal, input.tangential});
     Real const normal = at_one.normal_damping(), tangential = at_one.tangential_damping();
     if (!(normal > 0) || tangential < least_tangential_share * normal) return 0.2;
-    Real const longest = Law::rotates ? 1.8 : 1.6, power = Law::rotates ? 1.0 / 3 : 0.3;
+    Real const rolling = tangential < normal ? 1.4 : 1.8;
+    Real const longest = Law::rotates ? rolling : 1.6, power = Law::rotates ? 1.0 / 3 : 0.3;
     return longest * std::min(1.0, std::pow(input.elasticity / normal, -power));
   }
 
