@@ -307,7 +307,8 @@ class LongSteps(Shown):
                 self.compare(larger.split(":")[1], with_errors(row, ["T_g"])[:1 + ("(" in larger)], state)
         rule = [row for row in rows if not re.match(r"CD_n |CD_rot 0.(76|8) |CD 0.82 Q=50", row["state"])
                 for model, _, q, _ in [state_of(row["state"].split(" N=")[0])]
-                if abs(row["time_step"] - (1.6 * max(1, q) ** -0.3 if model == "CD" else 1.8 * max(1, q) ** (-1 / 3))) < 0.04]
+                if abs(row["time_step"] - {"CD": 1.6 * max(1, q) ** -0.3, "CD_rot": 1.8 * max(1, q) ** (-1 / 3), "CD_nt": 1.4}[model]) < 0.04]
+
         def worst_of(rows):
             return max(abs(row[key]) for row in rows for key in ("p", "sigma"))
 
