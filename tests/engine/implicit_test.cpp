@@ -7,7 +7,7 @@
 namespace bagnold::test {
 namespace {
 
-int iterations(Scene const& scene) { return scene.rotates() ? 5 : 3; }
+int iterations(Scene const& scene) { return reference::chebyshev_iterations(scene.rotates()); }
 
 double kinetic_energy(reference::Parameters const& p, State const& s) {
   double sum = 0;

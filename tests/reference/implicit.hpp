@@ -48,7 +48,10 @@ struct ImplicitPower : StepPower {
   double left = 0.0, allowed = 0.0;
 };
 
-/// Lift s of the polynomial of Chebyshev iterations.
+/// Chebyshev iterations of a step.
+inline int chebyshev_iterations(bool rotates) { return rotates ? 5 : 3; }
+
+/// Lift s of their polynomial.
 inline constexpr double lift = 0.5;
 
 /// Largest part that Chebyshev iterations leave of a right side: (1 + s)/(T_n(1 + 2/bound) + s).

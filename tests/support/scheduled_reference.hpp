@@ -16,7 +16,8 @@ inline void reference_step(reference::System& system, std::string const& scheme)
   if (scheme == papers_scheme)
     reference::step(system);
   else if (is_implicit(scheme))
-    reference::implicit_step(system, reference::rotates(system.p) ? 5 : 4, dissipative);
+    reference::implicit_step(system, reference::chebyshev_iterations(reference::rotates(system.p)),
+                             dissipative);
   else
     reference::two_stage_step(system, dissipative);
 }
