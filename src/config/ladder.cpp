@@ -22,7 +22,7 @@ namespace bagnold {
 
 namespace {
 
-/// Cost of a step of implicit damping in steps of two stages, as the passes over contacts count.
+/// Cost of a step of implicit damping in steps of two stages: 1.8 in CD, 2.5 where disks roll.
 constexpr double implicit_cost = 2.3;
 
 /// Strain of a quasi-static step. Steps of 3e-4, which cost half as much a strain, take Z of CD up
