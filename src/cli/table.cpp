@@ -143,17 +143,20 @@ void print_remarks(FinishedRun const& finished, std::string const& folder) {
 }
 
 /// The method of the run, its verdict, and other methods that were tried.
-void print_method(bias::Findings const& found, bool chosen) {
+void print_method(bias::Findings const& found, Scene const& scene) {
   fmt::print("\n");
   for (auto const& one : found.tried)
     fmt::print(
         "{}: {}: {}{}{}\n", one.taken ? "left" : "not taken",
         bias::method_in_words(one.methods.coarse), one.reason,
-        one.reason == bias::inertia ? fmt::format(" (p_kin/p above {:g})", most_kinetic) : "",
+        one.reason == bias::inertia
+            ? fmt::format(" (p_kin/p above {:g})", one.taken ? most_kinetic : least_inertia(scene))
+            : "",
         one.reason.empty() ? fmt::format("{} after {} pairs of stretches",
                                          bias::name_of(one.judgement.verdict), one.pairs)
                            : "");
-  if (chosen) fmt::print("method: {}\n", bias::method_in_words(found.methods.coarse));
+  if (scene.integration.scheme == automatic)
+    fmt::print("method: {}\n", bias::method_in_words(found.methods.coarse));
   if (found.judgement.verdict == bias::Verdict::usual)
     fmt::print("bias of the method: not measured (below {:g}% in all flows of docs/accuracy.md)\n",
                100 * usual_accuracy);
@@ -191,7 +194,7 @@ void print_table(Run const& run, std::vector<NamedEstimate> const& list, std::st
   if (left_out > 0) fmt::print("{} more in summary.json (on the screen with --all)\n", left_out);
 
   print_ends(run, folder);
-  if (run.bias) print_method(*run.bias, run.scene.integration.scheme == automatic);
+  if (run.bias) print_method(*run.bias, run.scene);
   if (run.replicas.size() > 1)
     fmt::print("\n{} replicas, seeds {} to {}; errors: {}\n", run.replicas.size(),
                run.scene.disks.seed,

@@ -25,16 +25,16 @@ namespace {
 /// Cost of a step of implicit damping in steps of two stages: 1.8 in CD, 2.5 where disks roll.
 constexpr double implicit_cost = 2.3;
 
-/// Strain of a quasi-static step. Steps of 3e-4, which cost half as much a strain, take Z of CD up
-/// by 0.5%, and pairs leave them open from some states; of CD_rot they take Z up by 1.5%.
-constexpr double quasi_static_strain = 1e-4;
+/// Strain of a quasi-static step. Steps of 3e-4 cost 0.8 as much a strain, and take Z of CD up by
+/// 0.5%; of CD_rot they take Z up by 1.5%.
+constexpr double quasi_static_strain = 2e-4;
 
-/// Cost of such a step of 1024 disks in steps of two stages: 80 (AVX2) to 260 (AVX-512, by the
-/// ratio of both strains). The factorization makes it grow as N^1.5.
-constexpr double quasi_static_cost = 260;
+/// Cost of such a step of 1024 disks in steps of two stages (AVX-512). The factorization makes it
+/// grow as N^1.5.
+constexpr double quasi_static_cost = 130;
 
 /// Largest cost of quasi-static steps, over that of implicit damping, that is worth a trial.
-constexpr double most_quasi_static_cost = 0.5;
+constexpr double most_quasi_static_cost = 0.6;
 
 /// Largest cost of a method, over that of two stages at their rule, that is worth a trial.
 constexpr double most_cost = 0.75;
@@ -135,6 +135,10 @@ std::vector<Method> cheaper(Scene const& scene) {
 }
 
 }  // namespace
+
+double least_inertia(Scene const& scene) {
+  return std::min(most_kinetic, 1e-4 * std::max(1.0, scene.disks.elasticity));
+}
 
 bool damps_all(std::string_view scheme) { return is_implicit(scheme) || scheme == backward_euler; }
 

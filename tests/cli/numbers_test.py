@@ -274,7 +274,7 @@ class Stability(Shown):
                 ("beyond {}%, {} standard errors and the change of rotational energy", 100 * power, errors),
                 ("beyond {}% and {} standard errors; [what", 100 * limit("dissipative_pressure.cpp", "small_share"), errors),
                 ("beyond {}%. The defaults come to", 100 * limit("collision_loss.cpp", "most_off")),
-                ("above {}: inertia has a part", limit("ladder.hpp", "most_kinetic", "src/config")),
+                ("up to {}: inertia has a part", limit("ladder.hpp", "most_kinetic", "src/config")),
                 ("above {} γ_0(G'² + G''²)^(1/2): D is fitted", limit("stress_drift.cpp", "most_drift")),
                 ("a change above {}% that is {} standard errors, or {} where MSER-5 would cut off over a quarter; without a known error "
                  "above {}%", 100 * drift[0], *drift[1:3], 100 * drift[3]),

@@ -14,7 +14,7 @@ COLUMNS = ("state", "method", "step_strain", "starts", "seconds_per_strain", "ne
            "energy_gap", "p_kin_share", *(f"{name}{end}" for name in OBSERVABLES for end in ("", "_err")))
 REFERENCE = "implicit-damping"  # by its rule
 RATES = (1e-5, 1e-6, 1e-7)
-STRAINS = (1e-3, 3e-4)  # of a step; the first is "auto"
+STRAINS = (1e-3, 3e-4, 2e-4, 1e-4)  # of a step; the first is the rule
 SLOWEST_TWO_STAGE = 1e-5  # below, ten times the seconds a decade
 STATES = [implicit.State(model, 0.82, 1.0, rate, ()) for rate in RATES for model in ("CD", "CD_rot")]
 

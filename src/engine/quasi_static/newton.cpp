@@ -13,10 +13,20 @@ namespace {
 
 constexpr int most_iterations = 80, most_trials = 12;
 
-/// Largest distance by which disks move while the factor keeps its normals, [d_s]: the softest
-/// motions are resisted by inertia alone, which at a rate of 1e-7 is 1e-8 of the resistance to
-/// overlaps.
+/// Largest distance by which disks move while the factor keeps its normals, [d_s]. Rolling is
+/// resisted by inertia alone, which at a rate of 1e-7 is 1e-8 of the resistance to overlaps.
 constexpr Real near = 1e-5;
+
+/// The same where disks do not roll and tangential damping resists all motions across contacts,
+/// with k_t/(k_e h) of the resistance to overlaps: a share of that, up to a limit.
+constexpr Real damped_share = 0.3, most_damped = 1e-3;
+
+template <bool Rotates>
+Real reach_of_factor(StepEquations<Rotates> const& equations) {
+  if (Rotates) return near;
+  return std::clamp(damped_share * equations.tangential_damping() / equations.start().duration,
+                    near, most_damped);
+}
 
 /// A whole step is accepted if it leaves at most `good_share` of the residual; otherwise the slope
 /// along it is reduced to `flat_share`. With good_share = 0.5, CD_rot at 1e-7 takes nearly twice as
@@ -78,8 +88,9 @@ bool solve_step(StepEquations<Rotates>& equations, NewtonMatrix<Rotates>& matrix
   ++counts.evaluations;
   Real left = equations.relative_residual();
   Eigen::VectorXd of_factor;  // the u that it belongs to
+  Real const reach = reach_of_factor(equations);
   auto const is_near = [&] {
-    return (u - of_factor).cwiseAbs().maxCoeff() * equations.start().duration < near;
+    return (u - of_factor).cwiseAbs().maxCoeff() * equations.start().duration < reach;
   };
   for (int k = 0; k < most_iterations && (k == 0 || left > tolerance); ++k) {
     ++counts.iterations;

@@ -58,6 +58,7 @@ class StepEquations {
   void evaluate(Eigen::VectorXd const& u, bool glued);
 
   StepStart const& start() const { return start_; }
+  Real tangential_damping() const { return material_.tangential_damping; }
   Eigen::VectorXd const& residual() const { return residual_; }
   std::vector<Vec2<Real>> const& position() const { return position_; }  ///< r + h u
   std::vector<ActivePair> const& active() const { return active_; }

@@ -33,6 +33,20 @@ double loss_error(Scene const& coarse) {
   return collision_loss_error(coarse, scheme_of(coarse), time_step(coarse));
 }
 
+/// Place on the ladder of the finer method of a pair, up to the usual one; past its end: it has
+/// none.
+std::size_t finer_on_ladder(Scene const& scene, Ladder const& ladder, Scene const& fine) {
+  double const dt = time_step(fine);
+  auto const is_fine = [&](Method const& method) {
+    return method.scheme == scheme_of(fine) &&
+           std::abs(time_step(with_method(scene, method)) / dt - 1) < 1e-9;
+  };
+  auto const& all = ladder.methods;
+  auto const end = all.begin() + static_cast<std::ptrdiff_t>(ladder.usual) + 1;
+  auto const found = std::find_if(all.begin(), end, is_fine);
+  return found == end ? all.size() : static_cast<std::size_t>(found - all.begin());
+}
+
 /// "p +0.02(3)%, sigma ..." or the reason of a refusal without pairs
 std::string in_words(Trial const& trial) {
   if (!trial.reason.empty()) return std::string(trial.reason);
@@ -79,9 +93,7 @@ Own Course::own() const {
   if (!ladder_.shares || place_ < pair_place_) return Own::neither;
   auto const& method = ladder_.methods[on_trial_];
   if (holds()) return method.parts == 1 ? Own::coarse : Own::neither;  // it looks at whole steps
-  bool const usual = main_ == ladder_.usual && methods_.ratio == method.length &&
-                     methods_.fine.integration.scheme == default_scheme;
-  return usual ? Own::fine : Own::neither;
+  return main_ == finer_ ? Own::fine : Own::neither;
 }
 
 std::int64_t Course::end_place() const { return place_ + (own() == Own::neither ? 0 : 1); }
@@ -98,8 +110,8 @@ bool Course::watches() const {
 std::optional<Pair> Course::without_pair(std::int64_t step, double kinetic_share,
                                          bool has_step) const {
   if (!chooses()) return {};
-  bool const inertial =
-      damps_all(methods_.coarse.integration.scheme) && !(kinetic_share < most_kinetic);
+  bool const inertial = damps_all(methods_.coarse.integration.scheme) &&
+                        !(kinetic_share < (holds() ? most_kinetic : least_inertia(scene_)));
   if (inertial || !has_step) return Pair::skipped(step, !has_step);
   if (place_ < pair_place_) return Pair::watched(step);
   return {};
@@ -147,7 +159,8 @@ void Course::end_round() {
   }
   skipped_ = !skips ? std::string_view{} : any(&Pair::skips_events) ? events : inertia;
   skips_ = skips ? skips_ + 1 : 0;
-  bool const left = holds() ? main_ < ladder_.usual : ladder_.judges_all && skips_ >= most_skips;
+  bool const others = ladder_.judges_all || (skipped_ == inertia && next_trial() < ladder_.usual);
+  bool const left = holds() ? main_ < ladder_.usual : others && skips_ >= most_skips;
   if (failed || (skips && left)) {
     reason_ = failed ? failed_step : skipped_;
     if (verdict_ != Verdict::refused)
@@ -177,8 +190,24 @@ void Course::look() {
   if (verdict != std::exchange(verdict_, verdict)) verdicts_.push_back({pairs, verdict});
 }
 
+/// Steps the run by the finer method of the trial, if it is a cheap one, while the trial has pairs.
+void Course::step_beside_trial(std::int64_t here) {
+  if (holds() || !(finer_ < ladder_.usual)) return;
+  bool const beside = skipped_.empty();
+  auto const method = beside ? finer_ : ladder_.usual;
+  if (std::exchange(main_, method) == method) return;
+  auto said = fmt::format("strain {:.4g}: from here on {}", strain_of(here * grid_),
+                          method_in_words(run_by()));
+  if (!beside) {
+    dropped_ = here * grid_;
+    said += fmt::format(", for {}, and what was before is left out", skipped_);
+  }
+  changes_.push_back(said);
+}
+
 /// Changes the method, or the one on trial, after a round at a place.
 void Course::choose(std::int64_t here) {
+  step_beside_trial(here);
   bool const gives_up = verdict_ == Verdict::refused || verdict_ == Verdict::open;
   auto const said =
       fmt::format("strain {:.4g}: {}, is {} after {} pairs of stretches ({})",
@@ -191,7 +220,7 @@ void Course::choose(std::int64_t here) {
       changes_.push_back(said + "; taken from here on");
     } else if (gives_up) {
       changes_.push_back(said);
-      begin_trial(on_trial_ + 1, here);
+      begin_trial(next_trial(), here);
     }
     return;
   }
@@ -202,7 +231,15 @@ void Course::choose(std::int64_t here) {
   auto const next = with_method(scene_, ladder_.methods[main_]);
   changes_.push_back(fmt::format("{}; from here on {}, and what was before is left out", said,
                                  method_in_words(next)));
-  begin_trial(cheap ? on_trial_ + 1 : main_, here);
+  begin_trial(cheap ? next_trial() : main_, here);
+}
+
+/// The method after the one on trial; not one that damps all, where inertia has a part.
+std::size_t Course::next_trial() const {
+  auto next = on_trial_ + 1;
+  if (skipped_ == inertia)
+    while (damps_all(ladder_.methods[next].scheme)) ++next;
+  return next;
 }
 
 /// Puts a method on trial after a place. The usual one is judged only where it is asked for.
@@ -210,6 +247,7 @@ void Course::begin_trial(std::size_t method, std::int64_t here) {
   if (here > 0) tried_.push_back(trial());
   on_trial_ = method;
   methods_ = methods_of(scene_, ladder_, ladder_.methods[method]);
+  finer_ = finer_on_ladder(scene_, ladder_, methods_.fine);
   collision_loss_error_ = loss_error(methods_.coarse);
   done_ = method == ladder_.usual && !ladder_.judges_all;
   first_round_ = rounds_;
@@ -300,7 +338,8 @@ Findings Course::findings() const {
   found.tried.push_back(trial());
   static_cast<Trial&>(found) =
       Trial{.methods = methods_of(scene_, ladder_, ladder_.methods[main_])};
-  found.judgement.verdict = ladder_.judges_all ? Verdict::none : Verdict::usual;
+  bool const judged = ladder_.judges_all || main_ != ladder_.usual;
+  found.judgement.verdict = judged ? Verdict::none : Verdict::usual;
   return found;
 }
 

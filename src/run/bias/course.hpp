@@ -16,7 +16,8 @@
 
 namespace bagnold::bias {
 
-/// Reason of a trial without pairs: p_kin/p is at most_kinetic or above.
+/// Reason of a trial without pairs: p_kin/p is at least_inertia() or above, or at most_kinetic
+/// where the run stepped by the method.
 inline constexpr std::string_view inertia = "inertia";
 
 /// What pairs of stretches said of one method.
@@ -72,6 +73,10 @@ constexpr std::size_t most_pairs(double accuracy) { return accuracy < usual_accu
 /// steps by is refused or open, the usual one follows, and the windows so far are dropped. Where an
 /// accuracy below usual_accuracy or measure.bias asks for it, the usual method is judged too, and
 /// if it is refused one of half the step follows.
+///
+/// While quasi-static steps are on trial, from the first pair on, the run steps by implicit
+/// damping, the finer side of their pairs, unless inertia has a part. If they are given up it is
+/// next on trial.
 ///
 /// Where the run itself steps by one of both methods, own(), and places are a stretch apart, the
 /// run's windows up to the next place are that side of the pair. The round ends there.
@@ -156,6 +161,8 @@ class Course {
   double strain_of(std::int64_t steps) const;
   void end_round();
   void look();
+  std::size_t next_trial() const;
+  void step_beside_trial(std::int64_t here);
   void choose(std::int64_t here);
   void begin_trial(std::size_t method, std::int64_t here);
   void count_steps(std::size_t round);
@@ -180,6 +187,8 @@ class Course {
   std::int64_t coarse_steps_ = 0, fine_steps_ = 0;  ///< of stretches that are not the run's own
 
   // of the present trial
+  std::size_t finer_ =
+      0;  ///< the finer method's place on the ladder, past its end where it has none
   std::size_t first_round_ = 0;
   std::size_t looks_ = 0;          ///< of the schedule
   std::int64_t place_ = 1;         ///< of the present round on the grid

@@ -12,13 +12,14 @@ std::optional<Warning> implicit_inertia(FinishedRun const& finished) {
   auto const scheme = scheme_of(finished.run.scene);
   if (!is_implicit(scheme)) return {};
   double const kinetic = finished.mean("p_kin") / finished.mean("p");
-  if (!(kinetic > most_kinetic)) return {};
+  double const least = least_inertia(finished.run.scene);
+  if (!(kinetic > least)) return {};
   return Warning{
       "implicit_inertia",
       {{"p_kin_share", kinetic}},
       fmt::format("p_kin/p = {:.2g} (above {:g}): inertia has a part in this flow, and {} with a "
                   "step of {} tau_e is for motions that damping alone decides",
-                  kinetic, most_kinetic, scheme, finished.run.plan.time_step),
+                  kinetic, least, scheme, finished.run.plan.time_step),
       "set integration.scheme = \"auto\", which steps through collisions",
       by_scheme(automatic, "auto")};
 }
