@@ -85,15 +85,15 @@ class Chosen(Choice):
 
     def test_refused_later(self):
         """On the edge of inertia a method that was taken is left: windows before that are in no average."""
-        changes = {**DENSE, "disks__model": "CD_rot", "disks__count": 72, "shear__strain": 7.0,
+        changes = {**DENSE, "disks__elasticity": 2.0, "disks__count": 72, "shear__strain_rate": 1e-3, "shear__strain": 7.0,
                    "measure__fields": True, "measure__frame_strain": 0.12}
         for seed in range(1, 31):
             out = self.folder / f"seed{seed}"
             said = self.run_scene(self.scene(**{**changes, "disks__seed": seed}), out).stdout
             found = read_summary(out)["bias"]
             left = re.search(r"strain ([\d.]+): implicit.*what was before is left out", said)
-            if not left:
-                self.assertEqual(found["dropped_strain"], 0)
+            self.assertEqual(found["dropped_strain"] > 0, left is not None)
+            if not left or float(left[1]) > 5.0:  # too late for frames
                 continue
             self.assertIn("left: implicit-damping, a step of", said)
             self.assertGreater(counters(out)["steps_by_implicit_damping"], 0)
