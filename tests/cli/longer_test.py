@@ -221,6 +221,24 @@ class LongerTest(CliTest):
                          json.loads((whole / "summary.json").read_text()))
         self.assertEqual((out / "scene.toml").read_text(), (whole / "scene.toml").read_text())
 
+    def test_further_rate_of_a_cascade(self):
+        """Written after the last one: it starts from its end. Other rates are refused."""
+        changes = {"shear__protocol": "cascade", "shear__strain_rate": None, "shear__strain": 0.1}
+        out = self.run_new("out", shear__strain_rates=[2.0**-7, 2.0**-8], **changes)
+        scene = out / "scene.toml"
+        before = scene.read_text()
+        self.assertIn("[0.0078125, 0.00390625]", before)
+        for rates, number in (("[0.0078125, 0.005, 0.00390625]", 2), ("[0.01, 0.005]", 1)):
+            scene.write_text(before.replace("[0.0078125, 0.00390625]", rates))
+            self.assert_clean_error(self.bagnold("resume", out), 2, f"at rate {number} of", "not among those", "another --out")
+            self.assertTrue((out / "summary.json").exists())
+        scene.write_text(before.replace("0.00390625]", "0.00390625, 0.001953125]"))
+        self.assertEqual(self.bagnold("resume", out).returncode, 0)
+        whole = self.run_new("whole", shear__strain_rates=[2.0**-7, 2.0**-8, 2.0**-9], **changes)
+        self.assert_same_state(out / "0003_strain_rate=0.001953125", whole / "0003_strain_rate=0.001953125")
+        self.assertEqual(json.loads((out / "summary.json").read_text()), json.loads((whole / "summary.json").read_text()))
+        self.assertIn("finished", self.longer(out, 0.1))
+
     def test_refusals(self):
         out = self.run_new("out", shear__strain=SHORT)
         self.assert_clean_error(self.bagnold("resume", out, "--strain", 0.1), 2, "0.2005", "must be")

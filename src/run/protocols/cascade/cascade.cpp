@@ -137,8 +137,16 @@ fs::path folder_to_resume(fs::path const& folder) {
 bool asks_for_more(RunFolder const& folder, Scene const& cascade) {
   refuse_more_before_others(folder, cascade);
   auto const last = cascade.shear.strain_rates.size() - 1;
-  return longer_stage(folder.path() / stage_folder(cascade, last), cascade.shear.strain.at(last))
-      .has_value();
+  auto const path = [&](std::size_t k) { return folder.path() / stage_folder(cascade, k); };
+  if (begun(path(last))) return longer_stage(path(last), cascade.shear.strain.at(last)).has_value();
+  for (std::size_t k = 0; k < last; ++k)
+    if (!begun(path(k)))
+      throw InputError(fmt::format(
+          "{}: shear.strain_rates = {} at rate {} of {} (not among those that were run); a "
+          "finished "
+          "cascade goes on with rates after its last; run another one into another --out",
+          folder.scene().string(), cascade.shear.strain_rates[k], k + 1, last + 1));
+  return true;
 }
 
 void make_cascade_longer(RunFolder const& folder, Scene const& after) {
