@@ -46,8 +46,8 @@ std::vector<Refusal> misused_quasi_static(Scene const& scene) {
   if (scene.disks.count > most_disks)
     list.push_back(
         {{"integration.engine", "disks.count"},
-         because(fmt::format("factorizes a matrix of all disks, which grows as N^1.5: above {} it "
-                             "gains nothing, disks.count = {}",
+         because(fmt::format("factorizes a matrix of all disks, which grows as N^1.75: above {} it "
+                             "gains little, disks.count = {}",
                              most_disks, scene.disks.count),
                  "set integration.scheme = \"implicit-damping\" and integration.engine = "
                  "\"auto\"")});
