@@ -162,7 +162,10 @@ void print_method(bias::Findings const& found, Scene const& scene) {
                100 * usual_accuracy);
   else
     fmt::print("bias of the method: {} within {:g}% after {} pairs of stretches\n",
-               bias::name_of(found.judgement.verdict), 100 * found.tolerance, found.pairs);
+               found.judgement.verdict == bias::Verdict::none
+                   ? "not known to be"
+                   : bias::name_of(found.judgement.verdict),
+               100 * found.tolerance, found.pairs);
 }
 
 }  // namespace

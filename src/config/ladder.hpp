@@ -42,12 +42,13 @@ inline constexpr double usual_accuracy = 0.01;
 inline constexpr double stretch_strain = 0.03;
 inline constexpr std::int64_t fewest_stretch_steps = 12;
 
-/// p_kin/p from which on inertia has a part in a flow, and methods that damp all are left.
+/// p_kin/p from which on a run no longer steps by a method that damps all: inertia has a part.
 inline constexpr double most_kinetic = 3e-4;
 
-/// p_kin/p from which on they are not tried: 1e-4 max{1, Q}, up to most_kinetic. At Q = 1 implicit
-/// damping moves soft motions as if they had 2.4 times their mass, at larger Q nearly their own.
-/// The bias of that builds up too slowly for pairs to see: p is 0.9% high in CD at 1.7e-4.
+/// p_kin/p from which on methods that damp all are not tried: 1e-4 max{1, Q}, up to most_kinetic. Q
+/// is over the normal damping constant in units of 1/Q. At Q = 1 implicit damping moves soft
+/// motions as if they had 2.5 times their mass, at larger Q nearly their own. The bias of that
+/// builds up too slowly for pairs to see: p is 0.9% high in CD at 1.7e-4.
 double least_inertia(Scene const& scene);
 
 /// True for schemes with long steps, which are for flows that damping decides.

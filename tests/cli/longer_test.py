@@ -228,14 +228,15 @@ class LongerTest(CliTest):
         scene = out / "scene.toml"
         before = scene.read_text()
         self.assertIn("[0.0078125, 0.00390625]", before)
-        for rates, number in (("[0.0078125, 0.005, 0.00390625]", 2), ("[0.01, 0.005]", 1)):
+        for rates, number in (("[0.0078125, 0.005, 0.00390625]", 2), ("[0.01, 0.005]", 1), ("[0.0078125, 0.001]", 2),
+                              ("[0.0078125]", 2)):
             scene.write_text(before.replace("[0.0078125, 0.00390625]", rates))
-            self.assert_clean_error(self.bagnold("resume", out), 2, f"at rate {number} of", "not among those", "another --out")
+            self.assert_clean_error(self.bagnold("resume", out), 2, f"at rate {number}", "another --out")
             self.assertTrue((out / "summary.json").exists())
-        scene.write_text(before.replace("0.00390625]", "0.00390625, 0.001953125]"))
+        scene.write_text(before.replace("0.00390625]", "0.00390625, 0.001953125, 0.001]"))
         self.assertEqual(self.bagnold("resume", out).returncode, 0)
-        whole = self.run_new("whole", shear__strain_rates=[2.0**-7, 2.0**-8, 2.0**-9], **changes)
-        self.assert_same_state(out / "0003_strain_rate=0.001953125", whole / "0003_strain_rate=0.001953125")
+        whole = self.run_new("whole", shear__strain_rates=[2.0**-7, 2.0**-8, 2.0**-9, 0.001], **changes)
+        self.assert_same_state(out / "0004_strain_rate=0.001", whole / "0004_strain_rate=0.001")
         self.assertEqual(json.loads((out / "summary.json").read_text()), json.loads((whole / "summary.json").read_text()))
         self.assertIn("finished", self.longer(out, 0.1))
 

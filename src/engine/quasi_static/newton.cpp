@@ -15,17 +15,14 @@ constexpr int most_iterations = 80, most_trials = 12;
 
 /// Largest distance by which disks move while the factor keeps its normals, [d_s]. Rolling is
 /// resisted by inertia alone, which at a rate of 1e-7 is 1e-8 of the resistance to overlaps.
-constexpr Real near = 1e-5;
-
-/// The same where disks do not roll and tangential damping resists all motions across contacts,
-/// with k_t/(k_e h) of the resistance to overlaps: a share of that, up to a limit.
-constexpr Real damped_share = 0.3, most_damped = 1e-3;
+/// Without spins damping resists sliding with k_t/(k_e h) of it; the distance is a share of that.
+constexpr Real near = 1e-5, share_without_spins = 0.3, farthest_without_spins = 1e-3;
 
 template <bool Rotates>
 Real reach_of_factor(StepEquations<Rotates> const& equations) {
   if (Rotates) return near;
-  return std::clamp(damped_share * equations.tangential_damping() / equations.start().duration,
-                    near, most_damped);
+  Real const sliding = equations.tangential_damping() / equations.start().duration;
+  return std::clamp(share_without_spins * sliding, near, farthest_without_spins);
 }
 
 /// A whole step is accepted if it leaves at most `good_share` of the residual; otherwise the slope

@@ -33,18 +33,13 @@ double loss_error(Scene const& coarse) {
   return collision_loss_error(coarse, scheme_of(coarse), time_step(coarse));
 }
 
-/// Place on the ladder of the finer method of a pair, up to the usual one; past its end: it has
-/// none.
-std::size_t finer_on_ladder(Scene const& scene, Ladder const& ladder, Scene const& fine) {
-  double const dt = time_step(fine);
-  auto const is_fine = [&](Method const& method) {
-    return method.scheme == scheme_of(fine) &&
-           std::abs(time_step(with_method(scene, method)) / dt - 1) < 1e-9;
-  };
+/// Place on the ladder of the finer method of a pair, up to the usual one; past its end if none.
+std::size_t finer_on_ladder(Ladder const& ladder, Method const& coarse, Methods const& pair) {
   auto const& all = ladder.methods;
-  auto const end = all.begin() + static_cast<std::ptrdiff_t>(ladder.usual) + 1;
-  auto const found = std::find_if(all.begin(), end, is_fine);
-  return found == end ? all.size() : static_cast<std::size_t>(found - all.begin());
+  for (std::size_t k = 0; k <= ladder.usual; ++k)
+    if (all[k].scheme == scheme_of(pair.fine) && all[k].length * pair.ratio == coarse.length)
+      return k;
+  return all.size();
 }
 
 /// "p +0.02(3)%, sigma ..." or the reason of a refusal without pairs
@@ -110,8 +105,9 @@ bool Course::watches() const {
 std::optional<Pair> Course::without_pair(std::int64_t step, double kinetic_share,
                                          bool has_step) const {
   if (!chooses()) return {};
+  bool const cheap = main_ < ladder_.usual;
   bool const inertial = damps_all(methods_.coarse.integration.scheme) &&
-                        !(kinetic_share < (holds() ? most_kinetic : least_inertia(scene_)));
+                        !(kinetic_share < (cheap ? most_kinetic : least_inertia(scene_)));
   if (inertial || !has_step) return Pair::skipped(step, !has_step);
   if (place_ < pair_place_) return Pair::watched(step);
   return {};
@@ -138,11 +134,23 @@ std::int64_t Course::next_look(std::int64_t here) const {
   return std::min(here + places(watch_strain), pair_place_);
 }
 
-/// Places between pairs without a verdict.
+/// Places between pairs of a trial without a verdict.
 std::int64_t Course::spacing() const {
   if (!chooses()) return 1;
-  if (holds()) return places(main_ < ladder_.usual ? watch_strain : grid_strain);
+  if (holds()) return places(grid_strain);
   return std::int64_t{1} << std::min<std::size_t>(tried_.size(), 3);
+}
+
+/// True if the run steps by a method that was accepted, or was until the last pairs.
+bool Course::holds_cheap() const { return chooses() && holds() && main_ < ladder_.usual; }
+
+/// Place of the next pair after a round at `place` that ended at `here`.
+std::int64_t Course::next_pair(std::int64_t place, std::int64_t here) const {
+  bool const knows = verdict_ != Verdict::none;
+  if (!skipped_.empty()) return 2 * place;
+  if (!knows && !holds_cheap()) return std::max(here, place + spacing());
+  if (!knows) return std::max(here, place + place / 2);
+  return place * (chooses() ? 3 : 2);
 }
 
 void Course::end_round() {
@@ -158,7 +166,9 @@ void Course::end_round() {
     return;
   }
   skipped_ = !skips ? std::string_view{} : any(&Pair::skips_events) ? events : inertia;
-  skips_ = skips ? skips_ + 1 : 0;
+  auto const skipping =
+      std::ranges::count_if(of_, [&](auto const& pairs) { return pairs[round].is_skipped(); });
+  skips_ = 2 * skipping >= std::ssize(of_) ? skips_ + 1 : 0;
   bool const others = ladder_.judges_all || (skipped_ == inertia && next_trial() < ladder_.usual);
   bool const left = holds() ? main_ < ladder_.usual : others && skips_ >= most_skips;
   if (failed || (skips && left)) {
@@ -168,10 +178,7 @@ void Course::end_round() {
   } else if (!skips) {
     look();
   }
-  bool const knows = verdict_ != Verdict::none;
-  pair_place_ = skips    ? 2 * place
-                : !knows ? std::max(here, place + spacing())
-                         : place * (chooses() ? 3 : 2);
+  pair_place_ = next_pair(place, here);
   if (chooses()) choose(here);
   place_ = watches() ? next_look(here) : pair_place_;
 }
@@ -183,61 +190,64 @@ void Course::look() {
   for (; looks_ < schedule.size() && schedule[looks_] <= pairs; ++looks_) due = true;
   if (!due || pairs < 2 || !reason_.empty()) return;
   auto verdict = judged().verdict;
-  auto const most = !chooses() || holds()   ? most_pairs(tolerance_)
-                    : own() == Own::neither ? pairs_of_a_try
-                                            : pairs_beside_the_run;
-  if (verdict == Verdict::none && pairs >= most) verdict = Verdict::open;
+  bool const shares = ladder_.shares && finer_ < ladder_.methods.size();
+  auto const most = !chooses() || holds() ? most_pairs(tolerance_)
+                    : shares              ? pairs_beside_the_run
+                                          : pairs_of_a_try;
+  if (verdict == Verdict::none && pairs >= most && !holds_cheap()) verdict = Verdict::open;
   if (verdict != std::exchange(verdict_, verdict)) verdicts_.push_back({pairs, verdict});
-}
-
-/// Steps the run by the finer method of the trial, if it is a cheap one, while the trial has pairs.
-void Course::step_beside_trial(std::int64_t here) {
-  if (holds() || !(finer_ < ladder_.usual)) return;
-  bool const beside = skipped_.empty();
-  auto const method = beside ? finer_ : ladder_.usual;
-  if (std::exchange(main_, method) == method) return;
-  auto said = fmt::format("strain {:.4g}: from here on {}", strain_of(here * grid_),
-                          method_in_words(run_by()));
-  if (!beside) {
-    dropped_ = here * grid_;
-    said += fmt::format(", for {}, and what was before is left out", skipped_);
-  }
-  changes_.push_back(said);
 }
 
 /// Changes the method, or the one on trial, after a round at a place.
 void Course::choose(std::int64_t here) {
-  step_beside_trial(here);
+  bool const accepted = verdict_ == Verdict::accepted;
   bool const gives_up = verdict_ == Verdict::refused || verdict_ == Verdict::open;
-  auto const said =
-      fmt::format("strain {:.4g}: {}, is {} after {} pairs of stretches ({})",
-                  strain_of(here * grid_), method_in_words(methods_.coarse), name_of(verdict_),
-                  all().size(), gives_up || verdict_ == Verdict::accepted ? in_words(trial()) : "");
-  if (!holds()) {
-    if (verdict_ == Verdict::accepted) {
-      main_ = on_trial_;
-      taken_ = true;
-      changes_.push_back(said + "; taken from here on");
-    } else if (gives_up) {
+  auto said =
+      fmt::format("strain {:.4g}: {}", strain_of(here * grid_), method_in_words(methods_.coarse));
+  if (accepted || gives_up)
+    said += fmt::format(", is {} after {} pairs of stretches ({})", name_of(verdict_), all().size(),
+                        in_words(trial()));
+  bool const cheap = main_ < ladder_.usual, beside = !holds() && cheap;
+  if (!holds() && accepted) {
+    main_ = on_trial_;
+    taken_ = true;
+    changes_.push_back(said + "; taken from here on");
+  } else if (beside && !gives_up && !skipped_.empty()) {
+    leave(fmt::format("{}, is no longer on trial ({})", said, skipped_), ladder_.usual, here);
+  } else if (!holds() && !gives_up && skipped_.empty() && finer_ < ladder_.usual && !cheap) {
+    main_ = finer_;
+    changes_.push_back(
+        fmt::format("{}, is on trial; beside it {}", said, method_in_words(run_by())));
+  } else if (!holds() && gives_up) {
+    auto const next = next_trial();
+    if (beside)
+      leave(said, ladder_.usual, here);
+    else
       changes_.push_back(said);
-      begin_trial(next_trial(), here);
-    }
-    return;
+    begin_trial(next, here);
+  } else if (holds() && cheap && gives_up) {
+    auto const next = next_trial();
+    leave(said, ladder_.usual, here);
+    begin_trial(next, here);
+  } else if (holds() && !cheap && verdict_ == Verdict::refused &&
+             main_ + 1 < ladder_.methods.size()) {
+    leave(said, main_ + 1, here);
+    begin_trial(main_, here);
   }
-  bool const cheap = main_ < ladder_.usual, finer = main_ + 1 < ladder_.methods.size();
-  if (cheap ? !gives_up : verdict_ != Verdict::refused || !finer) return;
-  main_ = cheap ? ladder_.usual : main_ + 1;
-  dropped_ = here * grid_;
-  auto const next = with_method(scene_, ladder_.methods[main_]);
-  changes_.push_back(fmt::format("{}; from here on {}, and what was before is left out", said,
-                                 method_in_words(next)));
-  begin_trial(cheap ? next_trial() : main_, here);
 }
 
-/// The method after the one on trial; not one that damps all, where inertia has a part.
+/// Steps the run by another method from a place on, and drops what was before.
+void Course::leave(std::string const& said, std::size_t method, std::int64_t here) {
+  main_ = method;
+  dropped_ = here * grid_;
+  changes_.push_back(fmt::format("{}; from here on {}, and what was before is left out", said,
+                                 method_in_words(run_by())));
+}
+
+/// The method after the one on trial; not one that damps all, if inertia left no pair for that one.
 std::size_t Course::next_trial() const {
   auto next = on_trial_ + 1;
-  if (skipped_ == inertia)
+  if (skipped_ == inertia && !taken_)
     while (damps_all(ladder_.methods[next].scheme)) ++next;
   return next;
 }
@@ -247,7 +257,7 @@ void Course::begin_trial(std::size_t method, std::int64_t here) {
   if (here > 0) tried_.push_back(trial());
   on_trial_ = method;
   methods_ = methods_of(scene_, ladder_, ladder_.methods[method]);
-  finer_ = finer_on_ladder(scene_, ladder_, methods_.fine);
+  finer_ = finer_on_ladder(ladder_, ladder_.methods[method], methods_);
   collision_loss_error_ = loss_error(methods_.coarse);
   done_ = method == ladder_.usual && !ladder_.judges_all;
   first_round_ = rounds_;
@@ -338,8 +348,8 @@ Findings Course::findings() const {
   found.tried.push_back(trial());
   static_cast<Trial&>(found) =
       Trial{.methods = methods_of(scene_, ladder_, ladder_.methods[main_])};
-  bool const judged = ladder_.judges_all || main_ != ladder_.usual;
-  found.judgement.verdict = judged ? Verdict::none : Verdict::usual;
+  bool const unknown = ladder_.judges_all || main_ != ladder_.usual;
+  found.judgement.verdict = unknown ? Verdict::none : Verdict::usual;
   return found;
 }
 

@@ -70,13 +70,14 @@ constexpr std::size_t most_pairs(double accuracy) { return accuracy < usual_accu
 /// its pairs go on; between them each strain of watch_strain is a round too, in which p_kin/p alone
 /// is looked at, of methods that damp all. It is refused or open after 9 pairs, 13 where the run is
 /// a side of them: the next one is tried at places twice as far apart. If the method that the run
-/// steps by is refused or open, the usual one follows, and the windows so far are dropped. Where an
-/// accuracy below usual_accuracy or measure.bias asks for it, the usual method is judged too, and
-/// if it is refused one of half the step follows.
+/// steps by is refused, the usual one follows, and the windows so far are dropped; without a
+/// verdict it has pairs at 1.5 times the strain each time. Where an accuracy below usual_accuracy
+/// or measure.bias asks for it, the usual method is judged too, and if it is refused one of half
+/// the step follows.
 ///
-/// While quasi-static steps are on trial, from the first pair on, the run steps by implicit
-/// damping, the finer side of their pairs, unless inertia has a part. If they are given up it is
-/// next on trial.
+/// While quasi-static steps are on trial, from the first pair to a verdict, the run steps by
+/// implicit damping, the finer side of their pairs. If they are given up, or inertia has a part,
+/// the usual method follows, and the windows so far are dropped.
 ///
 /// Where the run itself steps by one of both methods, own(), and places are a stretch apart, the
 /// run's windows up to the next place are that side of the pair. The round ends there.
@@ -153,17 +154,19 @@ class Course {
 
  private:
   bool holds() const { return on_trial_ == main_; }  ///< the run steps by the method on trial
+  bool holds_cheap() const;
   bool watches() const;
   std::int64_t places(double strain) const;
   std::int64_t spacing() const;
+  std::int64_t next_pair(std::int64_t place, std::int64_t here) const;
   std::int64_t end_place() const;
   std::int64_t next_look(std::int64_t here) const;
   double strain_of(std::int64_t steps) const;
   void end_round();
   void look();
   std::size_t next_trial() const;
-  void step_beside_trial(std::int64_t here);
   void choose(std::int64_t here);
+  void leave(std::string const& said, std::size_t method, std::int64_t here);
   void begin_trial(std::size_t method, std::int64_t here);
   void count_steps(std::size_t round);
   Trial trial() const;

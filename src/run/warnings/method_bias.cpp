@@ -57,7 +57,8 @@ std::optional<Warning> method_bias(FinishedRun const& finished) {
     warning.remedy =
         "a longer run or more disks tell more; the default scheme and step need no change for it";
     auto const most = static_cast<double>(bias::most_pairs(found.tolerance));
-    warning.command = longer_run(run, most / std::max(1.0, static_cast<double>(found.pairs)));
+    double const more = found.pairs < 2 ? 2 : most / static_cast<double>(found.pairs);
+    warning.command = longer_run(run, std::max(1.5, more));
   } else if (is_implicit(found.methods.coarse.integration.scheme)) {
     warning.remedy = "take the default scheme, or a shorter step";
     warning.command = fmt::format(

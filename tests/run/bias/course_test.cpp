@@ -274,21 +274,60 @@ TEST(BiasCourse, StepsBesideQuasiStaticSteps) {
 
   for (int k = 0; k < 4; ++k) refused.add(0, pair_of(k, 0.1, 1e-3));
   EXPECT_EQ(step_of(refused.methods()), 1.6) << "implicit damping is next on trial";
+  EXPECT_EQ(refused.method(), ladder.usual);
+  EXPECT_GT(refused.dropped(), 0);
+  for (int k = 0; k < 4; ++k) refused.add(0, pair_of(k, 0.001, 1e-3));
   EXPECT_EQ(refused.method(), 1U);
-  EXPECT_EQ(refused.dropped(), 0);
-  for (int k = 0; k < 4; ++k) {
-    go_to_pair(refused);
-    EXPECT_EQ(refused.own(), Own::coarse);
-    refused.add(0, pair_of(k, 0.001, 1e-3));
-  }
-  EXPECT_EQ(refused.findings().judgement.verdict, Verdict::accepted);
-  EXPECT_TRUE(refused.findings().taken);
 
   auto const here = inertial.next(0);
-  inertial.add(0, inertial.without_pair(here, 2e-4, true).value());
+  EXPECT_FALSE(inertial.without_pair(here, 2e-4, true)) << "beside the trial a run bears more";
+  inertial.add(0, inertial.without_pair(here, 4e-4, true).value());
   EXPECT_EQ(inertial.method(), ladder.usual);
   EXPECT_GE(inertial.dropped(), here);
-  EXPECT_NE(inertial.changes().back().find("for inertia"), std::string::npos);
+  EXPECT_NE(inertial.changes().back().find("no longer on trial (inertia)"), std::string::npos);
+  EXPECT_EQ(inertial.methods().coarse.integration.scheme, "backward-euler") << "it is tried again";
+  inertial.add(0, Pair::failed(inertial.next(0)));
+  EXPECT_EQ(inertial.method(), ladder.usual);
+  EXPECT_EQ(step_of(inertial.methods()), 1.6);
+}
+
+/// Many replicas decide in one round: no method is taken beside a trial that is over.
+TEST(BiasCourse, ReplicasNeedNothingBesideATrialOfOneRound) {
+  Course course(creeping(), 9);
+  for (std::size_t r = 0; r < 9; ++r) course.add(r, pair_of(static_cast<int>(r), 0.001, 1e-3));
+  EXPECT_EQ(course.method(), 0U);
+  EXPECT_EQ(course.changes().size(), 1U);
+}
+
+/// Inertia in a few replicas of many delays a trial, and does not end it.
+TEST(BiasCourse, FewReplicasWithInertiaEndNoTrial) {
+  Course course(to_be_chosen(), 5);
+  for (int k = 0; k < 8; ++k) {
+    auto const here = course.next(0);
+    for (std::size_t r = 0; r < 5; ++r)
+      course.add(r, r < 2 ? Pair::skipped(here) : pair_of(k, 0.02, 0.03));
+  }
+  EXPECT_EQ(step_of(course.methods()), 1.6);
+}
+
+/// A method that was accepted and of which pairs tell less later is kept, with pairs at 1.5 times
+/// the strain each time; a run that inertia made leave it may still take the next one.
+TEST(BiasCourse, KeepsWhatLaterPairsLeaveOpen) {
+  Course course(to_be_chosen(), 1);
+  for (int k = 0; k < 4; ++k) course.add(0, pair_of(k, 0.001, 1e-3));
+  ASSERT_EQ(course.method(), 0U);
+  std::vector<std::int64_t> places;
+  for (int k = 0; k < 24; ++k) {
+    go_to_pair(course);
+    places.push_back(place_of(course));
+    course.add(0, pair_of(k, 0.001, 0.2));
+  }
+  EXPECT_EQ(course.method(), 0U);
+  EXPECT_EQ(course.dropped(), 0);
+  EXPECT_EQ(course.findings().judgement.verdict, Verdict::none);
+  EXPECT_EQ(places[0], 12);
+  for (std::size_t k = 1; k < 12; ++k)
+    EXPECT_EQ(places[k], places[k - 1] + places[k - 1] / 2) << k;
 }
 
 /// What is not Newtonian yet is looked at again, more and more seldom, without pairs.

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
@@ -82,6 +83,19 @@ Json point_of(fs::path const& summary, std::string const& name, double strain_ra
       fmt::format("{}: is damaged ({}); remove it and resume", summary.string(), error.what()));
 }
 
+/// Strain rates of a finished cascade.
+std::vector<double> rates_in(fs::path const& summary) try {
+  auto const bytes = io::read_file(summary);
+  auto const* text = reinterpret_cast<char const*>(bytes.data());
+  std::vector<double> rates;
+  for (auto const& point : Json::parse(text, text + bytes.size()).at("points"))
+    rates.push_back(point.at("strain_rate"));
+  return rates;
+} catch (Json::exception const& error) {
+  throw FileError(
+      fmt::format("{}: is damaged ({}); remove it and resume", summary.string(), error.what()));
+}
+
 /// Writes the results of all stages, without times.
 void write_summary(RunFolder const& folder, Scene const& cascade) {
   Provenance const made = provenance();
@@ -136,17 +150,19 @@ fs::path folder_to_resume(fs::path const& folder) {
 
 bool asks_for_more(RunFolder const& folder, Scene const& cascade) {
   refuse_more_before_others(folder, cascade);
-  auto const last = cascade.shear.strain_rates.size() - 1;
-  auto const path = [&](std::size_t k) { return folder.path() / stage_folder(cascade, k); };
-  if (begun(path(last))) return longer_stage(path(last), cascade.shear.strain.at(last)).has_value();
-  for (std::size_t k = 0; k < last; ++k)
-    if (!begun(path(k)))
-      throw InputError(fmt::format(
-          "{}: shear.strain_rates = {} at rate {} of {} (not among those that were run); a "
-          "finished "
-          "cascade goes on with rates after its last; run another one into another --out",
-          folder.scene().string(), cascade.shear.strain_rates[k], k + 1, last + 1));
-  return true;
+  auto const& rates = cascade.shear.strain_rates;
+  auto const there = rates_in(folder.summary());
+  auto const [wanted, other] = std::ranges::mismatch(rates, there);
+  if (other != there.end())
+    throw InputError(
+        fmt::format("{}: shear.strain_rates (the run there has {:g} at rate {}); a finished "
+                    "cascade goes on with "
+                    "rates after its last; run another one into another --out",
+                    folder.scene().string(), *other, other - there.begin() + 1));
+  if (wanted != rates.end()) return true;
+  auto const last = rates.size() - 1;
+  return longer_stage(folder.path() / stage_folder(cascade, last), cascade.shear.strain.at(last))
+      .has_value();
 }
 
 void make_cascade_longer(RunFolder const& folder, Scene const& after) {
