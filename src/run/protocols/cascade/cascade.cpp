@@ -87,9 +87,9 @@ Json point_of(fs::path const& summary, std::string const& name, double strain_ra
 std::vector<double> rates_in(fs::path const& summary) try {
   auto const bytes = io::read_file(summary);
   auto const* text = reinterpret_cast<char const*>(bytes.data());
+  Json const all = Json::parse(text, text + bytes.size());
   std::vector<double> rates;
-  for (auto const& point : Json::parse(text, text + bytes.size()).at("points"))
-    rates.push_back(point.at("strain_rate"));
+  for (auto const& point : all.at("points")) rates.push_back(point.at("strain_rate"));
   return rates;
 } catch (Json::exception const& error) {
   throw FileError(
@@ -156,8 +156,8 @@ bool asks_for_more(RunFolder const& folder, Scene const& cascade) {
   if (other != there.end())
     throw InputError(
         fmt::format("{}: shear.strain_rates (the run there has {:g} at rate {}); a finished "
-                    "cascade goes on with "
-                    "rates after its last; run another one into another --out",
+                    "cascade goes on with rates after its last; run another one into another "
+                    "--out",
                     folder.scene().string(), *other, other - there.begin() + 1));
   if (wanted != rates.end()) return true;
   auto const last = rates.size() - 1;
