@@ -326,8 +326,7 @@ TEST(BiasCourse, KeepsWhatLaterPairsLeaveOpen) {
   EXPECT_EQ(course.dropped(), 0);
   EXPECT_EQ(course.findings().judgement.verdict, Verdict::none);
   EXPECT_EQ(places[0], 12);
-  for (std::size_t k = 1; k < 12; ++k)
-    EXPECT_EQ(places[k], places[k - 1] + places[k - 1] / 2) << k;
+  for (std::size_t k = 1; k < 12; ++k) EXPECT_EQ(places[k], places[k - 1] + places[k - 1] / 2) << k;
 }
 
 /// What is not Newtonian yet is looked at again, more and more seldom, without pairs.

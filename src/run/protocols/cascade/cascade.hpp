@@ -36,8 +36,9 @@ std::optional<StageFolder> stage_folder_in_cascade(std::filesystem::path const& 
 /// Folder for `bagnold resume` to continue a run: for a rate of a cascade the cascade's folder.
 std::filesystem::path folder_to_resume(std::filesystem::path const& folder);
 
-/// True if the scene of a finished cascade has more strain at its last rate than its run, or further
-/// rates after it. Throws InputError where it has more strain at a rate before, or another rate.
+/// True if the scene of a finished cascade has more strain at its last rate than its run, or
+/// further rates after it. Throws InputError where it has more strain at a rate before, or another
+/// rate.
 bool asks_for_more(RunFolder const& folder, Scene const& cascade);
 
 /// Prepares the folder of a cascade for run_cascade() with more strain at its last rate. Throws
