@@ -105,9 +105,8 @@ bool Course::watches() const {
 std::optional<Pair> Course::without_pair(std::int64_t step, double kinetic_share,
                                          bool has_step) const {
   if (!chooses()) return {};
-  bool const cheap = main_ < ladder_.usual;
   bool const inertial = damps_all(methods_.coarse.integration.scheme) &&
-                        !(kinetic_share < (cheap ? most_kinetic : least_inertia(scene_)));
+                        !(kinetic_share < (cheap() ? most_kinetic : least_inertia(scene_)));
   if (inertial || !has_step) return Pair::skipped(step, !has_step);
   if (place_ < pair_place_) return Pair::watched(step);
   return {};
@@ -141,15 +140,11 @@ std::int64_t Course::spacing() const {
   return std::int64_t{1} << std::min<std::size_t>(tried_.size(), 3);
 }
 
-/// True if the run steps by a method that was accepted, or was until the last pairs.
-bool Course::holds_cheap() const { return chooses() && holds() && main_ < ladder_.usual; }
-
 /// Place of the next pair after a round at `place` that ended at `here`.
 std::int64_t Course::next_pair(std::int64_t place, std::int64_t here) const {
   bool const knows = verdict_ != Verdict::none;
   if (!skipped_.empty()) return 2 * place;
-  if (!knows && !holds_cheap()) return std::max(here, place + spacing());
-  if (!knows) return std::max(here, place + place / 2);
+  if (!knows) return std::max(here, place + (holds() && cheap() ? place / 2 : spacing()));
   return place * (chooses() ? 3 : 2);
 }
 
@@ -170,7 +165,7 @@ void Course::end_round() {
       std::ranges::count_if(of_, [&](auto const& pairs) { return pairs[round].is_skipped(); });
   skips_ = 2 * skipping >= std::ssize(of_) ? skips_ + 1 : 0;
   bool const others = ladder_.judges_all || (skipped_ == inertia && next_trial() < ladder_.usual);
-  bool const left = holds() ? main_ < ladder_.usual : others && skips_ >= most_skips;
+  bool const left = holds() ? cheap() : others && skips_ >= most_skips;
   if (failed || (skips && left)) {
     reason_ = failed ? failed_step : skipped_;
     if (verdict_ != Verdict::refused)
@@ -194,7 +189,7 @@ void Course::look() {
   auto const most = !chooses() || holds() ? most_pairs(tolerance_)
                     : shares              ? pairs_beside_the_run
                                           : pairs_of_a_try;
-  if (verdict == Verdict::none && pairs >= most && !holds_cheap()) verdict = Verdict::open;
+  if (verdict == Verdict::none && pairs >= most && !(holds() && cheap())) verdict = Verdict::open;
   if (verdict != std::exchange(verdict_, verdict)) verdicts_.push_back({pairs, verdict});
 }
 
@@ -207,29 +202,24 @@ void Course::choose(std::int64_t here) {
   if (accepted || gives_up)
     said += fmt::format(", is {} after {} pairs of stretches ({})", name_of(verdict_), all().size(),
                         in_words(trial()));
-  bool const cheap = main_ < ladder_.usual, beside = !holds() && cheap;
   if (!holds() && accepted) {
     main_ = on_trial_;
     taken_ = true;
     changes_.push_back(said + "; taken from here on");
-  } else if (beside && !gives_up && !skipped_.empty()) {
-    leave(fmt::format("{}, is no longer on trial ({})", said, skipped_), ladder_.usual, here);
-  } else if (!holds() && !gives_up && skipped_.empty() && finer_ < ladder_.usual && !cheap) {
-    main_ = finer_;
-    changes_.push_back(
-        fmt::format("{}, is on trial; beside it {}", said, method_in_words(run_by())));
-  } else if (!holds() && gives_up) {
+  } else if (gives_up && (!holds() || cheap())) {
     auto const next = next_trial();
-    if (beside)
+    if (cheap())
       leave(said, ladder_.usual, here);
     else
       changes_.push_back(said);
     begin_trial(next, here);
-  } else if (holds() && cheap && gives_up) {
-    auto const next = next_trial();
-    leave(said, ladder_.usual, here);
-    begin_trial(next, here);
-  } else if (holds() && !cheap && verdict_ == Verdict::refused &&
+  } else if (!holds() && cheap() && !skipped_.empty()) {
+    leave(fmt::format("{}, is no longer on trial ({})", said, skipped_), ladder_.usual, here);
+  } else if (!holds() && !cheap() && skipped_.empty() && finer_ < ladder_.usual) {
+    main_ = finer_;
+    changes_.push_back(
+        fmt::format("{}, is on trial; beside it {}", said, method_in_words(run_by())));
+  } else if (holds() && !cheap() && verdict_ == Verdict::refused &&
              main_ + 1 < ladder_.methods.size()) {
     leave(said, main_ + 1, here);
     begin_trial(main_, here);

@@ -153,8 +153,8 @@ class Course {
   Findings findings() const;
 
  private:
-  bool holds() const { return on_trial_ == main_; }  ///< the run steps by the method on trial
-  bool holds_cheap() const;
+  bool holds() const { return on_trial_ == main_; }     ///< the run steps by the method on trial
+  bool cheap() const { return main_ < ladder_.usual; }  ///< the run steps by a cheaper method
   bool watches() const;
   std::int64_t places(double strain) const;
   std::int64_t spacing() const;

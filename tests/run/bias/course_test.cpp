@@ -311,7 +311,7 @@ TEST(BiasCourse, FewReplicasWithInertiaEndNoTrial) {
 }
 
 /// A method that was accepted and of which pairs tell less later is kept, with pairs at 1.5 times
-/// the strain each time; a run that inertia made leave it may still take the next one.
+/// the strain each time.
 TEST(BiasCourse, KeepsWhatLaterPairsLeaveOpen) {
   Course course(to_be_chosen(), 1);
   for (int k = 0; k < 4; ++k) course.add(0, pair_of(k, 0.001, 1e-3));

@@ -67,33 +67,36 @@ RunEnd run_stage(fs::path const& path, Scene const& scene, Machine const& machin
   return run_from_start(folder, scene, machine, monitor, std::move(from_file));
 }
 
-/// Results of a stage.
-Json point_of(fs::path const& summary, std::string const& name, double strain_rate) try {
+/// What `take` reads from a summary. Throws FileError where that is damaged.
+template <class Take>
+auto read_summary(fs::path const& summary, Take const& take) try {
   auto const bytes = io::read_file(summary);
   auto const* text = reinterpret_cast<char const*>(bytes.data());
-  Json const stage = Json::parse(text, text + bytes.size());
-  return {{"folder", name},
-          {"strain_rate", strain_rate},
-          {"strain", stage.at("strain")},
-          {"warnings", stage.value("warnings", Json::array())},
-          {"notes", stage.value("notes", Json::array())},
-          {"observables", stage.at("observables")}};
+  return take(Json::parse(text, text + bytes.size()));
 } catch (Json::exception const& error) {
   throw FileError(
       fmt::format("{}: is damaged ({}); remove it and resume", summary.string(), error.what()));
 }
 
+/// Results of a stage.
+Json point_of(fs::path const& summary, std::string const& name, double strain_rate) {
+  return read_summary(summary, [&](Json const& stage) {
+    return Json{{"folder", name},
+                {"strain_rate", strain_rate},
+                {"strain", stage.at("strain")},
+                {"warnings", stage.value("warnings", Json::array())},
+                {"notes", stage.value("notes", Json::array())},
+                {"observables", stage.at("observables")}};
+  });
+}
+
 /// Strain rates of a finished cascade.
-std::vector<double> rates_in(fs::path const& summary) try {
-  auto const bytes = io::read_file(summary);
-  auto const* text = reinterpret_cast<char const*>(bytes.data());
-  Json const all = Json::parse(text, text + bytes.size());
-  std::vector<double> rates;
-  for (auto const& point : all.at("points")) rates.push_back(point.at("strain_rate"));
-  return rates;
-} catch (Json::exception const& error) {
-  throw FileError(
-      fmt::format("{}: is damaged ({}); remove it and resume", summary.string(), error.what()));
+std::vector<double> rates_in(fs::path const& summary) {
+  return read_summary(summary, [](Json const& cascade) {
+    std::vector<double> rates;
+    for (auto const& point : cascade.at("points")) rates.push_back(point.at("strain_rate"));
+    return rates;
+  });
 }
 
 /// Writes the results of all stages, without times.
