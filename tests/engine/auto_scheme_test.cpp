@@ -2,6 +2,7 @@
 #include "src/engine/auto_scheme/auto_scheme.hpp"
 
 #include "kernels/physics/schemes/schemes.hpp"
+#include "src/config/errors.hpp"
 #include "src/config/quasi_static.hpp"
 #include "src/config/time_step.hpp"
 #include "tests/support/simulations.hpp"
@@ -135,6 +136,23 @@ TEST(AutoScheme, QuasiStaticSteps) {
   named->advance(sampling.last_step, sampling, windows);
   EXPECT_EQ(here.last.state.position, named->snapshot().state.position);
   EXPECT_TRUE(same(here.windows, windows.sums));
+}
+
+/// A checkpoint of a list with other methods.
+TEST(AutoScheme, RefusesAnotherMethod) {
+  Scene const scene = dense_flow("CD");
+  Snapshot const start = first_snapshot(random_start(scene).state);
+  auto snapshot = make_simulation(scene, start, "serial")->snapshot();
+  EXPECT_NO_THROW(make_simulation(scene, snapshot, "serial"));
+  auto longer = snapshot, finer = snapshot, beyond = snapshot;
+  longer.memory.at("auto_length") *= 2;
+  finer.memory.at("auto_parts") *= 2;
+  beyond.memory.at("auto_method") = 100;
+  for (auto const& other : {longer, finer, beyond})
+    EXPECT_THROW(make_simulation(scene, other, "serial"), InputError);
+  snapshot.memory.erase("auto_length");  // an older program's
+  snapshot.memory.erase("auto_parts");
+  EXPECT_NO_THROW(make_simulation(scene, snapshot, "serial"));
 }
 
 /// The usual method steps as if it were named, with events by turns in dilute flow.

@@ -75,6 +75,19 @@ TEST_P(EventAudit, MissesNoContact) {
   }
 }
 
+/// Clusters across the edge of a box whose images fly apart fast: rate times height is 0.6.
+TEST_P(EventAudit, AtHighRates) {
+  Scene scene = dilute_scene(GetParam(), 0.6, 256, 10);
+  scene.disks.box_aspect = 8;
+  scene.shear.strain_rate = 0.01;
+  auto const events = simulate_events(scene, flying_start(scene));
+  for (int k = 0; k < 400; ++k) {
+    advance(*events, 5);
+    audit(*events, scene, "at " + std::to_string(k));
+  }
+  EXPECT_GT(events->snapshot().counters.at("busy_collisions"), 20);
+}
+
 /// Starts in which many contacts begin at the same time, to the last bit or but for rounding.
 TEST_P(EventAudit, OfLattices) {
   for (unsigned seed = 1; seed <= 25; ++seed) {

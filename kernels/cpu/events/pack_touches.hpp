@@ -53,7 +53,10 @@ class PackTouches {
     Pack const beyond = fma(y, y, fnma(Pack(1.0), distance2, x * x));
     Pack const reached = fma(velocity2 * wait, wait, deviation * deviation);
     Pack const zero(0.0);
-    auto const clear = (zero < beyond) & (Pack(8.0) * reached < beyond * beyond);
+    // r - d exceeds s, s^2 = 2 reached, where r^2 - d^2 exceeds s^2 + 2 d s. Paths bring a pair no
+    // nearer than by |v| wait + deviation, which is s at most.
+    Pack const excess = fnma(Pack(2.0), reached, beyond);
+    auto const clear = (zero < excess) & (Pack(8.0) * distance2 * reached < excess * excess);
     Pack const discriminant = fnma(velocity2, beyond, approach * approach);
     auto const meet = clear & (approach < zero) & (zero < discriminant);
     unsigned const lanes = simd::first_lanes(count).lanes();

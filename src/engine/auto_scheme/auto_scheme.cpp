@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <string>
 #include <utility>
 
 #include "src/config/errors.hpp"
@@ -15,10 +17,20 @@ namespace bagnold {
 
 namespace {
 
-constexpr char method_key[] = "auto_method", earlier_key[] = "auto_is_implicit";
+constexpr char method_key[] = "auto_method", length_key[] = "auto_length",
+               parts_key[] = "auto_parts", earlier_key[] = "auto_is_implicit";
 
 /// Most steps of a run, times those of a method in one of them.
 constexpr std::int64_t most = std::int64_t{1} << 62;
+
+/// True if the checkpoint is of another method at its place of the list, where it says so.
+bool is_another(std::map<std::string, double> const& memory, Method const& method) {
+  auto const differs = [&](char const* key, std::int64_t value) {
+    auto const saved = memory.find(key);
+    return saved != memory.end() && saved->second != static_cast<double>(value);
+  };
+  return differs(length_key, method.length) || differs(parts_key, method.parts);
+}
 
 }  // namespace
 
@@ -32,14 +44,14 @@ AutoScheme::AutoScheme(Ladder ladder, Snapshot&& snapshot, Make make)
   if (snapshot.memory.contains(method_key)) {
     for_each_memory(RestoreMemory{snapshot.memory});
     for_each_counter(RestoreCounter{snapshot.counters});
-    snapshot.memory.erase(method_key);
     counters_ = snapshot.counters;
   }
-  if (method_ >= ladder_.methods.size())
+  if (method_ >= ladder_.methods.size() || is_another(snapshot.memory, present()))
     throw InputError(fmt::format(
-        "the checkpoint is of method {} of scheme = \"auto\" (there are {} here); resume with the "
-        "version that wrote it",
+        "the checkpoint is of method {} of scheme = \"auto\", which is not among the {} here; "
+        "resume with the version that wrote it",
         method_, ladder_.methods.size()));
+  for (auto const* key : {method_key, length_key, parts_key}) snapshot.memory.erase(key);
   snapshot.step = own_steps(snapshot.step);
   engine_ = make_(present(), std::move(snapshot));
 }
@@ -94,6 +106,8 @@ Snapshot AutoScheme::snapshot() const {
   snapshot.counters = joined(std::move(snapshot.counters), counters_);
   snapshot.step = run_steps(snapshot.step);  // that of the list is of the method's own
   self.for_each_memory(WriteDown{snapshot.memory});
+  snapshot.memory[length_key] = static_cast<double>(present().length);
+  snapshot.memory[parts_key] = static_cast<double>(present().parts);
   self.for_each_counter(WriteDown{snapshot.counters});
   return snapshot;
 }
