@@ -7,7 +7,6 @@
 #include <cmath>
 #include <optional>
 #include <unsupported/Eigen/NonLinearOptimization>
-#include <unsupported/Eigen/NumericalDiff>
 
 #include "src/analysis/fit/covariance.hpp"
 #include "src/analysis/fit/starts.hpp"
@@ -66,11 +65,43 @@ struct Residuals {
     }
     return 0;
   }
-};
 
-/// Central differences with the step that balances rounding and curvature.
-using Differentiable = Eigen::NumericalDiff<Residuals, Eigen::Central>;
-constexpr double difference_step = 4e-11;  // its square root is the step: epsilon^(1/3)
+  /// Jacobian from central differences.
+  int df(InputType const& inside, JacobianType& jacobian) const {
+    ValueType above(values()), below(values());
+    double const enough = 1e-9 * weighted_values(*points).norm();
+    for (Eigen::Index k = 0; k < jacobian.cols(); ++k) {
+      auto const column = static_cast<std::size_t>(k);
+      auto const difference = [&](double step) {
+        auto moved = inside;
+        moved[k] = inside[k] + step;
+        (*this)(moved, above);
+        moved[k] = inside[k] - step;
+        (*this)(moved, below);
+        return (above - below).norm();
+      };
+      double step = step_of(free[column], unit[column] * inside[k]) / unit[column];
+      // an amplitude may start at zero but for rounding: its own size is no measure then
+      int growths = is_amplitude(free[column]) ? 20 : 0;
+      while (difference(step) < enough && growths-- > 0) step *= 10.0;
+      jacobian.col(k) = (above - below) / (2.0 * step);
+    }
+    return 2 * inputs();
+  }
+
+ private:
+  bool is_amplitude(std::size_t parameter) const {
+    return model->parameters[parameter].guesses.empty();
+  }
+
+  /// Step that balances rounding and curvature, epsilon^(1/3) of the size: of an amplitude its own,
+  /// of logarithms and exponents at least one, for they change a curve as much where they are zero.
+  double step_of(std::size_t parameter, double variable) const {
+    constexpr double share = 6e-6;
+    double const size = std::abs(variable);
+    return share * (is_amplitude(parameter) && size > 0.0 ? size : std::max(size, 1.0));
+  }
+};
 
 Residuals residuals_of(Model const& model, Points const& points, Fixed const& fixed,
                        Values const& start) {
@@ -99,7 +130,7 @@ void check_fixed(Model const& model, Fixed const& fixed) {
 /// The search takes a column of the Jacobian below 1e-15 of the longest for none. Where columns
 /// differ by so much, as of stresses of slow flows, which are as small as the rate squared,
 /// parameters are measured in units that make them of length 1.
-void measure_in_units(Differentiable& residuals, Eigen::VectorXd& inside) {
+void measure_in_units(Residuals& residuals, Eigen::VectorXd& inside) {
   constexpr double far_apart = 1e6;
   Eigen::MatrixXd jacobian(residuals.values(), residuals.inputs());
   residuals.df(inside, jacobian);
@@ -117,7 +148,7 @@ void measure_in_units(Differentiable& residuals, Eigen::VectorXd& inside) {
 
 Fit fit_from(Model const& model, Points const& points, Fixed const& fixed, Values const& start) {
   check_fixed(model, fixed);
-  Differentiable residuals(residuals_of(model, points, fixed, start), difference_step);
+  auto residuals = residuals_of(model, points, fixed, start);
   auto const& free = residuals.free;
   check_points(points, std::max<std::size_t>(free.size(), 2), model.name + " fit");
   Eigen::VectorXd inside(static_cast<Eigen::Index>(free.size()));
@@ -126,7 +157,7 @@ Fit fit_from(Model const& model, Points const& points, Fixed const& fixed, Value
         inside_of(model.parameters[free[k]], residuals.all.at(free[k]));
   if (!free.empty()) {
     measure_in_units(residuals, inside);
-    Eigen::LevenbergMarquardt<Differentiable> search(residuals);
+    Eigen::LevenbergMarquardt<Residuals> search(residuals);
     search.parameters.ftol = search.parameters.xtol = 1e-13;
     search.parameters.maxfev = 1000;
     auto const status = search.minimize(inside);

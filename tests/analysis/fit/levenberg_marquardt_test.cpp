@@ -79,6 +79,35 @@ TEST(LevenbergMarquardt, FindsTheParametersOfExactPoints) {
   }
 }
 
+/// Q* = 1, s = 1 and Q0 = 0 are where logarithms and amplitudes of a start are zero but for
+/// rounding.
+TEST(LevenbergMarquardt, LeavesStartsAtZero) {
+  auto const error = [](double y) { return 0.01 * y; };
+  for (double const most : {10.0, 100.0}) {
+    auto const points = sampled(
+        geometric(1.0 / most, most, 13),
+        [](double q) { return 2.0 * std::pow(1.0 + std::pow(q / 1.2, 3.0), 1.5 / 3.0); }, error,
+        nullptr);
+    auto const model = crossover_model(points);
+    std::vector<double> const truth{2.0, 1.2, 3.0, 1.5};
+    for (auto const& found :
+         {fit(model, points),
+          fit_from(model, points, {}, {2.0, std::nextafter(1.0, 0.0), 1.0, 1.5})})
+      for (std::size_t k = 0; k < truth.size(); ++k)
+        EXPECT_NEAR(found.value[k], truth[k], 1e-5) << most << " " << k;
+  }
+  auto const points = sampled(
+      evenly(0.7, 0.83, 9), [](double phi) { return 1e-6 * std::pow(0.84 - phi, -2.0); }, error,
+      nullptr);
+  for (double const zero : {0.0, 1e-21})
+    for (Fixed const& fixed : {Fixed{}, Fixed{{"phi_J", 0.84}}}) {
+      auto const found = fit_from(divergence_model(points), points, fixed, {zero, 2e-6, 0.84, 1.7});
+      EXPECT_NEAR(found.value[0], 0.0, 1e-10);
+      EXPECT_NEAR(found.value[3], 2.0, 1e-4);
+      EXPECT_GT(found.error[0], 0.0);
+    }
+}
+
 /// Stresses of slow flows are as small as their rate squared: the unit of y changes no fit.
 TEST(LevenbergMarquardt, UnitsDoNotMatter) {
   for (auto const& c : cases()) {
