@@ -29,11 +29,8 @@ void require_varied(SweepTable const& table, std::string const& key, char const*
                                table.origin, fmt::join(known, " ")));
 }
 
-/// True if `key` has one value for each value of `along`, in all of the table. Models, drives and
-/// keys in which sweeps as a whole differ never follow.
-bool follows(SweepTable const& table, std::string const& key, std::string const& along) {
-  if (table.between_sweeps.contains(key)) return false;
-  if (is_physics(key) && table.keys.at(key).is_text()) return false;
+/// True if `key` has one value for each value of `along`, in all of the table.
+bool has_one_value(SweepTable const& table, std::string const& key, std::string const& along) {
   std::map<std::string, std::string> value;
   for (std::size_t point = 0; point < table.points; ++point) {
     auto const [known, is_new] =
@@ -41,6 +38,14 @@ bool follows(SweepTable const& table, std::string const& key, std::string const&
     if (!is_new && known->second != key_text(table, key, point)) return false;
   }
   return true;
+}
+
+/// True if `key` has one value for each value of `along`, and, where it is physics, the other way
+/// round: packing fractions each at elasticities of their own are curves. Models, drives and keys
+/// in which sweeps as a whole differ never follow.
+bool follows(SweepTable const& table, std::string const& key, std::string const& along) {
+  if (table.between_sweeps.contains(key) || !has_one_value(table, key, along)) return false;
+  return !is_physics(key) || (!table.keys.at(key).is_text() && has_one_value(table, along, key));
 }
 
 /// Throws InputError for the seed: all seeds are one datum.

@@ -34,9 +34,9 @@ struct CurveChoice {
 
 /// All curves of a sweep. Curves differ in the keys `by`; by default these are the varied keys
 /// other than `along`, `apart`, disks.seed, and those whose value follows from that of `along` or
-/// of a key in `apart` (a strain chosen for each strain rate), unless they are physical texts or
-/// tell joined sweeps apart. Throws InputError: a key that was not varied, or two data at one place
-/// of a curve.
+/// of a key in `apart` (a strain chosen for each strain rate), unless they are physical texts,
+/// physical numbers shared by several of these values, or tell joined sweeps apart. Throws
+/// InputError: a key that was not varied, or two data at one place of a curve.
 std::vector<Curve> curves_of(SweepTable const& table, CurveChoice const& choice);
 
 /// Labels of all curves, in the order of the table; `along` need not tell their points apart.

@@ -36,6 +36,20 @@ TEST(Curves, AKeyThatFollowsIsNoLabel) {
   EXPECT_TRUE(apart[0].labels.empty());
 }
 
+/// Each packing fraction at elasticities of its own is a curve; one elasticity each is one curve.
+TEST(Curves, APhysicalNumberFollowsOnlyOneToOne) {
+  SweepTable table;
+  table.points = 4;
+  auto& phi = table.keys[phi_key].numbers = {0.7, 0.7, 0.8, 0.8};
+  table.keys["disks.elasticity"].numbers = {1, 2, 3, 4};
+  table.observables["p"] = {{1, 2, 3, 4}, {1, 1, 1, 1}};
+  auto const curves = curves_of(table, {"disks.elasticity", {}, {}, {}});
+  ASSERT_EQ(curves.size(), 2u);
+  EXPECT_EQ(curves[1].labels, std::vector<Label>({{phi_key, "0.8"}}));
+  phi = {0.6, 0.7, 0.8, 0.81};
+  EXPECT_EQ(curves_of(table, {"disks.elasticity", {}, {}, {}}).size(), 1u);
+}
+
 TEST(Curves, FailedSeedsAreLeftOut) {
   auto table = small_table();
   table.observables["p"].mean[1] = nothing;
