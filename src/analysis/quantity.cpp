@@ -216,7 +216,8 @@ Quantity::Bias Quantity::bias(std::span<std::size_t const> rows) const {
       return {a.mean * b.mean, a.bias * b.mean + a.mean * b.bias,
               std::hypot(a.error * b.mean, a.mean * b.error)};
     double const mean = a.mean / b.mean;
-    return {mean, (a.bias - mean * b.bias) / b.mean, std::hypot(a.error, mean * b.error) / b.mean};
+    return {mean, (a.bias - mean * b.bias) / b.mean,
+            std::hypot(a.error, mean * b.error) / std::abs(b.mean)};
   }
   if (!bias_) return {of_merged(rows).mean, 0.0, 0.0};
   double sum = 0.0, squares = 0.0, count = 0.0;
@@ -296,7 +297,7 @@ double Quantity::resampled(std::span<std::size_t const> all, Draw const& draw) c
     return divides_ ? first / second : first * second;
   }
   if (rows.size() == 1) {
-    auto const measured = of(rows);
+    auto const measured = without_bias(rows);
     return measured.mean +
            (std::isfinite(measured.error) ? measured.error : 0.0) * random_normal(draw, name_);
   }

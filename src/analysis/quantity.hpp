@@ -55,8 +55,8 @@ class Quantity {
   /// Value of one datum resampled: n - 1 of its n seeds, of those that have a value, drawn with
   /// replacement. All quantities share the draw. With n - 1 the variance of the mean is right; with
   /// n it would be too small by (n - 1) / n (Rao and Wu, J. Am. Stat. Assoc. 83, 231 (1988)). A
-  /// single seed is shifted by a normal number times its error instead; each observable has its own
-  /// number.
+  /// single seed is shifted by a normal number times its statistical error instead; each observable
+  /// has its own number.
   double resampled(std::span<std::size_t const> all, Draw const& draw) const;
 
   /// True if the quantity is made of keys alone, so exact.

@@ -256,6 +256,10 @@ TEST(Quantity, BiasesAreAddedToErrors) {
               0.5 * std::hypot(0.1, 0.02, std::sqrt(0.2 * 0.2 + 0.2 * 0.2)), 1e-15);
   EXPECT_NEAR(Quantity(table, "p*sigma").of(one).error,
               0.5 * std::hypot(0.1, 0.02, std::sqrt(0.2 * 0.2 + 0.2 * 0.2)), 1e-15);
+  for (double& mean : table.observables["p"].mean) mean *= -1.0;  // a sign changes no error
+  EXPECT_NEAR(Quantity(table, "sigma/p").of(one).error,
+              0.5 * std::hypot(0.1, 0.02, std::sqrt(0.2 * 0.2 + 0.2 * 0.2)), 1e-15);
+  for (double& mean : table.observables["p"].mean) mean *= -1.0;
   table.observables["sigma_bias"] = {{-0.1, -0.1, -0.1, nothing}, {0.0, 0.0, 0.0, nothing}};
   EXPECT_NEAR(Quantity(table, "sigma/p").of(one).error, 0.5 * std::hypot(0.1, 0.02, 0.2), 1e-15);
   EXPECT_NEAR(Quantity(table, "p*sigma").of(one).error,
@@ -337,6 +341,10 @@ TEST(Quantity, ResamplingHasTheRightSpread) {
   double const own = p.of(single).error;  // the seed's own, widened as the sweep tells
   EXPECT_NEAR(own, 0.001 * p.widened(), 1e-12);
   EXPECT_NEAR(std::sqrt(squares), own, 0.05 * own);
+  table.observables["p_bias"] = {std::vector<double>(table.points, 1.0),
+                                 std::vector<double>(table.points, 1.0)};
+  Quantity const biased(table, "p");  // all points share a bias: it is no part of the spread
+  EXPECT_EQ(biased.resampled(single, {7, 1, 0}), p.resampled(single, {7, 1, 0}));
 }
 
 TEST(Quantity, ResamplingIsRepeatableAndTakesTheSameSeedsForAll) {
