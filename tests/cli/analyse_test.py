@@ -221,6 +221,15 @@ class AnalyseTest(CliTest):
         rows = self.analyse("kink", "--kinks", 2, "--log-y", "--curved", "--direction", "down", "--resamples", 0)
         self.assertEqual({row["phi_1"] for row in rows}, {""})
 
+    def test_one_smooth_curve_has_no_kink(self):
+        points = grid(disks__packing_fraction=list(np.round(np.linspace(0.70, 0.81, 12), 4)))
+        self.sweep(points, 0.0, p_el=(points["disks.packing_fraction"] + 0.3) ** 2)
+        with h5py.File(self.sweep_folder / "sweep.h5", "r+") as file:
+            file["observables/p_el_error"][:] = 0.01
+        (row,) = self.analyse("kink", "--curved", "--resamples", 0)
+        self.assertEqual(row["phi_1"], "")
+        self.assertIn("no kink 1 that smooth branches would not make as well\n", self.result.stderr)
+
     def test_jumps(self):
         low, high = self.bands()
         for row in self.analyse("jump", "--resamples", 50):
@@ -264,6 +273,9 @@ class AnalyseTest(CliTest):
             for ending in ("error", "bootstrap"):  # a grid of 0.005
                 self.assertGreater(float(row[f"phi_peak_{ending}"]), 0.005 / (2 * math.sqrt(12)))
         self.refused("peak", "--range", 0.80, 0.83, "--where", "disks.elasticity=1", words=["beyond it"])
+        points = grid(disks__packing_fraction=[0.70, 0.71, 0.72, 0.73, 0.74])
+        self.sweep(points, 0.0, phi=np.array([0.70, 0.71, 0.71, 0.72, 0.73]), R_v=np.array([1.0, 5, 6, 3, 2]))
+        self.refused("peak", "--x", "phi", "--y", "R_v", words=["peak: two points at x = 0.71"])
 
     def test_constant_pressure(self):
         self.bands()

@@ -5,6 +5,7 @@
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <cmath>
 
 #include "src/analysis/fit/covariance.hpp"
 #include "src/analysis/fit/weights.hpp"
@@ -68,7 +69,7 @@ class Search {
     for (auto const& place : places) {
       double const start = points_.x[place.point], bend = solved[column++];
       double const step = place.in_gap ? solved[column++] : 0.0;
-      double const where = start - step / bend;
+      double const where = place.in_gap ? start - step / bend : start;
       if (place.in_gap && !(where > start && where < points_.x[place.point + 1])) return;
       value.insert(value.end(), {bend, where});
     }
@@ -88,6 +89,20 @@ class Search {
   Eigen::VectorXd weight_, y_;
   Fit best_;
 };
+
+/// Throws InputError for a break at which the curve bends by no more than rounding.
+void refuse_straight(Points const& points, std::vector<double> const& value) {
+  constexpr double rounding = 1e-12;
+  double const span = points.x.back() - points.x.front();
+  double most = 0.0;
+  for (double const y : points.y) most = std::max(most, std::abs(y));
+  for (std::size_t k = 2; k < value.size(); k += 2)
+    if (!(std::abs(value[k]) * span > rounding * most))
+      throw InputError(fmt::format("piecewise linear fit: no {}",
+                                   value.size() > 4
+                                       ? "second kink: two straight lines are exact; give --kinks 1"
+                                       : "kink: the points lie on a straight line"));
+}
 
 /// Jacobian with respect to {a, b, c_k, x_k}, weighted.
 Eigen::MatrixXd jacobian(Points const& points, std::vector<double> const& value) {
@@ -120,17 +135,13 @@ Fit fit_piecewise_linear(Points const& points, std::size_t breaks) {
   if (breaks != 1 && breaks != 2)
     throw InputError(fmt::format("--kinks {} (must be 1 or 2)", breaks));
   check_points(points, 2 + 2 * breaks, "piecewise linear fit");
-  for (std::size_t i = 1; i < points.size(); ++i)
-    if (!(points.x[i] > points.x[i - 1]))
-      throw InputError(
-          fmt::format("piecewise linear fit: two points at x = {}; tell them apart "
-                      "with --by",
-                      points.x[i]));
+  check_distinct(points, "piecewise linear fit");
   Search search(points);
   std::vector<Place> places;
   search.place(places, breaks);
   if (!search.found()) throw InputError("piecewise linear fit: no kink between the points");
   Fit out = search.best();
+  refuse_straight(points, out.value);
   out.freedom = points.size() - out.value.size();
   set_covariance(out, jacobian(points, out.value), points.weighted());
   return out;

@@ -18,7 +18,7 @@ namespace bagnold::analysis {
 /// bootstrap is to be preferred.
 ///
 /// `points` in order of x, no two at one x; breaks is 1 or 2. Throws InputError with fewer than
-/// 2 + 2 breaks points.
+/// 2 + 2 breaks points, or where fewer breaks are exact.
 Fit fit_piecewise_linear(Points const& points, std::size_t breaks);
 
 /// Value of the curve at x.

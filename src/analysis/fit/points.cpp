@@ -29,6 +29,13 @@ void check_points(Points const& points, std::size_t fewest, std::string_view wha
     throw InputError(fmt::format("{}: all points lie at x = {}; vary x in the sweep", what, least));
 }
 
+void check_distinct(Points const& points, std::string_view what) {
+  for (std::size_t i = 1; i < points.size(); ++i)
+    if (!(points.x[i] > points.x[i - 1]))
+      throw InputError(
+          fmt::format("{}: two points at x = {}; tell them apart with --by", what, points.x[i]));
+}
+
 Points with_logarithms(Points const& points, bool log_x, bool log_y) {
   Points out = points;
   auto const logarithm = [](double& value, char const* axis) {

@@ -19,6 +19,9 @@ struct Points {
 /// at least two different x. `what` names the fit.
 void check_points(Points const& points, std::size_t fewest, std::string_view what);
 
+/// Throws InputError if two points, in order of x, lie at one x. `what` names the fit.
+void check_distinct(Points const& points, std::string_view what);
+
 /// (x, ln y), (ln x, y) or (ln x, ln y), errors to first order: error / y. Throws InputError where
 /// a logarithm is asked of what is not above 0.
 Points with_logarithms(Points const& points, bool log_x, bool log_y);

@@ -37,13 +37,14 @@ FitResult kinks_of(Points const& measured, Request const& request) {
 /// Notes, for each kink, the curves without it: smooth branches describe their points as well.
 void note_none(Report& report, std::vector<Outcome> const& outcomes, Request const& request) {
   for (std::size_t k = 0; k < request.kinks; ++k) {
-    std::string list;
+    std::vector<std::string> curves;
     for (auto const& one : outcomes)
       if (one.failure.empty() && !std::isfinite(one.found.value[2 * k]))
-        list += fmt::format("{}{}", list.empty() ? "" : "; ", caption(one.labels));
-    if (!list.empty())
-      report.notes.push_back(
-          fmt::format("no kink {} that smooth branches would not make as well: {}", k + 1, list));
+        curves.push_back(caption(one.labels));
+    if (curves.empty()) continue;
+    auto const list = fmt::format("{}", fmt::join(curves, "; "));  // empty: there is one curve
+    report.notes.push_back(fmt::format("no kink {} that smooth branches would not make as well{}{}",
+                                       k + 1, list.empty() ? "" : ": ", list));
   }
 }
 

@@ -86,6 +86,25 @@ TEST(PiecewiseLinear, ErrorsAreRight) {
   for (auto const* pulls : {&one, &first, &second}) pulls->expect_right(0.05);
 }
 
+TEST(PiecewiseLinear, FewerKinksThanAskedFor) {
+  auto const says = [](Points const& points, std::size_t breaks, std::string const& text) {
+    try {
+      fit_piecewise_linear(points, breaks);
+      ADD_FAILURE() << "accepted; expected: " << text;
+    } catch (InputError const& error) {
+      EXPECT_NE(std::string(error.what()).find(text), std::string::npos) << error.what();
+    }
+  };
+  auto const error = [](double) { return 0.01; };
+  for (double const slope : {0.0, 3.0}) {
+    auto const line = [&](double x) { return 2.0 + slope * x; };
+    auto const straight = sampled(evenly(0.7, 0.8, 11), line, error, nullptr);
+    says(straight, 1, "no kink: the points lie on a straight line");
+    says(straight, 2, "no second kink");
+  }
+  says(sampled(evenly(0, 10, 21), one_kink, error, nullptr), 2, "give --kinks 1");
+}
+
 TEST(PiecewiseLinear, BadInput) {
   EXPECT_THROW(fit_piecewise_linear({{1, 2, 3}, {1, 2, 3}, {}}, 1), InputError);
   EXPECT_THROW(fit_piecewise_linear({{1, 2, 2, 3, 4}, {1, 2, 3, 4, 5}, {}}, 1), InputError);
