@@ -46,7 +46,7 @@ FitResult highest(Points const& measured, bool log_x) {
   if (at == 0 || at + 1 == std::ssize(points.y))
     throw InputError("the highest point is the first or the last; add points beyond it");
   auto const first = static_cast<std::size_t>(at - 1);
-  check_distinct(part(points, first, first + 3), "peak");
+  check_distinct(part(measured, first, first + 3), "peak");
   std::array<double, 3> x{}, y{};
   std::copy_n(points.x.begin() + at - 1, 3, x.begin());
   std::copy_n(points.y.begin() + at - 1, 3, y.begin());
