@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+
+#include "src/analysis/curves.hpp"
 #include "src/config/errors.hpp"
 #include "src/io/atomic_file.hpp"
 
@@ -15,7 +17,10 @@ Report run_kind(Kind const& kind, SweepTable const& table, Request const& reques
   if (auto const& range = request.range; range && !(range->first < range->second))
     throw InputError(
         fmt::format("--range {} {} (LOW HIGH: must rise)", range->first, range->second));
-  return kind.run(table, request);
+  auto report = kind.run(table, request);
+  if (auto note = mixed_data(table, request.where); !note.empty())
+    report.notes.push_back(std::move(note));
+  return report;
 } catch (InputError const& error) {
   if (table.left_out().empty()) throw;
   throw InputError(fmt::format("{}; {}", error.what(), table.left_out()));

@@ -151,6 +151,20 @@ std::string key_text(SweepTable const& table, std::string const& key, std::size_
   return column.is_text() ? column.texts[point] : fmt::format("{}", column.numbers[point]);
 }
 
+std::string mixed_data(SweepTable const& table, std::map<std::string, std::string> const& where) {
+  if (table.sweep.empty()) return {};
+  auto const data = seeds_together(table, {{}, {}, {}, where});
+  auto const mixed = std::ranges::count_if(data, [&](auto const& rows) {
+    return std::ranges::any_of(
+        rows, [&](std::size_t row) { return table.sweep[row] != table.sweep[rows.front()]; });
+  });
+  if (mixed == 0) return {};
+  return fmt::format(
+      "{} of {} data are of seeds of several tables; a CSV does not tell the model and other keys "
+      "that are constant in it: where they differ, add them as columns, or give folders of sweeps",
+      mixed, data.size());
+}
+
 std::size_t count_failed(SweepTable const& table) {
   std::size_t count = 0;
   for (std::size_t point = 0; point < table.points; ++point) count += table.failed(point);

@@ -49,6 +49,10 @@ std::vector<std::size_t> wanted_points(SweepTable const& table,
 /// All points by data: those that differ in the seed only lie together.
 std::vector<std::vector<std::size_t>> seed_groups(SweepTable const& table);
 
+/// Note on data that mix seeds of several joined tables of which one has no scenes; "" if there are
+/// none. `where` as of wanted_points.
+std::string mixed_data(SweepTable const& table, std::map<std::string, std::string> const& where);
+
 /// Points that failed.
 std::size_t count_failed(SweepTable const& table);
 

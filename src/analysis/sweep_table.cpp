@@ -349,7 +349,10 @@ SweepTable merge_tables(std::vector<SweepTable> tables) {
     out.points += table.points;
     out.hardly_met += table.hardly_met;
   }
-  if (out.scenes.size() != out.points) out.scenes.clear();
+  if (out.scenes.size() != out.points) {
+    out.scenes.clear();
+    out.sweep = sweep;
+  }
   if (out.runs.size() != out.points) out.runs.clear();
   for (auto const& [name, column] : out.keys)
     if (column.is_text() && !column.numbers.empty())

@@ -39,8 +39,9 @@ struct SweepTable {
   std::map<std::string, KeyColumn> keys;        ///< the varied ones, by "table.key"
   std::set<std::string> between_sweeps;         ///< of them those that vary in no single sweep
   std::map<std::string, Measured> observables;  ///< by NAME
-  std::vector<std::string> scenes;              ///< the resolved scenes, TOML; may be empty
-  std::vector<std::filesystem::path> runs;      ///< folders of the points; may be empty
+  std::vector<std::size_t> sweep;   ///< of each point; empty unless joined sweeps lack scenes
+  std::vector<std::string> scenes;  ///< the resolved scenes, TOML; may be empty
+  std::vector<std::filesystem::path> runs;  ///< folders of the points; may be empty
   std::size_t hardly_met = 0;  ///< points whose run warns of few_collisions: no value is kept
 
   /// Errors of ratios and products of observables that were worked out from the runs, one a point,

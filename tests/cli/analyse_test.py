@@ -533,6 +533,22 @@ grid = { "disks.elasticity" = [1, 2] }
         self.sweep_folder = self.folder / "nowhere"
         self.refused("crossover", words=["is not there"])
 
+    def test_data_of_several_tables_are_told(self):
+        """A CSV does not tell its model: seeds of two may be of two models."""
+        first, second = self.folder / "first.csv", self.folder / "second.csv"
+        first.write_text("disks.elasticity,disks.seed,p\n1,1,2\n2,1,3\n")
+
+        def warned(text, *options):
+            second.write_text(text)
+            result = self.bagnold("analyse", "table", first, second, "--out", self.folder / "t", *options)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            return result.stderr
+
+        mixed = "disks.elasticity,disks.seed,p\n2,2,3\n3,2,4\n"
+        self.assertIn("1 of 3 data are of seeds of several tables", warned(mixed))
+        self.assertNotIn("several tables", warned(mixed, "--where", "disks.elasticity=1"))
+        self.assertNotIn("several tables", warned("disks.elasticity,disks.seed,p\n3,2,3\n"))
+
     def test_help_lists_kinds_with_equations(self):
         text = self.bagnold("analyse", "--help").stdout
         for words in ("crossover", "C [1 + (Q/Q*)^s]^(q/s)", "Q0 + c (phi_J - phi)^-x",
