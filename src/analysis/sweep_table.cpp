@@ -117,6 +117,9 @@ SweepTable read_csv_table(std::filesystem::path const& path) {
     throw InputError(fmt::format("{}: holds no row of values; make it again", table.origin));
   for (std::size_t column = 0; column < rows.columns.size(); ++column) {
     auto const& name = rows.columns[column];
+    if (std::ranges::count(rows.columns, name) > 1)
+      throw InputError(
+          fmt::format("{}: {} (two columns have this name); rename one", table.origin, name));
     if (is_key(name))
       table.keys[name] = key_column(rows, column);
     else if (!name.ends_with(error_ending) && std::ranges::count(texts, name) == 0)
@@ -272,9 +275,13 @@ bool SweepTable::failed(std::size_t point) const {
 
 std::vector<double> SweepTable::numbers(std::string const& key) const {
   if (auto const found = keys.find(key); found != keys.end()) {
-    if (found->second.is_text())
-      throw InputError(fmt::format("{} = {} (is a text, not a number); choose another key", key,
-                                   found->second.texts.front()));
+    if (found->second.is_text()) {
+      auto const text = std::ranges::find_if(found->second.texts,
+                                             [](auto const& cell) { return !number_in(cell); });
+      throw InputError(fmt::format(
+          "{} = \"{}\" (is no number); {}", key, *text,
+          text->empty() ? "fill in the empty cells of " + origin : "choose another key"));
+    }
     return found->second.numbers;
   }
   std::vector<double> out;

@@ -235,6 +235,14 @@ TEST_F(CsvTable, OddOnesAreRefused) {
   EXPECT_THROW(table("disks.seed,p\n1,nan\n"), InputError);
   EXPECT_THROW(table("disks.seed,p\n1,two\n"), InputError);
   EXPECT_THROW(table("disks.seed,p\n1,\"2\n"), InputError);
+  EXPECT_THROW(table("disks.seed,p,p\n1,2,3\n"), InputError);
+  try {
+    table("disks.elasticity,p\n1,2\n,3\n").numbers("disks.elasticity");
+    ADD_FAILURE() << "accepted";
+  } catch (InputError const& error) {
+    EXPECT_NE(std::string(error.what()).find("fill in the empty cells"), std::string::npos)
+        << error.what();
+  }
 }
 
 TEST_F(CsvTable, SeveralSweepsAreOne) {

@@ -530,6 +530,7 @@ grid = { "disks.elasticity" = [1, 2] }
         self.two_transitions()
         self.refused("transition", "--rates", 1e-6, 3e-5, words=["--rates 1e-06 3e-05 (must be two of 1e-06 1e-05)"])
         self.refused("transition", "--rates", 1e-6, 1e-6, words=["must be two of"])
+        self.refused("transition", "--split", -1, "--log-x", words=["--split -1 (must be above 0 with --log-x)"])
         self.sweep_folder = self.folder / "nowhere"
         self.refused("crossover", words=["is not there"])
 

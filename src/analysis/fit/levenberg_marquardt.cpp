@@ -123,7 +123,7 @@ void check_fixed(Model const& model, Fixed const& fixed) {
       throw InputError(fmt::format("--fix {} = {} (no parameter of the {} has that name)", name,
                                    value, model.name));
     if (!std::isfinite(value) || value <= found->above)
-      throw InputError(fmt::format("--fix {} = {} (must lie above {})", name, value, found->above));
+      throw InputError(fmt::format("{} = {} (must lie above {})", name, value, found->above));
   }
 }
 

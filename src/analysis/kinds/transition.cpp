@@ -59,6 +59,8 @@ FitResult meet(Points const& measured, Request const& request, Draw const& draw)
 
 std::vector<Outcome> find_transitions(SweepTable const& table, Request const& request,
                                       std::vector<Series>& series) {
+  if (request.log_x && request.split && !(*request.split > 0.0))
+    throw InputError(fmt::format("--split {} (must be above 0 with --log-x)", *request.split));
   auto const x = or_else(request.x, "disks.elasticity");
   series = make_differences(table, request, x, or_else(request.y, own_y(x)));
   std::vector<Task> tasks;
