@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 
 #include "src/analysis/curves.hpp"
 #include "src/config/errors.hpp"
@@ -12,11 +13,53 @@ namespace bagnold::analysis {
 
 namespace {
 
+struct Option {
+  std::string_view name;
+  bool (*is_given)(Request const& request);  ///< as something else than by default
+};
+/// Options that not every kind uses.
+constexpr Option options_of_kinds[] = {
+    {"--fix", [](Request const& r) { return !r.fixed.empty(); }},
+    {"--of", [](Request const& r) { return r.of != Request{}.of; }},
+    {"--weigh", [](Request const& r) { return r.weigh != Request{}.weigh; }},
+    {"--kinks", [](Request const& r) { return r.kinks != Request{}.kinks; }},
+    {"--curved", [](Request const& r) { return r.curved; }},
+    {"--direction", [](Request const& r) { return r.direction != Request{}.direction; }},
+    {"--least-factor", [](Request const& r) { return r.least_factor != Request{}.least_factor; }},
+    {"--rates", [](Request const& r) { return !r.rates.empty(); }},
+    {"--split", [](Request const& r) { return r.split.has_value(); }},
+    {"--pressure", [](Request const& r) { return r.pressure.has_value(); }},
+    {"--window", [](Request const& r) { return r.window != Request{}.window; }},
+    {"--log-x", [](Request const& r) { return r.log_x; }},
+    {"--log-y", [](Request const& r) { return r.log_y; }},
+};
+
+/// True if a kind names an option among those that matter to it; a divergence has those of the kind
+/// that its places come from, too.
+bool uses(Kind const& kind, Request const& request, std::string_view option) {
+  if (kind.options.find(option) != std::string_view::npos) return true;
+  if (kind.options.find("--of") == std::string_view::npos) return false;
+  auto const places = std::ranges::find(kinds(), request.of, &Kind::name);
+  return places != kinds().end() && places->options.find(option) != std::string_view::npos;
+}
+
+void refuse_unused(Kind const& kind, Request const& request) {
+  for (auto const& option : options_of_kinds) {
+    if (!option.is_given(request) || uses(kind, request, option.name)) continue;
+    std::vector<std::string_view> users;
+    for (auto const& other : kinds())
+      if (other.options.find(option.name) != std::string_view::npos) users.push_back(other.name);
+    throw InputError(fmt::format("{} (no option of {} but of {}); leave it out", option.name,
+                                 kind.name, fmt::join(users, ", ")));
+  }
+}
+
 /// A refusal for want of points says how many were left out.
 Report run_kind(Kind const& kind, SweepTable const& table, Request const& request) try {
   if (auto const& range = request.range; range && !(range->first < range->second))
     throw InputError(
         fmt::format("--range {} {} (LOW HIGH: must rise)", range->first, range->second));
+  refuse_unused(kind, request);
   auto report = kind.run(table, request);
   if (auto note = mixed_data(table, request.where); !note.empty())
     report.notes.push_back(std::move(note));

@@ -103,6 +103,9 @@ std::vector<Series> places_against_phi(std::vector<Outcome> const& outcomes,
 }  // namespace
 
 Report divergence(SweepTable const& table, Request const& request) {
+  if (auto const twice = request.fixed.find("phi_J"); request.phi_j && twice != request.fixed.end())
+    throw InputError(fmt::format("--phi-j {} and --fix phi_J={} (are one parameter); give one",
+                                 *request.phi_j, twice->second));
   Report report;
   std::vector<Series> found_on, series;
   std::vector<Outcome> places;

@@ -15,8 +15,7 @@ namespace {
 std::vector<Direction> directions_of(Request const& request) {
   if (request.direction == "up") return {Direction::up};
   if (request.direction == "down") return {Direction::down};
-  if (request.direction == "both") return {Direction::up, Direction::down};
-  throw InputError(fmt::format("--direction {} (must be up, down or both)", request.direction));
+  return {Direction::up, Direction::down};
 }
 
 std::string own_x(Request const& request) { return or_else(request.x, "disks.packing_fraction"); }
@@ -57,9 +56,15 @@ void note_none(Report& report, Series const& series, Request const& request) {
 
 }  // namespace
 
+void check_direction(Request const& request) {
+  for (auto const* known : {"up", "down", "both"})
+    if (request.direction == known) return;
+  throw InputError(fmt::format("--direction {} (must be up, down or both)", request.direction));
+}
+
 std::vector<Outcome> find_jumps(SweepTable const& table, Request const& request,
                                 std::vector<Series>& series) {
-  directions_of(request);
+  check_direction(request);
   series = make_series(table, request, own_x(request), or_else(request.y, "R_v"));
   std::vector<Task> tasks;
   for (std::uint32_t curve = 0; curve < series.size(); ++curve)

@@ -15,10 +15,10 @@ namespace {
 constexpr std::array all{
     Kind{"crossover", "y = C [1 + (Q/Q*)^s]^(q/s)", "P1 Sec. III A, Figs. 1, 3, 5",
          "--y [B_p_el], --x [disks.elasticity], --fix NAME=VALUE", crossover},
-    Kind{
-        "divergence", "Q*(phi) = Q0 + c (phi_J - phi)^-x", "P1 Sec. III B, Fig. 5a; P2 Fig. 3",
-        "--of crossover|jump|transition|value, --phi-j VALUE fixes phi_J, else it is free, --weigh",
-        divergence},
+    Kind{"divergence", "Q*(phi) = Q0 + c (phi_J - phi)^-x", "P1 Sec. III B, Fig. 5a; P2 Fig. 3",
+         "--of crossover|jump|transition|value, --phi-j VALUE fixes phi_J, else it is free, --fix, "
+         "--weigh",
+         divergence},
     Kind{"friction-law", "mu = mu_J + c I^b", "P1 Eq. (21), Fig. 15",
          "--fix mu_J=VALUE, --range of I, --along KEY", friction_law},
     Kind{"exponents", "d ln y / d ln x, over a few points at a time and over all",
@@ -30,7 +30,9 @@ constexpr std::array all{
          "--rates G1 G2, --split X, --log-x, --log-y",
          transition},
     Kind{"kink", "y = a + b x + sum_k c_k max(0, x - x_k)", "P2 Figs. 22, 23, 30",
-         "--x [disks.packing_fraction] --y [p_el], --kinks 1|2, --log-x, --log-y, --curved", kink},
+         "--x [disks.packing_fraction] --y [p_el], --kinks 1|2, --log-x, --log-y, --curved, "
+         "--direction",
+         kink},
     Kind{"jump", "middle of the steepest change of ln y", "P2 Fig. 24 (R_v); Figs. 1, 3 (Q_c)",
          "--x [disks.packing_fraction] --y [R_v], --direction up|down|both, --least-factor F",
          jump},

@@ -48,6 +48,9 @@ std::vector<Outcome> find_jumps(SweepTable const& table, Request const& request,
 std::vector<Outcome> find_transitions(SweepTable const& table, Request const& request,
                                       std::vector<Series>& series);
 
+/// Throws InputError unless --direction is up, down or both.
+void check_direction(Request const& request);
+
 /// True for quantities on x that cover decades, such as Q and the rate: a packing fraction does
 /// not.
 inline bool covers_decades(std::string const& x) {

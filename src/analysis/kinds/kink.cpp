@@ -7,6 +7,7 @@
 #include "src/analysis/fit/piecewise_linear.hpp"
 #include "src/analysis/kinds/curved_kink.hpp"
 #include "src/analysis/kinds/kinds.hpp"
+#include "src/config/errors.hpp"
 
 namespace bagnold::analysis {
 namespace {
@@ -52,6 +53,12 @@ void note_none(Report& report, std::vector<Outcome> const& outcomes, Request con
 
 Report kink(SweepTable const& table, Request const& request) {
   auto const x = or_else(request.x, "disks.packing_fraction"), y = or_else(request.y, "p_el");
+  check_direction(request);
+  if (request.direction != "both" && !request.curved)
+    throw InputError(
+        fmt::format("--direction {} (of a kink with --curved alone); add --curved, or "
+                    "leave it out",
+                    request.direction));
   Report report;
   auto const series = make_series(table, request, x, y);
   std::vector<Task> tasks;
