@@ -34,13 +34,16 @@ constexpr Option options_of_kinds[] = {
     {"--log-y", [](Request const& r) { return r.log_y; }},
 };
 
-/// True if a kind names an option among those that matter to it; a divergence has those of the kind
-/// that its places come from, too.
+/// True if an option is among those that matter to a kind.
+bool names(Kind const& kind, std::string_view option) {
+  return kind.options.find(option) != std::string_view::npos;
+}
+
+/// A divergence uses the options of the kind that its places come from, too.
 bool uses(Kind const& kind, Request const& request, std::string_view option) {
-  if (kind.options.find(option) != std::string_view::npos) return true;
-  if (kind.options.find("--of") == std::string_view::npos) return false;
+  if (names(kind, option)) return true;
   auto const places = std::ranges::find(kinds(), request.of, &Kind::name);
-  return places != kinds().end() && places->options.find(option) != std::string_view::npos;
+  return names(kind, "--of") && places != kinds().end() && names(*places, option);
 }
 
 void refuse_unused(Kind const& kind, Request const& request) {
@@ -48,7 +51,7 @@ void refuse_unused(Kind const& kind, Request const& request) {
     if (!option.is_given(request) || uses(kind, request, option.name)) continue;
     std::vector<std::string_view> users;
     for (auto const& other : kinds())
-      if (other.options.find(option.name) != std::string_view::npos) users.push_back(other.name);
+      if (names(other, option.name)) users.push_back(other.name);
     throw InputError(fmt::format("{} (no option of {} but of {}); leave it out", option.name,
                                  kind.name, fmt::join(users, ", ")));
   }

@@ -276,11 +276,12 @@ bool SweepTable::failed(std::size_t point) const {
 std::vector<double> SweepTable::numbers(std::string const& key) const {
   if (auto const found = keys.find(key); found != keys.end()) {
     if (found->second.is_text()) {
-      auto const text = std::ranges::find_if(found->second.texts,
-                                             [](auto const& cell) { return !number_in(cell); });
+      auto const& texts = found->second.texts;
+      auto const odd = std::ranges::find_if(texts, [](auto const& one) { return !number_in(one); });
+      auto const& text = odd == texts.end() ? texts.front() : *odd;  // numbers written as texts
       throw InputError(fmt::format(
-          "{} = \"{}\" (is no number); {}", key, *text,
-          text->empty() ? "fill in the empty cells of " + origin : "choose another key"));
+          "{} = \"{}\" (is no number); {}", key, text,
+          text.empty() ? "fill in the empty cells of " + origin : "choose another key"));
     }
     return found->second.numbers;
   }

@@ -245,6 +245,14 @@ TEST_F(CsvTable, OddOnesAreRefused) {
   }
 }
 
+/// Texts of a sweep that look like numbers are texts.
+TEST(SweepTable, NumbersWrittenAsTextsAreNone) {
+  SweepTable table;
+  table.points = 2;
+  table.keys["start.file"].texts = {"1", "2"};
+  EXPECT_THROW(table.numbers("start.file"), InputError);
+}
+
 TEST_F(CsvTable, SeveralSweepsAreOne) {
   auto const base = table("disks.elasticity,disks.seed,p\n1,1,0.5\n10,1,0.6\n");
   auto const finer = table("disks.seed,disks.elasticity,mu\n2,3,0.4\n", "finer.csv");
