@@ -11,6 +11,7 @@
 #include "src/config/abilities.hpp"
 #include "src/config/collision_loss.hpp"
 #include "src/config/events.hpp"
+#include "src/config/jamming.hpp"
 #include "src/config/laws.hpp"
 #include "src/config/names.hpp"
 #include "src/config/quasi_static.hpp"
@@ -135,6 +136,16 @@ std::vector<Method> cheaper(Scene const& scene) {
   return list;
 }
 
+/// Strain of a stretch of a pair. A method that is to hold less than usual_accuracy has long ones.
+double stretch_of(Scene const& scene, Ladder const& ladder) {
+  auto const damps = [](Method const& one) { return damps_all(one.scheme); };
+  if (ladder.judges_all || std::ranges::none_of(ladder.methods, damps)) return stretch_strain;
+  double const gap = std::sqrt(jamming_fraction / scene.disks.packing_fraction) - 1;
+  double const least = std::max(least_stretch_strain, gap / 2);
+  return std::clamp(stretch_time * scene.shear.strain_rate, std::min(least, stretch_strain),
+                    stretch_strain);
+}
+
 }  // namespace
 
 double least_inertia(Scene const& scene) {
@@ -164,10 +175,13 @@ Ladder ladder_of(Scene const& scene) {
     double const times = std::ceil(strain / step_strain / static_cast<double>(of) * (1 - 1e-12));
     return static_cast<std::int64_t>(std::clamp(times, 1.0, most_steps)) * of;
   };
-  ladder.window = multiple(scene.output.sample_strain, ladder.whole);
+  ladder.stretch = stretch_of(scene, ladder);
+  bool const shortens = ladder.stretch < stretch_strain;
+  double const sample = scene.output.sample_strain;
+  ladder.window = multiple(shortens ? std::min(sample, ladder.stretch / 3) : sample, ladder.whole);
   auto const longest = std::ranges::max(ladder.methods, {}, &Method::length).length;
   double const stretch =
-      std::max(stretch_strain, static_cast<double>(fewest_stretch_steps * longest) * step_strain);
+      std::max(ladder.stretch, static_cast<double>(fewest_stretch_steps * longest) * step_strain);
   auto const in_thirds = multiple(stretch, 3 * ladder.window);
   ladder.shares = static_cast<double>(in_thirds) * step_strain <= most_stretch * stretch;
   ladder.grid = ladder.shares ? in_thirds : multiple(stretch, ladder.window);  // no two overlap

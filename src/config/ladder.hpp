@@ -12,6 +12,15 @@ namespace bagnold {
 
 struct Scene;
 
+/// Strain of a stretch of a pair, of as many steps at least.
+inline constexpr double stretch_strain = 0.03;
+inline constexpr std::int64_t fewest_stretch_steps = 12;
+
+/// Stretches at rates below 1e-5 where damping may decide: a time [tau_e], within which overlaps
+/// settle, half of the mean gap between disks, (phi_J/phi)^(1/2) - 1, over which their neighbours
+/// change, and a strain at least. Short stretches part less: less strain of them says as much.
+inline constexpr double stretch_time = 3000, least_stretch_strain = 0.0075;
+
 /// A scheme and the length of its step, in steps of the run: those of two stages at their rule.
 struct Method {
   std::string_view scheme;
@@ -28,6 +37,7 @@ struct Ladder {
   std::int64_t whole = 1;   ///< steps that hold whole ones of every method
   std::int64_t window = 1;  ///< steps of a measurement window
   std::int64_t grid = 1;    ///< steps between places at which the method may change, whole windows
+  double stretch = stretch_strain;  ///< strain of a stretch of a pair, at least
   bool shares = false;      ///< the run may be a side of a pair; the grid is 3, 6, ... windows
   bool judges_all = false;  ///< the usual method is judged too, and finer ones follow it
 
@@ -37,10 +47,6 @@ struct Ladder {
 /// Bias that two stages at their rule were nowhere seen to exceed (docs/accuracy.md). They are
 /// judged where less is asked for.
 inline constexpr double usual_accuracy = 0.01;
-
-/// Strain of a stretch of a pair, of as many steps at least.
-inline constexpr double stretch_strain = 0.03;
-inline constexpr std::int64_t fewest_stretch_steps = 12;
 
 /// p_kin/p from which on a run no longer steps by a method that damps all: inertia has a part.
 inline constexpr double most_kinetic = 3e-4;

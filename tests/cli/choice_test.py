@@ -214,7 +214,7 @@ class Creeping(Choice):
         self.assertIn(given_up, said)
         self.assertEqual((found["method"], found["finer"]), (IMPLICIT, TWO_STAGES))
         self.assertEqual(found["verdict"], "accepted")
-        self.assertAlmostEqual(found["dropped_strain"], 0.425, delta=0.001)
+        self.assertAlmostEqual(found["dropped_strain"], 0.41, delta=0.001)  # 52 short stretches, and one before
 
     def test_goes_on(self):
         """Killed, or made longer from lengths on and off the trial, it has the bits of one run."""

@@ -106,6 +106,34 @@ TEST(Ladder, WholeSteps) {
   }
 }
 
+/// Stretches of less strain at small rates, and windows that make thirds of them.
+TEST(Ladder, StretchesAtSmallRates) {
+  auto const stretch = [](Scene scene, double rate) {
+    scene.shear.strain_rate = rate;
+    auto const ladder = ladder_of(scene);
+    double const step = time_step(scene) * rate;
+    EXPECT_TRUE(ladder.shares) << rate;
+    EXPECT_NEAR(static_cast<double>(ladder.grid) * step, ladder.stretch, 0.1 * ladder.stretch);
+    EXPECT_EQ(make_plan(scene).window_steps, ladder.window);
+    return ladder.stretch;
+  };
+  for (auto const* model : {"CD", "CD_rot"}) {
+    auto scene = laddered(model);
+    for (double const rate : {1e-4, 1e-5}) EXPECT_EQ(stretch(scene, rate), 0.03);
+    EXPECT_DOUBLE_EQ(stretch(scene, 5e-6), 0.015);
+    for (double const rate : {2e-6, 1e-6, 1e-7}) EXPECT_EQ(stretch(scene, rate), 0.0075);
+    scene.disks.packing_fraction = 0.78;
+    EXPECT_NEAR(stretch(scene, 1e-6), 0.0199, 1e-4) << "half of a gap";
+    scene.disks.packing_fraction = 0.7;
+    EXPECT_EQ(stretch(scene, 1e-6), 0.03);
+    scene.disks.packing_fraction = 0.86;
+    EXPECT_EQ(stretch(scene, 1e-6), 0.0075);
+    scene.integration.accuracy = 1e-3;
+    EXPECT_EQ(ladder_of(scene).stretch, 0.03);
+  }
+  EXPECT_EQ(stretch(laddered("CD_n"), 1e-6), 0.03) << "no method damps all";
+}
+
 /// Frames as near each other as they are asked for.
 TEST(Ladder, NoStepsLongerThanBetweenFrames) {
   auto scene = laddered("CD");

@@ -22,8 +22,9 @@ namespace {
 constexpr std::array<std::size_t, 13> schedule = {4,  6,   9,   13,  20,  30, 45,
                                                   68, 100, 150, 225, 340, 510};
 
-/// Pairs for a method that the run does not step by: more where one costs its stretch alone.
-constexpr std::size_t pairs_of_a_try = 9, pairs_beside_the_run = 13;
+/// Pairs for a method that the run does not step by: more where one costs its stretch alone. Of
+/// shorter stretches those of as much strain; fewer than nine of them lie too near each other.
+constexpr std::size_t pairs_of_a_try = 9, pairs_beside_the_run = 13, fewest_shorter = 9;
 constexpr int most_skips = 5;  ///< in turn, if others are to be judged
 constexpr std::size_t numbers_of_pair = 1 + 2 * Averages::count;
 
@@ -181,14 +182,16 @@ void Course::end_round() {
 /// Judges all pairs of the trial, where it is time.
 void Course::look() {
   auto const pairs = all().size();
-  bool due = verdict_ != Verdict::none;
-  for (; looks_ < schedule.size() && schedule[looks_] <= pairs; ++looks_) due = true;
+  bool const shares = ladder_.shares && finer_ < ladder_.methods.size();
+  auto const shorter = std::max<long long>(1, std::llround(stretch_strain / methods_.strain()));
+  auto const most = !chooses() || holds() ? most_pairs(tolerance_)
+                                          : static_cast<std::size_t>(shorter) *
+                                                (shares ? pairs_beside_the_run : pairs_of_a_try);
+  bool due = verdict_ != Verdict::none || pairs >= most;
+  for (; looks_ < schedule.size() && schedule[looks_] <= pairs; ++looks_)
+    due = due || shorter == 1 || pairs >= fewest_shorter;
   if (!due || pairs < 2 || !reason_.empty()) return;
   auto verdict = judged().verdict;
-  bool const shares = ladder_.shares && finer_ < ladder_.methods.size();
-  auto const most = !chooses() || holds() ? most_pairs(tolerance_)
-                    : shares              ? pairs_beside_the_run
-                                          : pairs_of_a_try;
   if (verdict == Verdict::none && pairs >= most && !(holds() && cheap())) verdict = Verdict::open;
   if (verdict != std::exchange(verdict_, verdict)) verdicts_.push_back({pairs, verdict});
 }
@@ -336,8 +339,8 @@ Findings Course::findings() const {
   found.dropped_strain = strain_of(dropped_);
   if (!chooses() || holds()) return found;
   found.tried.push_back(trial());
-  static_cast<Trial&>(found) =
-      Trial{.methods = methods_of(scene_, ladder_, ladder_.methods[main_])};
+  static_cast<Trial&>(found) = {
+      .methods = methods_of(scene_, ladder_, ladder_.methods[main_]), .judgement = {}, .looks = {}};
   bool const unknown = ladder_.judges_all || main_ != ladder_.usual;
   found.judgement.verdict = unknown ? Verdict::none : Verdict::usual;
   return found;

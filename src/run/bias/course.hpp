@@ -59,8 +59,8 @@ constexpr std::size_t most_pairs(double accuracy) { return accuracy < usual_accu
 /// Pairs of all replicas, when the next ones begin, and the method of scheme = "auto".
 ///
 /// Replicas take pairs in rounds, each one pair at the same place of a grid. After 4, 6, 9, 13, 20
-/// pairs and so on by halves, and once there is a verdict after each round, all pairs so far are
-/// judged together.
+/// pairs and so on by halves (short stretches: from 9 on), and once there is a verdict after each
+/// round, all pairs so far are judged together.
 /// Without a verdict the next round is at the next place, with one at twice the strain, or three
 /// times it with scheme = "auto". So the course depends on the pairs alone, not on when they were
 /// taken.
@@ -69,11 +69,11 @@ constexpr std::size_t most_pairs(double accuracy) { return accuracy < usual_accu
 /// the cheapest first, by pairs from the states of the run. One is accepted: the run takes it, and
 /// its pairs go on; between them each strain of watch_strain is a round too, in which p_kin/p alone
 /// is looked at, of methods that damp all. It is refused or open after 9 pairs, 13 where the run is
-/// a side of them: the next one is tried at places twice as far apart. If the method that the run
-/// steps by is refused, the usual one follows, and the windows so far are dropped; without a
-/// verdict it has pairs at 1.5 times the strain each time. Where an accuracy below usual_accuracy
-/// or measure.bias asks for it, the usual method is judged too, and if it is refused one of half
-/// the step follows.
+/// a side of them, or as much strain of shorter ones: the next one is tried at places twice as far
+/// apart. If the method that the run steps by is refused, the usual one follows, and the windows so
+/// far are dropped; without a verdict it has pairs at 1.5 times the strain each time. Where an
+/// accuracy below usual_accuracy or measure.bias asks for it, the usual method is judged too, and
+/// if it is refused one of half the step follows.
 ///
 /// While quasi-static steps are on trial, from the first pair to a verdict, the run steps by
 /// implicit damping, the finer side of their pairs. If they are given up, or inertia has a part,

@@ -42,13 +42,15 @@ struct Judgement {
   std::array<Bias, quantities> judged = {};  ///< as of the stretches
 
   /// As they come to in a long run. Its error is that of the pairs and half of what is stated, as
-  /// differences still grow; in a gas p follows T_g, and sigma and Z its root.
+  /// differences still grow (more of it after short stretches); in a gas p follows T_g, and sigma
+  /// and Z its root.
   std::array<Bias, quantities> stated = {};
 };
 
 /// Judges two pairs or more by a tolerance: refused where |b| - e exceeds it for p, sigma or Z, or
 /// three times it for T_g; accepted where 1.5 |b| + e is below it for p, sigma and Z and |b| below
-/// three times it for T_g. In a gas T_g has the tolerance itself, |b| + e below it accepts, and a
+/// three times it for T_g. After shorter stretches than stretch_strain more is still to come: 2 |b|
+/// after a quarter of it. In a gas T_g has the tolerance itself, |b| + e below it accepts, and a
 /// collision must lose its energy within the tolerance. strain: of a stretch.
 Judgement judge(std::span<Pair const> pairs, double tolerance, double strain,
                 double collision_loss_error);

@@ -32,8 +32,8 @@ Scene bare(Scene scene) {
 }
 
 /// finer_step: at most, of implicit damping beside quasi-static steps, and of two stages beside
-/// implicit damping.
-Methods pair_of(Scene const& scene, double finer_step) {
+/// implicit damping. stretch: strain of a stretch, at least.
+Methods pair_of(Scene const& scene, double finer_step, double stretch = stretch_strain) {
   Methods of{.coarse = bare(scene), .fine = {}, .ratio = quarter, .third = 0, .grid = 0};
   double const dt = time_step(of.coarse), step_strain = dt * scene.shear.strain_rate;
   of.fine = of.coarse;
@@ -46,7 +46,7 @@ Methods pair_of(Scene const& scene, double finer_step) {
   }
   if (damps_all(scheme)) of.ratio = std::max<std::int64_t>(1, up(dt / finer_step));
   of.fine.integration.time_step = dt / static_cast<double>(of.ratio);
-  of.third = std::max(up(stretch_strain / 3 / step_strain), fewest_stretch_steps / 3);
+  of.third = std::max(up(stretch / 3 / step_strain), fewest_stretch_steps / 3);
   of.grid = std::max(up(grid_strain / step_strain), of.length());
   return of;
 }
@@ -66,7 +66,7 @@ Methods methods_of(Scene const& scene, Ladder const& ladder, Method const& metho
   double const finer = method.scheme == backward_euler
                            ? rule_time_step(scene, ImplicitDamping::name)
                            : time_step(scene);
-  auto of = pair_of(with_method(scene, method), finer / (sharp ? quarter : 1));
+  auto of = pair_of(with_method(scene, method), finer / (sharp ? quarter : 1), ladder.stretch);
   if (ladder.shares) of.third = ladder.grid / 3 * method.parts / method.length;
   return of;
 }

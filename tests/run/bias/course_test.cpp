@@ -253,7 +253,8 @@ Scene creeping() {
   return scene;
 }
 
-/// While quasi-static steps are on trial the run is the finer side of their pairs.
+/// While quasi-static steps are on trial the run is the finer side of their pairs. Stretches are
+/// short, and judged from the ninth on.
 TEST(BiasCourse, StepsBesideQuasiStaticSteps) {
   auto const ladder = ladder_of(creeping());
   ASSERT_EQ(ladder.methods[0].scheme, "backward-euler");
@@ -267,16 +268,16 @@ TEST(BiasCourse, StepsBesideQuasiStaticSteps) {
   EXPECT_EQ(course.own(), Own::fine);
   EXPECT_EQ(course.findings().judgement.verdict, Verdict::none) << "nothing is known of it";
   Course refused(creeping(), 1), inertial = course;
-  for (int k = 1; k < 4; ++k) course.add(0, pair_of(k, 0.001, 1e-3));
+  for (int k = 1; k < 9; ++k) course.add(0, pair_of(k, 0.001, 1e-3));
   EXPECT_EQ(course.method(), 0U);
   EXPECT_EQ(course.own(), Own::neither) << "with a verdict pairs lie farther apart";
   EXPECT_EQ(course.dropped(), 0);
 
-  for (int k = 0; k < 4; ++k) refused.add(0, pair_of(k, 0.1, 1e-3));
+  for (int k = 0; k < 9; ++k) refused.add(0, pair_of(k, 0.1, 1e-3));
   EXPECT_EQ(step_of(refused.methods()), 1.6) << "implicit damping is next on trial";
   EXPECT_EQ(refused.method(), ladder.usual);
   EXPECT_GT(refused.dropped(), 0);
-  for (int k = 0; k < 4; ++k) refused.add(0, pair_of(k, 0.001, 1e-3));
+  for (int k = 0; k < 9; ++k) refused.add(0, pair_of(k, 0.001, 1e-3));
   EXPECT_EQ(refused.method(), 1U);
 
   auto const here = inertial.next(0);
@@ -427,6 +428,21 @@ TEST(BiasCourse, OneStretchIsTheRunsOwn) {
 TEST(BiasCourse, TriesLongerBesideTheRun) {
   Course course(to_be_chosen(), 1);
   for (int k = 0; k < 13; ++k) {
+    EXPECT_EQ(step_of(course.methods()), 1.6) << k;
+    course.add(0, pair_of(k, 0.009, 1e-3));
+  }
+  EXPECT_EQ(step_of(course.methods()), 0.4);
+  EXPECT_EQ(course.findings().tried[0].judgement.verdict, Verdict::open);
+}
+
+/// Stretches at small rates are short: four times as many are tried, over as much strain.
+TEST(BiasCourse, TriesMorePairsOfShortStretches) {
+  auto scene = to_be_chosen();
+  scene.shear.strain_rate = 2.5e-6;
+  scene.disks.count = 1024;  // too many for quasi-static steps
+  Course course(scene, 1);
+  EXPECT_NEAR(course.methods().strain(), 0.25 * stretch_strain, 0.02 * stretch_strain);
+  for (int k = 0; k < 52; ++k) {
     EXPECT_EQ(step_of(course.methods()), 1.6) << k;
     course.add(0, pair_of(k, 0.009, 1e-3));
   }

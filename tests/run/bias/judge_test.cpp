@@ -102,6 +102,15 @@ TEST(BiasJudge, RefusesAndAccepts) {
   EXPECT_EQ(verdict(biased(0.012, 0, 0, 0, 0.01)), Verdict::none);  // scatter hides it
 }
 
+/// More of a bias is still to come after a short stretch: 2 |b| + e counts after a quarter.
+TEST(BiasJudge, CountsMoreOfABiasOfShortStretches) {
+  auto const quarter = [](double b) { return judge(biased(b, 0, 0, 0), 0.01, strain / 4, 0); };
+  EXPECT_EQ(quarter(0.0046).verdict, Verdict::accepted);
+  EXPECT_EQ(quarter(0.0048).verdict, Verdict::none);
+  auto const p = quarter(0.0046).stated[pressure];
+  EXPECT_NEAR(p.error, std::hypot(0.0046, quarter(0).stated[pressure].error), 1e-6);
+}
+
 /// In a gas T_g has the tolerance itself, and the loss of a collision counts before all.
 TEST(BiasJudge, JudgesAGasByTheSlopeOfItsTemperature) {
   auto const gas = [](double rise) {

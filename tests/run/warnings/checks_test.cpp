@@ -372,7 +372,8 @@ TEST_F(Checks, TooFewCollisionsOfHertzianDisks) {
   for (double const wanted : {9.0, 11.0}) {
     auto const list = warnings_of(Flow{.contacts = wanted / at(overlap)});
     EXPECT_EQ(names(list).find("few_collisions") != std::string::npos, wanted < 10);
-    if (wanted < 10) EXPECT_NEAR(number(list.at(0), "collisions_per_disk"), wanted, 0.1);
+    if (wanted > 10) continue;
+    EXPECT_NEAR(number(list.at(0), "collisions_per_disk"), wanted, 0.1);
   }
 }
 
