@@ -3,7 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdint>
+
 #include "src/config/errors.hpp"
+#include "src/config/ladder.hpp"
 #include "src/config/scene_file.hpp"
 #include "src/config/shell_word.hpp"
 #include "src/config/toml_text.hpp"
@@ -48,6 +52,19 @@ Run run_of(Scene const& scene, Plan const& plan, Machine const& machine) {
   return run;
 }
 
+/// Windows of scheme = "auto" have another length in another version, at some rates.
+void refuse_other_windows(io::SystemCheckpoint const& system, Scene const& scene,
+                          Plan const& plan) {
+  if (!may_change_method(scene)) return;
+  auto const finished = std::min(system.step / plan.window_steps, plan.windows);
+  if (static_cast<std::int64_t>(system.window_weight.size()) != finished)
+    throw InputError(fmt::format(
+        "the checkpoint has {} windows at step {}, where scheme = \"auto\" has {} in this version; "
+        "resume with the version that wrote it, or begin from its state with start.kind = "
+        "\"state\"",
+        system.window_weight.size(), system.step, finished));
+}
+
 /// `longer`: set if the run was made longer since.
 RunEnd run_from_checkpoint(RunFolder const& folder, io::Checkpoint checkpoint, Scene const& scene,
                            std::optional<Longer> const& longer, Machine machine,
@@ -75,6 +92,7 @@ RunEnd run_from_checkpoint(RunFolder const& folder, io::Checkpoint checkpoint, S
   std::vector<std::optional<Snapshot>> snapshots;
   for (auto& system : checkpoint.systems) {
     if (longer) longer->reopen_last_window(system);
+    refuse_other_windows(system, scene, plan);
     run.replicas.push_back(replica_of(system));
     run.replicas.back().discards_more = longer && longer->discards_more();
     snapshots.push_back(std::move(static_cast<Snapshot&>(system)));

@@ -180,7 +180,7 @@ class Continued(Choice):
 class Creeping(Choice):
     """Quasi-static steps, beside which the run steps by implicit damping while they are on trial."""
 
-    # Of eight seeds all are accepted after five to seven pairs. With 24 disks and 1% none was, after 13.
+    # Of eight seeds all are accepted. With 24 disks and 1% none was, after 52 short pairs.
     CREEP = {**DENSE, "shear__strain_rate": 2e-6, "shear__strain": 1.0, "integration__accuracy": 0.03,
              "output__checkpoint_minutes": 0.0003}
     TOO_FEW = {**CREEP, "disks__count": 24, "integration__accuracy": 0.01}
@@ -214,7 +214,8 @@ class Creeping(Choice):
         self.assertIn(given_up, said)
         self.assertEqual((found["method"], found["finer"]), (IMPLICIT, TWO_STAGES))
         self.assertEqual(found["verdict"], "accepted")
-        self.assertAlmostEqual(found["dropped_strain"], 0.41, delta=0.001)  # 52 short stretches, and one before
+        places = found["dropped_strain"] / found["stretch_strain"]  # 52 pairs, the first at one of these
+        self.assertIn(round(places, 3) - 52, (1, 2, 4), "twice as far where inertia has a part")
 
     def test_goes_on(self):
         """Killed, or made longer from lengths on and off the trial, it has the bits of one run."""

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "src/config/errors.hpp"
+#include "src/io/checkpoint.hpp"
 #include "src/io/state_file.hpp"
 #include "tests/io/equal.hpp"
 #include "tests/io/folder.hpp"
@@ -62,6 +63,25 @@ TEST(Run, GoesOnAfterItWasStopped) {
   EXPECT_EQ(resume(stopped), RunEnd::done);  // nothing is left
   EXPECT_EQ(run(quick_scene(), whole), RunEnd::done);
   EXPECT_TRUE(io::same(io::read_states(stopped / "state.h5"), io::read_states(whole / "state.h5")));
+}
+
+/// Windows of scheme = "auto" are shorter at small rates than in versions before.
+TEST(Run, RefusesWindowsOfAnotherLength) {
+  io::TestFolder folder;
+  auto const out = folder.path() / "run";
+  Scene scene = quick_scene();
+  scene.disks = {"CD", 64, 0.82, 1.0, "equal"};
+  scene.shear.strain_rate = 1e-6;
+  scene.integration.scheme = "auto";
+  Impatient impatient;
+  EXPECT_EQ(run(scene, out, {.monitor = &impatient}), RunEnd::stopped);
+  auto checkpoint = io::newest_checkpoint(out, nullptr).value();
+  auto& system = checkpoint.systems.at(0);
+  system.window_weight.push_back(1);
+  system.window_sums.resize(system.window_weight.size() * static_cast<std::size_t>(system.columns));
+  io::write_checkpoint(out, std::move(checkpoint));
+  std::filesystem::remove(out / "checkpoint.previous.h5");
+  EXPECT_THROW(resume(out), InputError);
 }
 
 /// What is measured on frames is told like what is measured in windows.
