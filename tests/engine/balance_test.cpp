@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "tests/reference/energy.hpp"
 #include "tests/support/simulations.hpp"
 
 namespace bagnold::test {
@@ -122,12 +123,7 @@ TEST_P(Balance, RotationIsAccountedFor) {
   if (!scene.rotates()) GTEST_SKIP() << "has no rotation";
   State const start_state = shaken_start(scene);
   auto const p = reference_parameters(scene);
-  auto const energy = [&](State const& s) {
-    double sum = 0;
-    for (std::size_t i = 0; i < s.count(); ++i)
-      sum += 0.5 * reference::moment_of_inertia(p, s.diameter[i]) * s.spin[i] * s.spin[i];
-    return sum;
-  };
+  auto const energy = [&](State const& s) { return reference::rotation_energy(p, s); };
   auto const open_share = [&](double time_step) {
     scene.integration.time_step = time_step;
     auto const simulation = simulate(scene, start_state, backend());

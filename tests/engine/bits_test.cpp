@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kernels/physics/type_list.hpp"
 #include "tests/support/contacts.hpp"
+#include "tests/support/equal.hpp"
 
 namespace bagnold::test {
 
@@ -30,14 +31,6 @@ class Bits : public EverySimulation {
       expect_equal(one->state(), first->state());
       EXPECT_EQ(a.sums, b.sums);
     });
-  }
-
-  static void expect_equal(State const& a, State const& b) {
-    EXPECT_EQ(a.position, b.position);
-    EXPECT_EQ(a.velocity, b.velocity);
-    EXPECT_EQ(a.spin, b.spin);
-    EXPECT_EQ(a.offset, b.offset);
-    EXPECT_EQ(a.time, b.time);
   }
 };
 
@@ -137,7 +130,7 @@ TEST_P(DenseBits, AreThoseOfContactRichSteps) {
       EXPECT_EQ(dense->snapshot().list_builds, 1);
       EXPECT_EQ(dense->snapshot().counters.at("steps_few_contacts"), 80);
       EXPECT_EQ(rich->snapshot().counters.at("steps_few_contacts"), 0);
-      Bits::expect_equal(rich->state(), dense->state());
+      expect_equal(rich->state(), dense->state());
       EXPECT_EQ(a.sums, b.sums);
       EXPECT_GT(a.sums[SumColumns::contacts], 0);
     }
@@ -188,7 +181,7 @@ TEST(LargeBits, DependNeitherOnTheOrderOfBlocksNorOnTheBackend) {
       for (auto const& backend : backend_names()) {
         auto const in_rows = simulate(scene, state, backend);
         EXPECT_EQ(advance(*in_rows, 12, 4).sums, sums);
-        Bits::expect_equal(in_rows->state(), whole->state());
+        expect_equal(in_rows->state(), whole->state());
       }
     }
 }

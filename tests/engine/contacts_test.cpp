@@ -2,6 +2,7 @@
 #include "tests/support/contacts.hpp"
 
 #include "tests/reference/binary_collision.hpp"
+#include "tests/reference/energy.hpp"
 
 namespace bagnold::test {
 
@@ -111,11 +112,7 @@ TEST_P(Contacts, VelocitiesAtTheContactTakeFromTheRotationWhatItLoses) {
   Scene scene = small_scene(0.84, 64);
   State const start = shaken_start(scene);
   auto const energy = [&](State const& state) {
-    double sum = 0;
-    for (std::size_t i = 0; i < state.count(); ++i)
-      sum += 0.5 * state.spin[i] * state.spin[i] *
-             reference::moment_of_inertia(reference_parameters(scene), state.diameter[i]);
-    return sum;
+    return reference::rotation_energy(reference_parameters(scene), state);
   };
   auto const missed = [&](double time_step) {
     scene.integration.time_step = time_step;

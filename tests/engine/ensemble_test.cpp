@@ -5,6 +5,7 @@
 #include "src/config/errors.hpp"
 #include "src/config/skin.hpp"
 #include "src/engine/ensemble/ensemble_engine.hpp"
+#include "tests/support/equal.hpp"
 #include "tests/support/simulations.hpp"
 #include "tests/support/typed.hpp"
 
@@ -66,30 +67,6 @@ class EnsembleOf : public testing::Test {
         all[s]->advance(stop - all[s]->step(), sampling, windows[s]);
     }
     return windows;
-  }
-
-  static void expect_equal(Simulation const& one, Simulation const& other) {
-    Snapshot const a = one.snapshot(), b = other.snapshot();
-    EXPECT_EQ(a.state.position, b.state.position);
-    EXPECT_EQ(a.state.velocity, b.state.velocity);
-    EXPECT_EQ(a.state.spin, b.state.spin);
-    EXPECT_EQ(a.state.diameter, b.state.diameter);
-    EXPECT_EQ(a.state.box_aspect, b.state.box_aspect);
-    EXPECT_EQ(a.state.offset, b.state.offset);
-    EXPECT_EQ(a.state.time, b.state.time);
-    EXPECT_EQ(a.list_position, b.list_position);
-    EXPECT_EQ(a.list_step, b.list_step);
-    EXPECT_EQ(a.list_builds, b.list_builds);
-    EXPECT_EQ(a.step, b.step);
-    EXPECT_EQ(one.state().position, other.state().position);
-  }
-
-  static void expect_equal(OpenWindows const& a, OpenWindows const& b) {
-    ASSERT_EQ(a.sums.size(), b.sums.size());
-    for (std::size_t w = 0; w < a.sums.size(); ++w) {
-      EXPECT_EQ(a.sums[w].sums, b.sums[w].sums);
-      EXPECT_EQ(a.sums[w].weight, b.sums[w].weight);
-    }
   }
 
   template <class Repulsion = HarmonicRepulsion>
@@ -172,8 +149,8 @@ TYPED_TEST(EnsembleOf, MakesRoomForLongLists) {
   auto const a = TestFixture::run(members, sampling, 100);
   auto const b = TestFixture::run(singles, sampling, 100);
   for (std::size_t s = 0; s < 2; ++s) {
-    TestFixture::expect_equal(*members[s], *singles[s]);
-    TestFixture::expect_equal(a[s], b[s]);
+    expect_equal(*members[s], *singles[s]);
+    expect_equal(a[s], b[s]);
   }
 }
 
@@ -186,8 +163,8 @@ TYPED_TEST(EnsembleOf, DoesNotDependOnHowAdvancesAreCut) {
   auto const a = TestFixture::run(straight, sampling, 450);
   auto const b = TestFixture::run(pieces, sampling, 13);
   for (std::size_t s = 0; s < 3; ++s) {
-    TestFixture::expect_equal(*straight[s], *pieces[s]);
-    TestFixture::expect_equal(a[s], b[s]);
+    expect_equal(*straight[s], *pieces[s]);
+    expect_equal(a[s], b[s]);
     ASSERT_EQ(a[s].sums.size(), 3u);
     EXPECT_EQ(a[s].sums[0].weight, 200);
     EXPECT_EQ(a[s].sums[2].weight, 50);
@@ -211,14 +188,14 @@ TYPED_TEST(EnsembleOf, GoesOnFromSnapshots) {
   for (std::int64_t stop : {61, 170, 400}) {
     auto const members = TestFixture::together(scene, at);
     for (std::size_t s = 0; s < 2; ++s)
-      TestFixture::expect_equal(*members[s], *TestFixture::alone(scene, at[s]));
+      expect_equal(*members[s], *TestFixture::alone(scene, at[s]));
     for (std::size_t s = 0; s < 2; ++s)
       if (at[s].step < stop) members[s]->advance(stop - at[s].step, sampling, windows[s]);
     for (std::size_t s = 0; s < 2; ++s) at[s] = members[s]->snapshot();
     if (stop < 400) continue;
     for (std::size_t s = 0; s < 2; ++s) {
-      TestFixture::expect_equal(*members[s], *singles[s]);
-      TestFixture::expect_equal(windows[s], expected[s]);
+      expect_equal(*members[s], *singles[s]);
+      expect_equal(windows[s], expected[s]);
     }
   }
 }
@@ -251,7 +228,7 @@ TYPED_TEST(EnsembleOf, AFailureIsThatOfItsSystem) {
     for (std::size_t const s : {0u, 2u}) {
       auto const single = TestFixture::alone(scene, from[s]);
       advance(*single, 20);
-      TestFixture::expect_equal(*members[s], *single);
+      expect_equal(*members[s], *single);
     }
   }
 }

@@ -1,23 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/reference/implicit.hpp"
 
+#include "tests/reference/energy.hpp"
+#include "tests/support/all_pairs.hpp"
 #include "tests/support/few_disks.hpp"
-#include "tests/support/simulations.hpp"
 
 namespace bagnold::test {
 namespace {
 
 int iterations(Scene const& scene) { return reference::chebyshev_iterations(scene.rotates()); }
 
-double kinetic_energy(reference::Parameters const& p, State const& s) {
-  double sum = 0;
-  for (std::size_t i = 0; i < s.count(); ++i) {
-    double const vx = s.velocity[i][0], vy = s.velocity[i][1];
-    sum += 0.5 * reference::mass(p, s.diameter[i]) * (vx * vx + vy * vy);
-    if (!s.spin.empty())
-      sum += 0.5 * reference::moment_of_inertia(p, s.diameter[i]) * s.spin[i] * s.spin[i];
-  }
-  return sum;
+reference::StepPower step_of_all_pairs(reference::System& system, double (&dissipative)[2][2]) {
+  return reference::implicit_step(
+      system, reference::chebyshev_iterations(reference::rotates(system.p)), dissipative);
 }
 
 }  // namespace
@@ -66,35 +61,9 @@ TEST_P(Implicit, IsThatOfTheAllPairsReference) {
     scene.disks.elasticity = elasticity;
     scene.disks.mass = mass;
     scene.integration.time_step = time_step;
-    State const state = creeping_start(scene);
-    auto const simulation = simulate(scene, state, backend());
-    reference::System oracle(reference_parameters(scene), state);
+    SCOPED_TRACE(testing::Message() << "phi " << packing_fraction << " Q " << elasticity);
     int const steps = static_cast<int>(20 / time_step);  // rounding grows with time, by collisions
-    double dissipative[2][2];
-    for (int k = 0; k < steps; ++k)
-      reference::implicit_step(oracle, iterations(scene), dissipative);
-    advance(*simulation, steps);
-    EXPECT_LT(largest_difference(simulation->state(), oracle.s, scene.shear.strain_rate), 1e-12)
-        << "phi " << packing_fraction << " Q " << elasticity;
-
-    auto const here = reference::measure(oracle);
-    EXPECT_GE(here.contacts, packing_fraction > 0.8 ? 50 : 1);
-    auto const power = reference::implicit_step(oracle, iterations(scene), dissipative);
-    auto const sums = advance(*simulation, 1, 1).sums;
-    auto const near = [&](int column, double value) {
-      EXPECT_NEAR(sums[column], value, 1e-11 * (1 + std::abs(value))) << "column " << column;
-    };
-    using C = SumColumns;
-    double const area = state.box_length * state.box_height();
-    near(C::elastic_xy, here.el[0][1] * area);
-    near(C::kinetic_xy, here.kin[0][1] * area);
-    near(C::contacts, 2.0 * static_cast<double>(here.contacts));
-    near(C::dissipative_xx, dissipative[0][0]);
-    near(C::dissipative_xy, dissipative[0][1]);
-    near(C::dissipative_yx, dissipative[1][0]);
-    near(C::dissipative_yy, dissipative[1][1]);
-    near(C::dissipation, power.dissipation);
-    if (scene.rotates()) near(C::torque_power, power.torque);
+    expect_those_of_all_pairs(scene, creeping_start(scene), backend(), steps, step_of_all_pairs);
   }
 }
 
@@ -102,14 +71,8 @@ TEST_P(Implicit, InBoxesThatAreNotSquare) {
   for (double const aspect : {4.0, 0.25}) {
     Scene scene = implicit_scene(0.84, 160);
     scene.disks.box_aspect = aspect;
-    State const state = creeping_start(scene);
-    auto const simulation = simulate(scene, state, backend());
-    reference::System oracle(reference_parameters(scene), state);
-    double dissipative[2][2];
-    for (int k = 0; k < 25; ++k) reference::implicit_step(oracle, iterations(scene), dissipative);
-    advance(*simulation, 25);
-    EXPECT_LT(largest_difference(simulation->state(), oracle.s, scene.shear.strain_rate), 1e-12)
-        << aspect;
+    SCOPED_TRACE(aspect);
+    expect_those_of_all_pairs(scene, creeping_start(scene), backend(), 25, step_of_all_pairs);
   }
 }
 
@@ -151,8 +114,8 @@ TEST_P(Implicit, ACrowdLosesWhatIsDissipated) {
   auto const sums = advance(*simulation, 1, 1).sums;
   State const after = simulation->state();
   EXPECT_EQ(sums[SumColumns::contacts], 10);
-  double const lost = kinetic_energy(p, state) - kinetic_energy(p, after);
-  EXPECT_GT(lost, 0.1 * kinetic_energy(p, state));
+  double const lost = reference::motion_energy(p, state) - reference::motion_energy(p, after);
+  EXPECT_GT(lost, 0.1 * reference::motion_energy(p, state));
   EXPECT_NEAR(0.8 * sums[SumColumns::dissipation], lost, 1e-5 * lost);
   for (int a = 0; a < 2; ++a) {
     double change = 0;
@@ -169,10 +132,7 @@ TEST_P(Implicit, TorquesPutIntoTheRotationWhatItGains) {
   if (!scene.rotates()) GTEST_SKIP() << "has no rotation";
   State const start = creeping_start(scene);
   auto const p = reference_parameters(scene);
-  auto const energy = [&](State state) {
-    for (auto& v : state.velocity) v = {0, 0};
-    return kinetic_energy(p, state);
-  };
+  auto const energy = [&](State const& s) { return reference::rotation_energy(p, s); };
   auto const simulation = simulate(scene, start, backend());
   auto const sums = advance(*simulation, 60, 1).sums;
   double const gained = energy(simulation->state()) - energy(start);

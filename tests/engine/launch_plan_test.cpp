@@ -6,10 +6,35 @@
 #include "src/config/skin.hpp"
 #include "src/engine/reference/reference_engine.hpp"
 #include "tests/support/contacts.hpp"
+#include "tests/support/equal.hpp"
 #include "tests/support/simulations.hpp"
 #include "tests/support/typed.hpp"
 
 namespace bagnold::test {
+namespace {
+
+void expect_equal(Listener const& a, Listener const& b) {
+  ASSERT_EQ(a.all.size(), b.all.size());
+  for (std::size_t k = 0; k < a.all.size(); ++k) {
+    EXPECT_EQ(a.all[k].key(), b.all[k].key());
+    EXPECT_EQ(a.all[k].theta, b.all[k].theta);
+  }
+  auto const numbers = [](ContactVelocities const& v) {
+    return std::tuple(v.tangential, v.rotational, v.normal);
+  };
+  ASSERT_EQ(a.samples.size(), b.samples.size());
+  for (std::size_t k = 0; k < a.samples.size(); ++k) {
+    EXPECT_EQ(a.samples[k].pair, b.samples[k].pair);
+    EXPECT_EQ(numbers(a.samples[k].velocities), numbers(b.samples[k].velocities));
+  }
+  ASSERT_EQ(a.picks.size(), b.picks.size());
+  for (auto one = a.picks.begin(), other = b.picks.begin(); one != a.picks.end(); ++one, ++other) {
+    EXPECT_EQ(one->first, other->first);
+    EXPECT_EQ(numbers(one->second), numbers(other->second));
+  }
+}
+
+}  // namespace
 
 /// Steps queued without the host between them, and disks sorted in memory: the same bits.
 template <class On>
@@ -41,49 +66,6 @@ class LaunchPlanOf : public testing::Test {
             from,
             nullptr,
             plan};
-  }
-
-  static void expect_equal(Simulation const& one, Simulation const& other) {
-    Snapshot const a = one.snapshot(), b = other.snapshot();
-    EXPECT_EQ(a.state.position, b.state.position);
-    EXPECT_EQ(a.state.velocity, b.state.velocity);
-    EXPECT_EQ(a.state.spin, b.state.spin);
-    EXPECT_EQ(a.state.diameter, b.state.diameter);
-    EXPECT_EQ(a.list_position, b.list_position);
-    EXPECT_EQ(a.list_step, b.list_step);
-    EXPECT_EQ(a.list_builds, b.list_builds);
-    EXPECT_EQ(a.step, b.step);
-    EXPECT_EQ(one.state().position, other.state().position);
-  }
-
-  static void expect_equal(OpenWindows const& a, OpenWindows const& b) {
-    ASSERT_EQ(a.sums.size(), b.sums.size());
-    for (std::size_t w = 0; w < a.sums.size(); ++w) {
-      EXPECT_EQ(a.sums[w].sums, b.sums[w].sums);
-      EXPECT_EQ(a.sums[w].weight, b.sums[w].weight);
-    }
-  }
-
-  static void expect_equal(Listener const& a, Listener const& b) {
-    ASSERT_EQ(a.all.size(), b.all.size());
-    for (std::size_t k = 0; k < a.all.size(); ++k) {
-      EXPECT_EQ(a.all[k].key(), b.all[k].key());
-      EXPECT_EQ(a.all[k].theta, b.all[k].theta);
-    }
-    auto const numbers = [](ContactVelocities const& v) {
-      return std::tuple(v.tangential, v.rotational, v.normal);
-    };
-    ASSERT_EQ(a.samples.size(), b.samples.size());
-    for (std::size_t k = 0; k < a.samples.size(); ++k) {
-      EXPECT_EQ(a.samples[k].pair, b.samples[k].pair);
-      EXPECT_EQ(numbers(a.samples[k].velocities), numbers(b.samples[k].velocities));
-    }
-    ASSERT_EQ(a.picks.size(), b.picks.size());
-    for (auto one = a.picks.begin(), other = b.picks.begin(); one != a.picks.end();
-         ++one, ++other) {
-      EXPECT_EQ(one->first, other->first);
-      EXPECT_EQ(numbers(one->second), numbers(other->second));
-    }
   }
 
   /// One to the end of the sampling at one go, the others so many steps at a time, each piece from
@@ -154,8 +136,8 @@ TYPED_TEST(LaunchPlanOf, ChangesNoBitOfRamps) {
   OpenWindows expected, windows;
   plain.advance(ramp.steps(), sampling, expected);
   queued.advance(ramp.steps(), sampling, windows);
-  TestFixture::expect_equal(queued, plain);
-  TestFixture::expect_equal(windows, expected);
+  expect_equal(queued, plain);
+  expect_equal(windows, expected);
 }
 
 /// Contacts are followed within a queue too, from piece to piece, and where disks change places.
@@ -179,8 +161,8 @@ TYPED_TEST(LaunchPlanOf, ChangesNoContact) {
         one = std::make_unique<typename TestFixture::Engine>(
             TestFixture::engine(scene, one->snapshot(), {32, true}));
       }
-      TestFixture::expect_equal(observed.windows, expected.windows);
-      TestFixture::expect_equal(*observed.listener, *expected.listener);
+      expect_equal(observed.windows, expected.windows);
+      expect_equal(*observed.listener, *expected.listener);
     }
   }
 }
@@ -198,8 +180,8 @@ TYPED_TEST(LaunchPlanOf, ChangesNoContactOfRamps) {
   plain.advance(ramp.steps(), sampling, expected.windows);
   queued.advance(ramp.steps(), sampling, observed.windows);
   EXPECT_GT(expected.listener->picks.size(), 100u);
-  TestFixture::expect_equal(observed.windows, expected.windows);
-  TestFixture::expect_equal(*observed.listener, *expected.listener);
+  expect_equal(observed.windows, expected.windows);
+  expect_equal(*observed.listener, *expected.listener);
 }
 
 /// With the step, the disk of the start and the number that a failure has without a queue.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/reference/two_stage.hpp"
 
+#include "tests/reference/energy.hpp"
+#include "tests/support/all_pairs.hpp"
 #include "tests/support/few_disks.hpp"
-#include "tests/support/simulations.hpp"
 #include "tests/support/sums.hpp"
 
 namespace bagnold::test {
@@ -31,35 +32,11 @@ TEST_P(TwoStage, IsThatOfTheAllPairsReference) {
     scene.disks.elasticity = elasticity;
     scene.disks.mass = mass;
     scene.integration.time_step = time_step;
-    State const state = shaken_start(scene);
-    auto const simulation = simulate(scene, state, backend());
-    reference::System oracle(reference_parameters(scene), state);
+    SCOPED_TRACE(testing::Message() << "phi " << packing_fraction << " Q " << elasticity);
     int const steps = static_cast<int>(20 / time_step);  // rounding grows with time, by collisions
-    double dissipative[2][2];
-    for (int k = 0; k < steps; ++k) reference::two_stage_step(oracle, dissipative);
-    advance(*simulation, steps);
-    EXPECT_LT(largest_difference(simulation->state(), oracle.s, scene.shear.strain_rate), 1e-12)
-        << "phi " << packing_fraction << " Q " << elasticity;
+    auto const simulation = expect_those_of_all_pairs(scene, shaken_start(scene), backend(), steps,
+                                                      reference::two_stage_step);
     EXPECT_GE(simulation->snapshot().list_builds, 2);
-
-    auto const here = reference::measure(oracle);
-    EXPECT_GE(here.contacts, packing_fraction > 0.8 ? 50 : 1);
-    auto const power = reference::two_stage_step(oracle, dissipative);
-    auto const sums = advance(*simulation, 1, 1).sums;
-    auto const near = [&](int column, double value) {
-      EXPECT_NEAR(sums[column], value, 1e-11 * (1 + std::abs(value))) << "column " << column;
-    };
-    using C = SumColumns;
-    double const area = state.box_length * state.box_height();
-    near(C::elastic_xy, here.el[0][1] * area);
-    near(C::kinetic_xy, here.kin[0][1] * area);
-    near(C::contacts, 2.0 * static_cast<double>(here.contacts));
-    near(C::dissipative_xx, dissipative[0][0]);
-    near(C::dissipative_xy, dissipative[0][1]);
-    near(C::dissipative_yx, dissipative[1][0]);
-    near(C::dissipative_yy, dissipative[1][1]);
-    near(C::dissipation, power.dissipation);
-    if (scene.rotates()) near(C::torque_power, power.torque);
   }
 }
 
@@ -68,19 +45,9 @@ TEST_P(TwoStage, InBoxesThatAreNotSquare) {
     Scene scene = two_stage_scene(0.84, 160);
     scene.disks.box_aspect = aspect;
     scene.integration.time_step = 0.1;
-    State const state = shaken_start(scene);
-    auto const simulation = simulate(scene, state, backend());
-    reference::System oracle(reference_parameters(scene), state);
-    double dissipative[2][2];
-    for (int k = 0; k < 200; ++k) reference::two_stage_step(oracle, dissipative);
-    advance(*simulation, 200);
-    EXPECT_LT(largest_difference(simulation->state(), oracle.s, scene.shear.strain_rate), 1e-12)
-        << aspect;
-    auto const power = reference::two_stage_step(oracle, dissipative);
-    auto const sums = advance(*simulation, 1, 1).sums;
-    EXPECT_NEAR(sums[SumColumns::dissipative_xy], dissipative[0][1],
-                1e-11 * (1 + std::abs(dissipative[0][1])));
-    EXPECT_NEAR(sums[SumColumns::dissipation], power.dissipation, 1e-11 * (1 + power.dissipation));
+    SCOPED_TRACE(aspect);
+    expect_those_of_all_pairs(scene, shaken_start(scene), backend(), 200,
+                              reference::two_stage_step);
   }
 }
 
@@ -152,16 +119,7 @@ TEST_P(TwoStage, ACrowdLosesWhatIsDissipated) {
   scene.integration.time_step = 0.4;
   State const state = crowd(scene);
   auto const p = reference_parameters(scene);
-  auto const energy = [&](State const& s) {
-    double sum = 0;
-    for (std::size_t i = 0; i < s.count(); ++i) {
-      double const vx = s.velocity[i][0], vy = s.velocity[i][1];
-      sum += 0.5 * reference::mass(p, s.diameter[i]) * (vx * vx + vy * vy);
-      if (!s.spin.empty())
-        sum += 0.5 * reference::moment_of_inertia(p, s.diameter[i]) * s.spin[i] * s.spin[i];
-    }
-    return sum;
-  };
+  auto const energy = [&](State const& s) { return reference::motion_energy(p, s); };
   auto const simulation = simulate(scene, state, backend());
   auto const sums = advance(*simulation, 1, 1).sums;
   EXPECT_EQ(sums[SumColumns::contacts], 10);
@@ -176,12 +134,7 @@ TEST_P(TwoStage, TorquesPutIntoTheRotationWhatItGains) {
   if (!scene.rotates()) GTEST_SKIP() << "has no rotation";
   State const start = shaken_start(scene);
   auto const p = reference_parameters(scene);
-  auto const energy = [&](State const& s) {
-    double sum = 0;
-    for (std::size_t i = 0; i < s.count(); ++i)
-      sum += 0.5 * reference::moment_of_inertia(p, s.diameter[i]) * s.spin[i] * s.spin[i];
-    return sum;
-  };
+  auto const energy = [&](State const& s) { return reference::rotation_energy(p, s); };
   auto const simulation = simulate(scene, start, backend());
   auto const sums = advance(*simulation, 300, 1).sums;
   double const gained = energy(simulation->state()) - energy(start);

@@ -36,6 +36,7 @@ inline double reduced_offset(double strain, State const& box) {
 /// range here is wider, so that one disk of a pair may also be given by a neighbouring image.
 inline std::vector<Contact> contacts(Parameters const& p, State const& s, double strain) {
   std::vector<Contact> found;
+  found.reserve(3 * s.count());
   double const width = s.box_length, height = s.box_height();
   double const offset = reduced_offset(strain, s);
   for (std::size_t i = 0; i < s.count(); ++i) {
@@ -46,6 +47,7 @@ inline std::vector<Contact> contacts(Parameters const& p, State const& s, double
         if (std::abs(y) >= contact_distance) continue;
         for (int m = -4; m <= 4; ++m) {
           double const x = s.position[i][0] - (s.position[j][0] + m * width + n * offset);
+          if (std::abs(x) >= contact_distance) continue;
           double const r = std::sqrt(x * x + y * y);
           if (r >= contact_distance) continue;
           double const vx = s.velocity[i][0] - (s.velocity[j][0] + n * p.strain_rate * height);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -20,6 +21,10 @@ using Motions = std::vector<std::array<double, 3>>;
 /// number of contacts.
 inline double contact_weight(int contacts, bool rolling) {
   if (!rolling || contacts == 0) return contacts;
+  static std::map<int, double>
+      known;  // 4000 iterations for each disk and step would take longer than all else
+  auto const [at, fresh] = known.try_emplace(contacts, 0.0);
+  if (!fresh) return at->second;
   double const angle = 2 * std::asin(1.0 / 2.4), inertia = 1.0 / 8.0;  // of d = 1
   double matrix[3][3] = {};  // in v_x, v_y, sqrt(I) thetadot
   for (int c = 0; c < contacts; ++c) {
@@ -31,15 +36,14 @@ inline double contact_weight(int contacts, bool rolling) {
         for (int b = 0; b < 3; ++b) matrix[a][b] += row[a] * row[b];
   }
   std::array<double, 3> x{0.3, 0.5, 1.0};
-  double value = 0;
   for (int k = 0; k < 4000; ++k) {
     std::array<double, 3> y{};
     for (int a = 0; a < 3; ++a)
       for (int b = 0; b < 3; ++b) y[a] += matrix[a][b] * x[b];
-    value = std::sqrt(y[0] * y[0] + y[1] * y[1] + y[2] * y[2]);
-    for (int a = 0; a < 3; ++a) x[a] = y[a] / value;
+    at->second = std::sqrt(y[0] * y[0] + y[1] * y[1] + y[2] * y[2]);
+    for (int a = 0; a < 3; ++a) x[a] = y[a] / at->second;
   }
-  return value;
+  return at->second;
 }
 
 /// Powers of an implicit step, and what its iterations leave of the equation, in the norm of the

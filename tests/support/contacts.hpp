@@ -82,12 +82,13 @@ class AllPairs {
     auto& sums = windows.back();
     sums[ContactColumns::steps] += 1;
     std::map<PairOfDisks, reference::Contact> now;
-    std::vector<std::set<std::uint32_t>> touch(system.s.count());
+    std::vector<std::vector<std::uint32_t>> touch(system.s.count());
     for (auto const& c : reference::contacts(system)) {
       auto const i = static_cast<std::uint32_t>(c.i), j = static_cast<std::uint32_t>(c.j);
-      now[{i, j}] = c;
-      touch[i].insert(j);
-      touch[j].insert(i);
+      if (now.insert_or_assign({i, j}, c).second) {
+        touch[i].push_back(j);
+        touch[j].push_back(i);
+      }
       if (!sampling.sampled(step)) continue;
       auto const v = velocities(system, c);
       add(v, system.p.strain_rate, sums.data() + ContactColumns::motion);
@@ -175,13 +176,15 @@ class AllPairs {
     return reference::contacts(system.p, two, reference::strain(system)).at(0);
   }
 
-  static std::int64_t cluster(std::vector<std::set<std::uint32_t>> const& touch,
+  static std::int64_t cluster(std::vector<std::vector<std::uint32_t>> const& touch,
                               std::uint32_t from) {
     std::set<std::uint32_t> found{from};
-    for (std::size_t before = 0; before != found.size();) {
-      before = found.size();
-      for (auto const disk : std::set<std::uint32_t>(found))
-        found.insert(touch[disk].begin(), touch[disk].end());
+    std::vector<std::uint32_t> next{from};
+    while (!next.empty()) {
+      auto const disk = next.back();
+      next.pop_back();
+      for (auto const other : touch[disk])
+        if (found.insert(other).second) next.push_back(other);
     }
     return static_cast<std::int64_t>(std::min(found.size(), ContactRecord::largest_cluster));
   }

@@ -104,7 +104,7 @@ inline std::map<std::pair<std::uint32_t, std::uint32_t>, double> overlapping_pai
 inline double gap_of(State const& s, std::uint32_t i, std::uint32_t j) {
   auto const [dx, dy] =
       nearest_image(s, s.position[i][0] - s.position[j][0], s.position[i][1] - s.position[j][1]);
-  return std::hypot(dx, dy) - (s.diameter[i] + s.diameter[j]) / 2;
+  return std::sqrt(dx * dx + dy * dy) - (s.diameter[i] + s.diameter[j]) / 2;
 }
 
 /// Kinetic energy of what leaves the mean flow, and elastic energy of contacts.
