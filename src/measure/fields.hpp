@@ -17,6 +17,7 @@ class Fields final : public FrameObserver {
   void save(ObserverState& numbers) override;
   void load(ObserverState const& numbers) override;
   void forget_before(double strain) override;
+  bool adds_up() const override { return true; }
   void report(std::vector<FrameObserver const*> const& systems,
               FrameResults& results) const override;
 

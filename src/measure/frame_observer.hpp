@@ -51,6 +51,9 @@ class FrameObserver {
   /// was shown.
   virtual void forget_before(double /*strain*/) {}
 
+  /// Whether it adds up its frames, and so forgets all of them.
+  virtual bool adds_up() const { return false; }
+
   /// Message on files of the observer that are no longer as they were saved, and what to do; empty
   /// if there are none. The run continues.
   virtual std::string lost() const { return {}; }

@@ -27,10 +27,14 @@ void Frames::show(Simulation const& simulation, std::int64_t from) {
   auto const waits = [&](Observed const& w) { return w.waits(from, step); };
   if (std::ranges::none_of(observed_, waits)) return;
   State const state = simulation.state();
-  bool const controlled = plan_.control_steps > 0;  // strain is known as the run goes
-  Frame const frame{state, step, controlled ? simulation.strain() : plan_.strain(step)};
   for (auto const& w : observed_)
-    if (waits(w)) w.observer->add(frame);
+    if (waits(w)) w.observer->add(frame_of(simulation, state));
+}
+
+Frame Frames::frame_of(Simulation const& simulation, State const& state) const {
+  bool const controlled = plan_.control_steps > 0;  // strain is known as the run goes
+  auto const step = simulation.step();
+  return {state, step, controlled ? simulation.strain() : plan_.strain(step)};
 }
 
 void Frames::know_contacts(std::shared_ptr<ContactRecord const> const& record) {
@@ -65,6 +69,14 @@ void Frames::forget_before(std::int64_t step) {
     w.first_step = std::max(*w.first_step, step);
     w.observer->forget_before(plan_.strain(step));
   }
+}
+
+void Frames::show_first_again(Simulation const& simulation) {
+  auto const step = simulation.step();
+  State const state = simulation.state();
+  for (auto const& w : observed_)
+    if (w.observer->adds_up() && w.first_step == step && step % w.spacing == 0)
+      w.observer->add(frame_of(simulation, state));
 }
 
 std::vector<std::string> Frames::lost() const {

@@ -41,6 +41,10 @@ class Frames {
 
   /// Observers that have a first step forget what they saw before this one, and begin no earlier.
   void forget_before(std::int64_t step);
+
+  /// Shows a configuration again to those that add up frames, if theirs begin with it: after
+  /// forget_before() of the step that it has.
+  void show_first_again(Simulation const& simulation);
   std::vector<std::string> lost() const;
   void finish();
   void tidy();
@@ -57,6 +61,8 @@ class Frames {
 
     bool waits(std::int64_t from, std::int64_t to) const;
   };
+  Frame frame_of(Simulation const& simulation, State const& state) const;
+
   Plan plan_;
   static std::vector<FrameObserver const*> observers(std::vector<Frames const*> const& systems,
                                                      std::size_t which);

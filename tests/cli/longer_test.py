@@ -76,6 +76,12 @@ class LongerTest(CliTest):
         self.assert_same_run(whole, out)
         return text
 
+    def test_twice_the_strain(self):
+        """What is measured then begins with the last frame of before."""
+        self.check(short=0.4, long=0.8, disks__count=300, shear__strain_rate=0.01,
+                   output__sample_strain=0.05, measure__profiles=True, measure__fields=True,
+                   measure__rotation=True, measure__contacts=True)
+
     def test_steps_and_lookaheads(self):
         """Dense and dilute, with either scheme, at lengths that no engine would stop at."""
         schemes = ("modified-velocity-verlet", "two-stage-leapfrog")
