@@ -71,8 +71,24 @@ void plot_cascade(fs::path const& folder, Scene const& cascade, std::string cons
   say_drawn(picture, "");
 }
 
-/// Draws the tables of a sweep as `analyse table` does, and the points at first sight, where they
-/// have averages.
+/// Draws the table of a sweep as `analyse table` does; false where it cannot be told what its
+/// curves are, with a remark.
+bool plot_table(fs::path const& folder, std::string const& format) {
+  analysis::Analysis made;
+  try {
+    made = analysis::analyse(folder, {.kind = "table"});
+  } catch (InputError const& error) {
+    warn(fmt::format("no table is drawn: {}", error.what()));
+    return false;
+  }
+  made.picture.replace_extension(format);
+  for (auto const& note : made.report.notes) warn(note);
+  if (!made.report.drawn.rows.empty()) refuse(draw_plot(made.drawn, made.picture));
+  say_drawn(made.picture, "; `bagnold analyse table --help` for other axes");
+  return true;
+}
+
+/// Draws the table of a sweep, and its points at first sight where they have averages.
 void plot_sweep(fs::path const& folder, std::string const& format) {
   if (!fs::exists(folder / "sweep.h5"))
     throw InputError(
@@ -80,13 +96,11 @@ void plot_sweep(fs::path const& folder, std::string const& format) {
                     "the points that are done",
                     folder.string(), shell_word((folder / "sweep.toml").string()),
                     shell_word(folder.string())));
-  auto made = analysis::analyse(folder, {.kind = "table"});
-  made.picture.replace_extension(format);
-  for (auto const& note : made.report.notes) warn(note);
-  if (!made.report.drawn.rows.empty()) refuse(draw_plot(made.drawn, made.picture));
-  say_drawn(made.picture, "; `bagnold analyse table --help` for other axes");
+  bool const tabled = plot_table(folder, format);
   auto const picture = folder / ("sweep." + format);
-  if (draw_plot(folder, picture).empty()) say_drawn(picture, "");
+  auto const wrong = draw_plot(folder, picture);
+  if (!tabled) refuse(wrong);
+  if (wrong.empty()) say_drawn(picture, "");
 }
 
 int plot_command(PlotOptions const& options) {

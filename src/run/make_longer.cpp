@@ -125,9 +125,10 @@ void Longer::reopen_last_window(io::SystemCheckpoint& system) const {
 }
 
 std::vector<std::string> Longer::remarks(io::Checkpoint const& from) const {
-  std::vector<std::string> lines{
-      fmt::format("made longer, from strain {} to {}: ends as a run of {} from the start",
-                  before.shear.strain.at(0), after.shear.strain.at(0), after.shear.strain.at(0))};
+  std::vector<std::string> lines{fmt::format(
+      "made longer, from strain {} to {}: ends as a run of {} from the start, scheme {}",
+      before.shear.strain.at(0), after.shear.strain.at(0), after.shear.strain.at(0),
+      after.integration.scheme)};
   if (!after.shear.discard)
     lines.push_back(fmt::format(
         "shear.discard = \"auto\": the transient is looked for in all {} windows, no longer in {}",

@@ -227,6 +227,17 @@ class Plot(SweepTest):
         self.assertFalse((out / "table.png").exists())
         self.assert_picture(out / "sweep.png")
 
+    def test_a_sweep_over_what_makes_no_curve(self):
+        """Seeds or texts alone: the points are drawn, and why no table is."""
+        for grid in ({"disks.seed": [1, 2]}, {"disks.model": ["CD", "CD_n"]}):
+            out = self.folder / next(iter(grid))
+            self.sweep(self.sweep_file(grid=grid, shear__strain=8.0), out, "--quiet")
+            result = self.bagnold("plot", out)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertIn("no table is drawn: ", result.stderr)
+            self.assertFalse((out / "table.png").exists())
+            self.assert_picture(out / "sweep.png")
+
 
 if __name__ == "__main__":
     unittest.main()
