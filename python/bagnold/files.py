@@ -6,6 +6,7 @@ from __future__ import annotations
 import errno
 import os
 import pathlib
+from collections.abc import Iterable
 
 ENDINGS = (".lammpstrj", ".dump", ".lmp", ".txt", ".pvd")  # of exports that have files beside them
 
@@ -22,3 +23,16 @@ def regular(path: str | os.PathLike[str]) -> pathlib.Path:
     if path.is_fifo():
         raise OSError(errno.EINVAL, "it is a pipe, not a file", str(path))
     return path
+
+
+def stamps(folder: pathlib.Path, names: Iterable[str]) -> dict[str, tuple[int, int, int]]:
+    """Time of change, inode and size of the files of a folder with these names or patterns. They differ where a file
+    was replaced."""
+    found = {}
+    for path in (path for name in names for path in folder.glob(name)):
+        try:
+            state = path.stat()
+        except OSError:  # removed meanwhile
+            continue
+        found[path.name] = state.st_mtime_ns, state.st_ino, state.st_size
+    return found

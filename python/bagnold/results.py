@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 import json
 import math
 import os
@@ -12,14 +13,13 @@ import shlex
 import tomllib
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
 from .contacts import ContactFrames
 from .errors import FileError, InputError, NotOfThisRun, needed
-from .files import regular
+from .files import regular, stamps
 from .frames import Array, Frame, Frames, read_states
 from .hdf5 import columns_of, open_hdf5, plain
 from .observables import Observable, Warning, number, observable
@@ -31,12 +31,30 @@ if TYPE_CHECKING:
     from xarray import Dataset
 
 
+T = TypeVar("T")
+
 BY_PIECES = ("sequence", "oscillate", "stress")  # protocols in which the shear may turn or stop
+
+
+def kept_with(*files: str) -> Callable[[Callable[[Run], T]], Callable[[Run], T]]:
+    """Keeps what is read of a run until one of these files (names or patterns) is another one."""
+    def keeping(read: Callable[[Run], T]) -> Callable[[Run], T]:
+        name: str = getattr(read, "__name__")
+
+        @functools.wraps(read)
+        def value(run: Run) -> T:
+            now = stamps(run.folder, files)  # before the files are read: a change meanwhile is seen next time
+            if name not in run._kept or run._kept[name][0] != now:
+                run._kept[name] = now, read(run)
+            found: T = run._kept[name][1]
+            return found
+        return value
+    return keeping
 
 
 class Series(Mapping[str, Array]):
     """/series of result.h5: ``series["B_p"]`` is [n], one value a window, of R replicas [R, n]; NaN
-    where undefined. `discarded` windows at the front are in no average."""
+    where undefined. `discarded` windows at the front are in no average. Values are read on access."""
 
     def __init__(self, path: pathlib.Path, averaged: Callable[[], str] = str) -> None:
         """`averaged`: tells the attribute of the result with averages over parts of the series, "" for one over all."""
@@ -48,13 +66,24 @@ class Series(Mapping[str, Array]):
             self._names = list(group)
             self._units = {name: plain(group[name].attrs.get("unit", "")) for name in group}
             self._words = {name: plain(group[name].attrs.get("description", "")) for name in group}
-            self.discarded = int(group.attrs.get("discarded_windows", 0))
+
+    @property
+    def discarded(self) -> int:
+        """Windows of the transient, at the front."""
+        return self._read()[0]
+
+    def _read(self, *names: str) -> tuple[int, dict[str, Array]]:
+        """Discarded windows and these series, of one state of the file."""
+        for name in names:
+            if name not in self._names:
+                raise KeyError(f"{name} is not among the series: {', '.join(self._names)}")
+        with open_hdf5(self._path) as file:
+            group = file["series"]
+            return (int(group.attrs.get("discarded_windows", 0)),
+                    {name: np.asarray(group[name][()], dtype=np.float64) for name in names})
 
     def __getitem__(self, name: str) -> Array:
-        if name not in self._names:
-            raise KeyError(f"{name} is not among the series: {', '.join(self._names)}")
-        with open_hdf5(self._path) as file:
-            return np.asarray(file["series"][name][()], dtype=np.float64)
+        return self._read(name)[1][name]
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._names)
@@ -76,7 +105,8 @@ class Series(Mapping[str, Array]):
         if parts := self._averaged():
             raise NotOfThisRun(f"{self._path.parent} has an average for each of its {parts}, over the later part of each: take "
                                f"r.{parts}")
-        return self[name][..., self.discarded:]
+        discarded, found = self._read(name)
+        return found[name][..., discarded:]
 
 
 @dataclass(frozen=True)
@@ -147,10 +177,12 @@ class Oscillation:
 
 
 class Run:
-    """Folder of a run. Files are read on access, so a run that is in progress can be read."""
+    """Folder of a run. Files are read on access, and again when they have changed, so a run that is in progress can
+    be read."""
 
     def __init__(self, folder: str | os.PathLike[str]) -> None:
         self.folder = pathlib.Path(folder)  #: where it lies
+        self._kept: dict[str, tuple[object, Any]] = {}  # by attribute: stamps of its files, what was read of them
 
     def __repr__(self) -> str:
         return f"<run {self.folder}{'' if self.complete else ', not complete'}>"
@@ -166,7 +198,7 @@ class Run:
         ``frame[r.series.discarded:]``. Needs pandas."""
         pandas = needed("pandas", "to_pandas()")
         series, seeds = self.series, self.seeds
-        values = {name: series[name] for name in series}
+        _, values = series._read(*series)
         if len(seeds) == 1:
             frame = pandas.DataFrame(values)
             frame.index.name = "window"
@@ -184,10 +216,10 @@ class Run:
         xarray = needed("xarray", "to_xarray()")
         series, seeds = self.series, self.seeds
         along = "time" if self.scene.get("shear.protocol") in BY_PIECES else "strain"
-        axis = series[along]
+        discarded, values = series._read(*series)
+        axis = values[along]
         variables = {}
-        for name in series:
-            value = series[name]
+        for name, value in values.items():
             if name != along:
                 dimensions = ("seed", along) if value.ndim == 2 else (along,)
                 variables[name] = (dimensions, value, {"units": series.unit(name), "long_name": series.description(name)})
@@ -197,19 +229,21 @@ class Run:
         if len(seeds) > 1:
             coordinates["seed"] = ("seed", np.array(seeds), {})
         return xarray.Dataset(variables, coordinates, {"title": str(self.scene.get("title", "")),
-                                                       "discarded_windows": series.discarded})
+                                                       "discarded_windows": discarded})
 
     @property
     def complete(self) -> bool:
         """True if the run has come to its end."""
         return (self.folder / "summary.json").exists()
 
-    @cached_property
+    @property
+    @kept_with("summary.json")
     def summary(self) -> dict[str, Any]:
         """summary.json as it is. FileError while the run is not complete."""
         return read_summary(self.folder)
 
-    @cached_property
+    @property
+    @kept_with("summary.json", "scene.toml")
     def scene(self) -> Scene:
         """The resolved scene, all defaults filled in: ``r.scene["disks.count"]``."""
         if self.complete and "scene" in self.summary:
@@ -217,7 +251,8 @@ class Run:
         with _opened(self.folder / "scene.toml") as file:
             return Scene(tomllib.load(file))
 
-    @cached_property
+    @property
+    @kept_with("result.h5")
     def series(self) -> Series:
         """One value a window of every quantity."""
         return Series(self._file("result.h5"), self._averaged_parts)
@@ -227,7 +262,8 @@ class Run:
         by_stress = isinstance(stress, list) and len(stress) > 1
         return "pieces" if self.scene.get("shear.protocol") == "sequence" else "stresses" if by_stress else ""
 
-    @cached_property
+    @property
+    @kept_with("result.h5", "summary.json")
     def observables(self) -> dict[str, Observable]:
         """Averages by their names. FileError while the run is not complete, and of a cascade, whose
         rates have averages of their own (`points`)."""
@@ -255,7 +291,8 @@ class Run:
         stages = sorted(path.parent for path in self.folder.glob("[0-9]*_strain_rate=*/scene.toml"))
         return [Run(stage) for stage in stages] or [self]
 
-    @cached_property
+    @property
+    @kept_with("result.h5", "summary.json")
     def replicas(self) -> list[dict[str, Observable]]:
         """Averages of each replica alone, in the order of `seeds`; of one system, of that one."""
         parts = self.summary.get("replicas")
@@ -284,7 +321,8 @@ class Run:
         first = int(self.scene["disks.seed"])
         return list(range(first, first + int(self.scene.get("disks.replicas", 1))))
 
-    @cached_property
+    @property
+    @kept_with("result.h5")
     def about(self) -> dict[str, Any]:
         """Provenance of the result: version, git, compiler, seed, engine_NAME, ..."""
         with open_hdf5(self._file("result.h5")) as file:
@@ -292,7 +330,8 @@ class Run:
 
     # ------------------------------------------------------------------------------ configurations
 
-    @cached_property
+    @property
+    @kept_with("summary.json", "scene.toml", "checkpoint.h5", "trajectory*")
     def frames(self) -> Frames:
         """The trajectory, of replicas that of the first. FileError where none was written."""
         return self.frames_of(self.seeds[0])
@@ -312,8 +351,11 @@ class Run:
         if any(parts.glob("*.h5md")):  # beside the whole one of a finished run that is made longer they hold its frames too
             found = Frames(parts, rate)
             return max(found, Frames(whole, rate), key=len) if whole.is_file() else found
-        raise FileError(self._rates_apart() or f"{self.folder} has no {name}.h5md: set output.{self.frame_spacing} between "
-                        "frames in the scene and run it again")
+        spacing = f"output.{self.frame_spacing}"
+        raise FileError(self._rates_apart() or f"{self.folder} has no {name}.h5md: " + (
+            "no frame is written yet, the first ones come with a checkpoint"
+            if self.scene.get(spacing) and not self.complete
+            else f"set {spacing} between frames in the scene and run it again"))
 
     @property
     def frame_spacing(self) -> str:
@@ -344,20 +386,23 @@ class Run:
 
     # ------------------------------------------------------------------------- what else it has
 
-    @cached_property
+    @property
+    @kept_with("result.h5")
     def histograms(self) -> dict[str, Histogram]:
         """/histograms: those that `[measure]` switched on; of a ramp one for each frame."""
         return {name: Histogram(group["edges"], group["density"])
                 for name, group in self._groups("histograms").items()}
 
-    @cached_property
+    @property
+    @kept_with("result.h5")
     def profiles(self) -> dict[str, Profile]:
         """/profiles over y, with `measure.profiles`; of a ramp one for each frame."""
         return {name: Profile(group["y"], group["value"],
                               group.get("error", np.full_like(group["value"], np.nan)))
                 for name, group in self._groups("profiles").items()}
 
-    @cached_property
+    @property
+    @kept_with("result.h5")
     def samples(self) -> dict[str, dict[str, Array]]:
         """/samples: tables of rows that belong together, ``{column: [rows]}``."""
         with open_hdf5(self._file("result.h5")) as file:
@@ -377,20 +422,23 @@ class Run:
                                    np.array([number(one["observables"][name]["error"]) for one in have]))
         return branches
 
-    @cached_property
+    @property
+    @kept_with("summary.json")
     def pieces(self) -> list[Piece]:
         """Pieces of a sequence, in their order: ``r.pieces[0].mean["sigma"]``."""
         if "pieces" not in self.summary:
             raise NotOfThisRun(f"{self.folder} is no sequence: it has no pieces, its averages are r[\"p\"]")
         return [_piece(one) for one in self.summary["pieces"]]
 
-    @cached_property
+    @property
+    @kept_with("summary.json")
     def stresses(self) -> list[Stress]:
         """Stresses of a list that were held, in their order: ``r.stresses[0].mean["strain_rate"]``."""
         return [Stress(one["stress"], one["strain"], one["windows"], *_means(one["observables"]))
                 for one in self.summary.get("stresses", [])]
 
-    @cached_property
+    @property
+    @kept_with("summary.json")
     def oscillation(self) -> Oscillation:
         """The mean cycle of an oscillation; its moduli are ``r["G_storage"]`` and ``r["G_loss"]``."""
         if "oscillation" not in self.summary:

@@ -63,6 +63,32 @@ class Results(Folder):
             shutil.copy(whole, made / "trajectory.parts" / part)
         self.assertEqual(len(bagnold.load(made).frames), 2 * len(source.frames))
 
+    def test_files_that_change_are_read_again(self):
+        """A run that was looked at and is made longer is as one that is loaded afterwards."""
+        out = self.folder / "longer"
+        first = run(SCENE, out, output__trajectory_strain=2.0**-3, disks__count=128, measure__rotation=True)
+        r, series = bagnold.load(first.folder), first.series
+        self.assertIs(r.series, r.series)  # kept while nothing changes
+
+        def known(one):
+            return {"summary": one.summary, "discarded": one.series.discarded, "p": one["p"].mean,
+                    "frames": len(one.frames), "strain": one.scene["shear.strain"],
+                    "replicas": one.replicas[0]["p"].mean,
+                    "rotation": list(one.histograms["rotation"].density)}
+
+        short = known(r)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            bagnold.resume(out, strain=4.0, progress=False)
+        fresh = bagnold.load(out)
+        for name, value in known(fresh).items():
+            np.testing.assert_equal(known(r)[name], value, name)
+            self.assertNotEqual(value, short[name], name)
+        for one in (r.series, series):  # one that was kept from before too
+            self.assertEqual(one.discarded, fresh.series.discarded)
+            np.testing.assert_array_equal(one.measured("p"), fresh.series.measured("p"))
+            self.assertAlmostEqual(one.measured("p").mean() / fresh["p"].mean, 1, places=9)
+
     def test_a_cascade_names_its_rates(self):
         rates = {"protocol": "cascade", "strain_rates": [2.0**-6, 2.0**-7], "strain": 0.25}
         r = run({**SCENE, "shear": rates}, self.folder / "cascade")
@@ -232,6 +258,9 @@ class Results(Folder):
             r.series
         with self.assertRaisesRegex(bagnold.FileError, "output.trajectory_strain"):
             made().frames
+        shutil.copy(with_frames().folder / "scene.toml", begun)
+        with self.assertRaisesRegex(bagnold.FileError, "no frame is written yet"):
+            r.frames
         (begun / "result.h5").write_text("no HDF5")
         with self.assertRaisesRegex(bagnold.FileError, "result.h5 cannot be read"):
             r.series
