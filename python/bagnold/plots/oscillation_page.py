@@ -24,11 +24,11 @@ class Cycles:
         self.discarded = run.discarded // self.windows
         self.period = float(shear["period"]) if isinstance(shear.get("period"), (int, float)) else (
             2 * np.pi * self.amplitude / float(shear["peak_rate"]))
-        self.phase = (np.arange(self.windows) + 0.5) / self.windows  # of a cycle, at the middle of each window
-        self.strain = self.amplitude * (np.sin(2 * np.pi * (self.phase - 0.5 / self.windows))
-                                        + np.sin(2 * np.pi * (self.phase + 0.5 / self.windows))) / 2
-        self.rate = self.amplitude * self.windows / self.period * np.diff(
-            np.sin(2 * np.pi * np.arange(self.windows + 1) / self.windows))
+        ends = self.amplitude * np.sin(2 * np.pi * np.arange(self.windows + 1) / self.windows)  # strain, of windows
+        self.rate = np.diff(ends) * self.windows / self.period
+        wave = run.summary.get("oscillation", {}).get("waveform", {})
+        self.strain = np.array(wave.get("strain", (ends[:-1] + ends[1:]) / 2))  # where the stress is sampled, else the middle
+        self.phase = (np.arange(self.windows) + share_of_window(self.strain, ends)) / self.windows
         self.measured = slice(min(self.discarded, max(self.count - 1, 0)), self.count)
 
     def of(self, name):
@@ -48,6 +48,12 @@ class Cycles:
         table = self.run.table("cycles")
         shown = table["cycle"] <= self.count
         return [table[name][shown].reshape(-1, self.count) for name in ("G_storage", "G_loss")]
+
+
+def share_of_window(strain, ends):
+    """Mean time of the samples of a window over its length, by the strain, which is linear in each. ends: of the windows."""
+    change = np.diff(ends)
+    return float(change @ (strain - ends[:-1]) / (change @ change))
 
 
 def closed(values):

@@ -55,7 +55,8 @@ class Run:
         self.replicas, windows = shapes.pop()
         self.series = {k: mean_of_rows(values) for k, values in self.each.items()}
         folder = os.path.dirname(os.path.abspath(path))
-        self.observables = read_observables(os.path.join(folder, "summary.json"))
+        self.summary = read_summary(os.path.join(folder, "summary.json"))
+        self.observables = self.summary.get("observables", {})
         self.state = read_state(os.path.join(folder, "state.h5"))
         self.strain = self.series.get("strain", np.arange(1.0, windows + 1.0))
         self.x, self.x_label = self.strain, r"strain $\gamma$"  # what series are drawn against
@@ -104,11 +105,12 @@ def mean_of_rows(values):
     return np.where(count > 0, total / np.maximum(count, 1), np.nan)
 
 
-def read_observables(path):
+def read_summary(path):
+    """summary.json, {} while there is none."""
     try:
         with open(regular(path), encoding="utf-8") as file:
-            return json.load(file)["observables"]
-    except (OSError, ValueError, KeyError):
+            return json.load(file)
+    except (OSError, ValueError):
         return {}
 
 
