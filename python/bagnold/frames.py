@@ -118,8 +118,8 @@ class _Part:
 class Frames(Sequence[Frame]):
     """A trajectory: ``len(frames)``, ``frames[3]``, ``frames[::10]``, ``for frame in frames``.
 
-    Frames are read on access only. During a run these are the frames written so far (its parts). ``positions`` and the
-    like read all frames into one array."""
+    Frames are read on access only. During a run these are the frames up to its last checkpoint (its parts).
+    ``positions`` and the like read all frames into one array."""
 
     def __init__(self, path: str | os.PathLike[str], strain_rate: float = math.nan) -> None:
         """path: trajectory.h5md, or the folder trajectory.parts. strain_rate: for files without rates, 1/tau_e."""
@@ -255,15 +255,42 @@ class Frames(Sequence[Frame]):
 
 
 def _part_files(path: pathlib.Path) -> list[pathlib.Path]:
-    """The file itself, or the parts in a folder, one for each number: the newest if a resumed run has left several."""
+    """The file itself, or the parts in a folder that the checkpoint beside it counts: others may be left from before a
+    kill. Without such a checkpoint one for each number, the newest, up to the first that does not follow in steps."""
     if not path.is_dir():
         if not path.exists():
             raise FileError(f"{path} is not there")
         return [path]
+    for names in _counted_parts(path.parent / "checkpoint.h5"):
+        counted = [path / name for name in names]
+        if counted and all(part.exists() for part in counted):
+            return counted
     youngest: dict[str, pathlib.Path] = {}
     for part in sorted(path.glob("*.h5md"), key=lambda one: one.stat().st_mtime):
         youngest[part.name.split("_")[0]] = part
-    return [youngest[name] for name in sorted(youngest)]
+    parts: list[pathlib.Path] = []
+    last = -1
+    for part in (youngest[name] for name in sorted(youngest)):
+        with open_hdf5(part) as file:
+            steps = file[GROUP]["position/step"] if GROUP in file else [last + 1]  # _Part says what is wrong with it
+            if int(steps[0]) <= last:
+                break
+            last = int(steps[-1])
+        parts.append(part)
+    return parts
+
+
+def _counted_parts(checkpoint: pathlib.Path) -> list[list[str]]:
+    """Names of the parts that a checkpoint counts, for each replica; [] where it cannot be read."""
+    try:
+        with open_hdf5(checkpoint) as file:
+            replicas = [group["frames/trajectory_hashes"][()]
+                        for group in (file["replicas"].values() if "replicas" in file else [file])
+                        if "frames/trajectory_hashes" in group]
+    except FileError:
+        return []
+    return [[f"{number:06}_{int(high) << 32 | int(low):016x}.h5md"
+             for number, (high, low) in enumerate(zip(halves[::2], halves[1::2]))] for halves in replicas]
 
 
 def read_states(path: pathlib.Path, masses_by_area: bool = False, strain: float = math.nan) -> list[Frame]:

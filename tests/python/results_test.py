@@ -61,6 +61,8 @@ class Results(Folder):
         (made / "summary.json").unlink()  # it is being made longer
         for part in ("000000_a.h5md", "000001_b.h5md"):  # those of the shorter run, and as many new ones
             shutil.copy(whole, made / "trajectory.parts" / part)
+        with h5py.File(made / "trajectory.parts/000001_b.h5md", "r+") as file:
+            file["particles/trajectory/position/step"][...] += source.frames.steps[-1] + 1
         self.assertEqual(len(bagnold.load(made).frames), 2 * len(source.frames))
 
     def test_files_that_change_are_read_again(self):
@@ -331,28 +333,54 @@ class Frames(Folder):
         with self.assertRaisesRegex(bagnold.InputError, "does not rotate"):
             frames.spins
 
-    def test_parts_of_a_run_that_goes_on(self):
-        """A frame each part; of two with one number the younger counts."""
+    def parts(self, *parts):
+        """A run at work with these parts, (number, hash, frames) in the order of their times, and the whole one."""
         r = with_frames()
         out = self.folder / "begun"
-        parts = out / "trajectory.parts"
-        parts.mkdir(parents=True)
+        folder = out / "trajectory.parts"
+        folder.mkdir(parents=True)
         shutil.copy(r.folder / "scene.toml", out)
         with h5py.File(r.folder / "trajectory.h5md") as whole:
-            for number, frame in ((0, 3), (0, 0), (1, 1), (2, 2)):
-                with h5py.File(parts / f"{number:06}_{frame:016x}.h5md", "w") as part:
+            for age, (number, of, frames) in enumerate(parts):
+                path = folder / f"{number:06}_{of:016x}.h5md"
+                with h5py.File(path, "w") as part:
                     whole.copy("particles", part)
                     group = part["particles/trajectory"]
                     for name in ("position/step", "position/time"):
                         del group[name]
-                        group[name] = whole["particles/trajectory"][name][frame:frame + 1]
+                        group[name] = whole["particles/trajectory"][name][frames]
                     for name in ("position", "velocity", "spin", "box/edges"):
                         del group[name]["value"]
-                        group[name]["value"] = whole["particles/trajectory"][name]["value"][frame:frame + 1]
+                        group[name]["value"] = whole["particles/trajectory"][name]["value"][frames]
+                os.utime(path, (1000 + age, 1000 + age))
+        return out, r
+
+    def test_parts_of_a_run_that_goes_on(self):
+        """A frame each part; of two with one number the younger counts."""
+        out, r = self.parts((0, 3, slice(3, 4)), (0, 0, slice(1)), (1, 1, slice(1, 2)), (2, 2, slice(2, 3)))
         frames = bagnold.load(out).frames
         self.assertEqual(len(frames), 3)
         np.testing.assert_array_equal(frames.positions, r.frames.positions[:3])
         np.testing.assert_array_equal([frame.position for frame in frames[::-1]], r.frames.positions[2::-1])
+
+    def test_parts_left_from_before_a_kill(self):
+        """Parts that the checkpoint does not count are no frames of the run, nor those that do not follow in steps."""
+        high = (3 << 32) + 7  # a hash of two halves
+        out, r = self.parts((0, high, slice(2)), (1, 1, slice(2, 4)), (2, 2, slice(6, 8)), (3, 3, slice(8, 9)),
+                            (1, 4, slice(2, 5)), (2, 5, slice(4, 6)))
+        loaded = bagnold.load(out)
+        np.testing.assert_array_equal(loaded.frames.steps, r.frames.steps[:5])
+
+        def counts(path, *hashes):
+            file[path] = np.array([(one >> 32, one & 0xffffffff) for one in hashes], dtype=float).ravel()
+
+        with h5py.File(out / "checkpoint.h5", "w") as file:
+            counts("frames/trajectory_hashes", high, 4)
+        np.testing.assert_array_equal(loaded.frames.steps, r.frames.steps[:5])
+        with h5py.File(out / "checkpoint.h5", "w") as file:  # of replicas that of the folder
+            counts("replicas/0/frames/trajectory_hashes", 9, 8)
+            counts("replicas/1/frames/trajectory_hashes", high, 1)
+        np.testing.assert_array_equal(loaded.frames.steps, r.frames.steps[:4])
 
 
 class Pictures(Folder):

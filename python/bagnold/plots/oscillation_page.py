@@ -27,7 +27,7 @@ class Cycles:
         ends = self.amplitude * np.sin(2 * np.pi * np.arange(self.windows + 1) / self.windows)  # strain, of windows
         self.rate = np.diff(ends) * self.windows / self.period
         wave = run.summary.get("oscillation", {}).get("waveform", {})
-        self.strain = np.array(wave.get("strain", (ends[:-1] + ends[1:]) / 2))  # where the stress is sampled, else the middle
+        self.strain = np.array(wave.get("strain", (ends[:-1] + ends[1:]) / 2))  # at the samples; until known the middle
         self.phase = (np.arange(self.windows) + share_of_window(self.strain, ends)) / self.windows
         self.measured = slice(min(self.discarded, max(self.count - 1, 0)), self.count)
 
@@ -51,7 +51,7 @@ class Cycles:
 
 
 def share_of_window(strain, ends):
-    """Mean time of the samples of a window over its length, by the strain, which is linear in each. ends: of the windows."""
+    """Mean time of the samples of a window over its length, by the strain, which is linear in each."""
     change = np.diff(ends)
     return float(change @ (strain - ends[:-1]) / (change @ change))
 
