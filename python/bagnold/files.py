@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files that are read, and names of files beside others."""
+"""Files that are read, files that are written whole, and names of files beside others."""
 
 from __future__ import annotations
 
+import contextlib
 import errno
 import os
 import pathlib
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+
+from .errors import FileError
 
 ENDINGS = (".lammpstrj", ".dump", ".lmp", ".txt", ".pvd")  # of exports that have files beside them
 
@@ -36,3 +39,30 @@ def stamps(folder: pathlib.Path, names: Iterable[str]) -> dict[str, tuple[int, i
             continue
         found[path.name] = state.st_mtime_ns, state.st_ino, state.st_size
     return found
+
+
+def replaceable(path: str | os.PathLike[str]) -> pathlib.Path:
+    """The file that a new one takes the place of: of a link, what it points to. Raises FileError where that is a
+    folder, a device or a pipe."""
+    target = pathlib.Path(os.path.realpath(path))
+    if (os.path.exists(path) and not os.path.isfile(path)) or target.is_symlink():  # still a link: of a circle
+        raise FileError(f"{path} cannot be written: it is no regular file; name another file")
+    return target
+
+
+@contextlib.contextmanager
+def replaced(path: str | os.PathLike[str], ending: str = "") -> Iterator[pathlib.Path]:
+    """Where to write a file, which appears only when it is complete. The name ends with .part and the ending. Raises
+    FileError."""
+    target = replaceable(path)
+    part = target.with_name(target.name + ".part" + ending)
+    try:
+        yield part
+        os.replace(part, target)
+    except FileError:
+        raise
+    except OSError as error:
+        raise FileError(f"{path} cannot be written: {error.strerror or error}; name another file") from error
+    finally:
+        with contextlib.suppress(OSError):  # a file system that may only be read
+            part.unlink(missing_ok=True)

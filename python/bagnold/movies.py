@@ -9,7 +9,8 @@ import shutil
 from collections.abc import Callable
 from typing import Any
 
-from .errors import FileError, InputError, MissingLibrary
+from .errors import InputError, MissingLibrary
+from .files import replaceable, replaced
 from .results import Run, load
 
 FORMS = (".gif", ".mp4")
@@ -32,20 +33,16 @@ def movie(source: Run | str | os.PathLike[str], out: str | os.PathLike[str], *, 
     if not len(chosen):
         raise InputError(f"frames = {frames} (none of the {len(run.frames)} frames of {run.folder}); use a range within them")
     writer = _writer(target, fps)
-    part = target.with_name("." + target.stem + ".part" + target.suffix)
+    replaceable(target)
     film: Any = plots.film(run, chosen, color=color, forces=forces, series=series)
     try:
-        with writer.saving(film.figure, os.fspath(part), dpi):
+        with replaced(target, target.suffix) as part, writer.saving(film.figure, os.fspath(part), dpi):
             for number in range(len(chosen)):
                 film.show(number)
                 writer.grab_frame()
                 if progress is not None:
                     progress((number + 1) / len(chosen))
-        os.replace(part, target)
-    except OSError as error:
-        raise FileError(f"{target} cannot be written: {error}") from error
     finally:
-        part.unlink(missing_ok=True)
         film.close()
     return target
 

@@ -14,8 +14,8 @@ from html import escape
 from typing import Any
 
 from . import html
-from .errors import Error, FileError, InputError
-from .files import regular
+from .errors import Error, InputError
+from .files import regular, replaced
 from .results import Run, load
 from .sweeps import Sweep, sweep
 
@@ -58,12 +58,8 @@ def report(source: Run | Sweep | str | os.PathLike[str], out: str | os.PathLike[
     found = _read(folder)
     target = pathlib.Path(out) if out is not None else folder / "report.html"
     text = _of_sweep(found) if isinstance(found, Sweep) else _of_run(found)
-    part = target.with_name(target.name + ".part")
-    try:
+    with replaced(target) as part:
         part.write_text(text, encoding="utf-8")
-        os.replace(part, target)
-    except OSError as error:
-        raise FileError(f"{target} cannot be written: {error}; choose another --out") from error
     return target
 
 

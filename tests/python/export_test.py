@@ -222,7 +222,17 @@ class Exports(Folder):
         with self.assertRaisesRegex(bagnold.FileError, "x.xyz cannot be written"):
             bagnold.export(run, "extxyz", self.folder / "x.xyz")
 
+    def test_only_files_are_replaced(self):
+        run = with_frames()
+        for to, ending in (("extxyz", ".xyz"), ("lammps", ".dump"), ("vtk", ".pvd")):
+            with self.subTest(to):
+                self.keeps_what_is_no_file(lambda path: bagnold.export(run, to, path), ending)
+
     # ---------------------------------------------------------------------------- other programs
+
+    @needs("gsd")
+    def test_only_files_are_replaced_by_gsd(self):
+        self.keeps_what_is_no_file(lambda path: bagnold.export(with_frames(), "gsd", path), ".gsd")
 
     def test_gsd_without_its_library(self):
         with unittest.mock.patch.dict(sys.modules, {"gsd": None, "gsd.hoomd": None}):

@@ -231,6 +231,10 @@ class Refusals(Import):
         self.refused("by its first lines", self.file("hello\n", "x.txt"))
         self.refused("--from pdb", self.file(DATA), format="pdb")
 
+    def test_only_files_are_replaced(self):
+        source = self.file(DATA)
+        self.keeps_what_is_no_file(lambda path: bagnold.import_state(source, path), ".h5")
+
     def test_data_files(self):
         for old, new, expected in (
                 ("2.8 0.5 9.0", "2.5 0.5 9.0", r"diameter of atom 3 = 1.25 d_s \(must be 1.0 or 1.4"),

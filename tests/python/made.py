@@ -1,13 +1,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Small runs for the tests of the Python package, made once a process by the program BAGNOLD."""
 
+import contextlib
+import errno
 import functools
 import os
 import pathlib
 import shutil
+import stat
 import sys
 import tempfile
 import unittest
+import unittest.mock
 import warnings
 
 SOURCE = pathlib.Path(os.environ.get("BAGNOLD_SOURCE", pathlib.Path(__file__).resolve().parents[2]))
@@ -48,6 +52,35 @@ def with_frames(**changes):
 
 class Folder(unittest.TestCase):
     """A test with a folder of its own."""
+
+    def keeps_what_is_no_file(self, write, ending):
+        """What writes a file replaces no pipe, device or folder, replaces what a link points to, and leaves no part."""
+        pipe, link, through = (self.folder / f"{name}{ending}" for name in ("pipe", "link", "through"))
+        os.mkfifo(pipe)
+        through.symlink_to(pipe.name)
+        refused = [pipe, through]
+        if os.geteuid() == 0:
+            device = self.folder / f"device{ending}"
+            with contextlib.suppress(PermissionError):  # in containers
+                os.mknod(device, stat.S_IFCHR | 0o600, os.makedev(1, 3))
+                refused.append(device)
+        circle = self.folder / f"circle{ending}"
+        circle.symlink_to(circle.name)
+        for path in (*refused, circle):
+            before = path.lstat()
+            with self.assertRaisesRegex(bagnold.FileError, f"{path} cannot be written: it is no regular file"):
+                write(path)
+            self.assertEqual((path.lstat().st_ino, path.lstat().st_mode), (before.st_ino, before.st_mode))
+        whole = self.folder / f"whole{ending}"
+        whole.write_text("old")
+        link.symlink_to(whole.name)
+        write(link)
+        self.assertTrue(link.is_symlink())
+        self.assertNotEqual(whole.read_bytes(), b"old")
+        with unittest.mock.patch("os.replace", side_effect=OSError(errno.ENOSPC, "No space left on device")):
+            with self.assertRaisesRegex(bagnold.FileError, "cannot be written: No space left"):
+                write(whole)
+        self.assertEqual([path for path in self.folder.rglob("*") if ".part" in path.name], [])
 
     @classmethod
     def tearDownClass(cls):

@@ -141,6 +141,9 @@ class Movies(Folder):
         path = bagnold.movie(with_frames(), self.folder / "film.mp4", frames=slice(0, 4), color="rate", dpi=50)
         self.assertIn(b"ftyp", path.read_bytes()[:16])
 
+    def test_only_files_are_replaced(self):
+        self.keeps_what_is_no_file(lambda path: bagnold.movie(with_frames(), path, frames=slice(2), dpi=40), ".gif")
+
     def test_mistakes(self):
         with self.assertRaisesRegex(bagnold.InputError, "must end with .gif or .mp4"):
             bagnold.movie(with_frames(), self.folder / "film.avi")

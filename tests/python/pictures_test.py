@@ -84,6 +84,9 @@ class Runs(Pictures):
                       r"$\langle\dot\theta\rangle/\dot\gamma$"):
             self.assertIn(label, self.labels(figure))
 
+    def test_only_files_are_replaced(self):
+        self.keeps_what_is_no_file(lambda path: plots.draw_to(made().folder, path), ".png")
+
     def test_replicas(self):
         source = made(disks__replicas=3, disks__model="CD_n", output__sample_strain=2.0**-9)
         figure = plots.run(source)

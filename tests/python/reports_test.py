@@ -123,8 +123,11 @@ class Reports(Folder):
             bagnold.report(self.folder / "one")
         with self.assertRaisesRegex(bagnold.FileError, "no folder of a run"):
             bagnold.report(self.folder / "none")
-        with self.assertRaisesRegex(bagnold.FileError, "choose another --out"):
+        with self.assertRaisesRegex(bagnold.FileError, "cannot be written: .*name another file"):
             bagnold.report(made(), self.folder / "none/report.html")
+
+    def test_only_files_are_replaced(self):
+        self.keeps_what_is_no_file(lambda path: bagnold.report(made(), path), ".html")
 
     def test_by_the_program(self):
         done = subprocess.run([os.environ["BAGNOLD_PROGRAM"], "report", made().folder, "--out", "mine.html"], cwd=self.folder,

@@ -15,6 +15,7 @@ from typing import Union
 
 from ..contacts import ContactFrames
 from ..errors import FileError, InputError
+from ..files import replaceable
 from ..frames import Frames
 from ..results import Run, load
 from . import extxyz, gsd_file, lammps, vtk
@@ -55,6 +56,7 @@ def export(run: Union[Run, str, "os.PathLike[str]"], to: str, out: str | os.Path
         target = pathlib.Path(out) if out is not None else whole.folder / f"{name}{ending}"
         if not target.parent.is_dir():
             raise FileError(f"{target.parent} is no folder; make it first")
+        replaceable(target)
         try:
             written += write(chosen, ContactFrames(chosen, whole.scene) if contacts else None, target)
         except OSError as error:

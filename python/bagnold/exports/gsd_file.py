@@ -4,13 +4,13 @@ is about the origin. Contacts are bonds with values in log/."""
 
 from __future__ import annotations
 
-import os
 import pathlib
 
 import numpy as np
 
 from ..contacts import ContactFrames, Contacts
 from ..errors import MissingLibrary
+from ..files import replaced
 from ..frames import Frame, Frames
 from .text import in_cell
 
@@ -26,14 +26,9 @@ def write(frames: Frames, contacts: ContactFrames | None, target: pathlib.Path) 
             "nothing") from error
     new = hasattr(hoomd, "Frame")  # from 2.8 on; Debian 12 has 2.7
     made = hoomd.Frame if new else hoomd.Snapshot
-    part = target.with_name(target.name + ".part")
-    try:
-        with hoomd.open(str(part), "w" if new else "wb") as file:
-            for k, frame in enumerate(frames):
-                file.append(_frame(made(), frame, None if contacts is None else contacts[k]))
-        os.replace(part, target)
-    finally:
-        part.unlink(missing_ok=True)
+    with replaced(target) as part, hoomd.open(str(part), "w" if new else "wb") as file:
+        for k, frame in enumerate(frames):
+            file.append(_frame(made(), frame, None if contacts is None else contacts[k]))
     return [target]
 
 

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import os
 import pathlib
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -11,19 +10,15 @@ from typing import Any, TextIO
 
 import numpy as np
 
+from ..files import replaced
 from ..frames import Array, Box, Frame, Integers
 
 
 @contextmanager
 def written_whole(path: pathlib.Path) -> Iterator[TextIO]:
     """A text file that appears only when it is complete."""
-    part = path.with_name(path.name + ".part")
-    try:
-        with open(part, "w", encoding="utf-8", newline="\n") as file:
-            yield file
-        os.replace(part, path)
-    finally:
-        part.unlink(missing_ok=True)
+    with replaced(path) as part, open(part, "w", encoding="utf-8", newline="\n") as file:
+        yield file
 
 
 def in_cell(frame: Frame) -> tuple[Array, Integers | None]:

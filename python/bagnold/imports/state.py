@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-import contextlib
-import os
 import pathlib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -14,6 +12,7 @@ import numpy as np
 
 from ..contacts import pairs_within
 from ..errors import FileError, InputError
+from ..files import replaced
 from ..frames import Array, Box
 from ..hdf5 import unlocked
 from ..scene import toml_text
@@ -174,27 +173,19 @@ def _write(out: pathlib.Path, data: Mapping[str, Array | None], box: Box, time: 
     units = {"position": "d_s", "velocity": "d_s/tau_e", "spin": "1/tau_e", "diameter": "d_s"}
     if not out.parent.is_dir():
         raise FileError(f"{out.parent} is no folder; make it first")
-    part = out.with_name(out.name + ".part")
-    try:
-        with unlocked(part, "w") as file:
-            group = file.create_group("state")
-            for name, values in data.items():
-                if values is not None:
-                    group.create_dataset(name, data=values, dtype="<f8").attrs["unit"] = units[name]
-            group["velocity"].attrs["frame"] = "laboratory"
-            group.attrs["box_length"] = box.length
-            if box.height != box.length:
-                group.attrs["box_aspect"] = box.height / box.length
-            group.attrs["offset"] = box.tilt + box.length if box.tilt < 0 else box.tilt
-            group.attrs["time"] = time
-            if rate is not None:
-                group.attrs["strain_rate"] = rate
-        os.replace(part, out)
-    except OSError as error:
-        raise FileError(f"{out} cannot be written: {error.strerror or error}") from error
-    finally:
-        with contextlib.suppress(OSError):  # a file system that may only be read
-            part.unlink(missing_ok=True)
+    with replaced(out) as part, unlocked(part, "w") as file:
+        group = file.create_group("state")
+        for name, values in data.items():
+            if values is not None:
+                group.create_dataset(name, data=values, dtype="<f8").attrs["unit"] = units[name]
+        group["velocity"].attrs["frame"] = "laboratory"
+        group.attrs["box_length"] = box.length
+        if box.height != box.length:
+            group.attrs["box_aspect"] = box.height / box.length
+        group.attrs["offset"] = box.tilt + box.length if box.tilt < 0 else box.tilt
+        group.attrs["time"] = time
+        if rate is not None:
+            group.attrs["strain_rate"] = rate
 
 
 def _deepest(box: Box, position: Array, diameter: Array) -> float:

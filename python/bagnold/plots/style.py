@@ -5,6 +5,7 @@ import io
 import os
 
 from ..errors import MissingLibrary
+from ..files import replaced
 
 try:
     import matplotlib
@@ -50,7 +51,6 @@ def save(figure, target, dpi=110, colours=None):
         image = Image.open(picture).convert("RGB").quantize(colours)
         picture = io.BytesIO()
         image.save(picture, format="png", optimize=True, dpi=(dpi, dpi))
-    with open(target + ".part", "wb") as file:
-        file.write(picture.getvalue())
-    os.replace(target + ".part", target)
+    with replaced(target) as part:
+        part.write_bytes(picture.getvalue())
 
