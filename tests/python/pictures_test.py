@@ -436,6 +436,19 @@ class Sweeps(Pictures):
         bars = figure.axes[0].containers[0].lines[2][0].get_segments()
         np.testing.assert_allclose([bar[1, 1] - bar[0, 1] for bar in bars], 1)  # twice 0.5, the error of two that differ by 1
 
+    def test_a_key_that_follows_tells_no_curves_apart(self):
+        rates, tied = [1.0, 0.1, 0.01, 0.001], ["shear.strain_rate", "shear.strain", "disks.packing_fraction"]
+        for strains in ([20.0, 21.0, 22.0, 23.0], [20.0, 20.0, 10.0, 10.0]):
+            points = [(rate, strain, phi) for rate, strain in zip(rates, strains) for phi in (0.8, 0.82)]
+            figure = self.made_sweep(tied, points)
+            self.readable(figure)
+            self.assertEqual([text.get_text() for text in figure.legends[0].get_texts()], [r"$\phi = 0.8$", r"$\phi = 0.82$"])
+            for x, _ in self.curves(figure.axes[0]):
+                np.testing.assert_array_equal(x, rates[::-1])
+        for fractions, curves in (([0.8, 0.81, 0.82, 0.83], [4]), ([0.8, 0.8, 0.82, 0.82], [2, 2])):  # physics: one to one
+            figure = self.made_sweep(tied[::2], list(zip(rates, fractions)))
+            self.assertEqual([len(x) for x, _ in self.curves(figure.axes[0])], curves)
+
     def test_many_curves_have_two_names(self):
         points = [(float(q), phi) for phi in np.linspace(0.6, 0.8, 20).tolist() for q in range(1, 31)]
         figure = self.made_sweep(["disks.elasticity", "disks.packing_fraction"], points)

@@ -21,6 +21,8 @@ SYMBOLS = {"sigma": (r"$\sigma$", "m/tau_e^2"), "p": ("$p$", "m/tau_e^2"), "B_p"
            "mu": (r"$\mu = \sigma/p$", ""), "Z": ("$Z$", ""), "T_g": ("$T_g$", "m d_s^2/tau_e^2")}
 PANELS = {True: ("sigma", "p", "B_p", "eta_p", "mu", "Z"), False: ("p", "sigma", "B_p", "mu", "Z", "T_g")}
 OF_CYCLES = ("G_storage", "G_loss", "p", "Z", "T_g")  # of oscillations
+OF_PHYSICS = ("protocol", "strain_rate", "ramp_rate", "strain_rate_high", "pieces", "amplitude", "period", "peak_rate",
+              "stress", "box_inertia", "pressure", "inertial_number", "response")  # of shear, as in `bagnold analyse`
 MOST_NAMED = 12  # of more curves the first and last have a name
 NAMES_A_LINE = 6
 
@@ -54,9 +56,26 @@ def places_along(sweep, along):
     return np.array([float(names.index(value)) for value in values])
 
 
+def is_physics(key):
+    """Whether other values of a key are another flow, as `bagnold analyse` has it."""
+    table, _, name = key.partition(".")
+    return name in OF_PHYSICS if table == "shear" else table in ("disks", "drive") and key != "disks.replicas"
+
+
+def follows(sweep, key, along):
+    """Whether a key has one value for each value of `along`, and, if physical, the other way round: packing fractions
+    each at elasticities of their own are curves. Models never follow."""
+    values, places = sweep.varied[key], sweep.varied[along]
+    pairs = len(set(zip(values, places)))
+    if pairs > len(set(places)):
+        return False
+    return not is_physics(key) or (values.dtype.kind == "f" and pairs == len(set(values)))
+
+
 def curves_of(sweep, along):
-    """In the order of the sweep's file."""
-    others = [key for key in sweep.varied if key not in (along, "disks.seed") and len(set(sweep.varied[key])) > 1]
+    """In the order of the sweep's file. A key that follows from `along` tells none apart."""
+    others = [key for key in sweep.varied if key not in (along, "disks.seed") and len(set(sweep.varied[key])) > 1
+              and not follows(sweep, key, along)]
     groups = {}
     for row in range(len(sweep)):
         groups.setdefault(tuple(sweep.varied[key][row] for key in others), []).append(row)
