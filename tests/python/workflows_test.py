@@ -76,6 +76,16 @@ class Make(Workflow, Folder):
         self.assertEqual([self.kept(run) for run in self.runs()], before)
         self.assertIn("up to date", self.call())
 
+    def test_a_table_that_failed_is_made_again(self):
+        script = self.place / "table.py"
+        right = script.read_text()
+        script.write_text("raise SystemExit(1)\n")
+        self.call(code=2)
+        self.assertFalse((self.place / "results/table.csv").exists())
+        script.write_text(right)
+        self.call()
+        self.assertEqual(len((self.place / "results/table.csv").read_text().splitlines()), 3)
+
 
 @unittest.skipUnless(shutil.which("snakemake"), "snakemake is not installed")
 class Snakemake(Workflow, Folder):
