@@ -442,7 +442,8 @@ class Sweeps(Pictures):
             points = [(rate, strain, phi) for rate, strain in zip(rates, strains) for phi in (0.8, 0.82)]
             figure = self.made_sweep(tied, points)
             self.readable(figure)
-            self.assertEqual([text.get_text() for text in figure.legends[0].get_texts()], [r"$\phi = 0.8$", r"$\phi = 0.82$"])
+            names = [text.get_text() for text in figure.legends[0].get_texts()]
+            self.assertEqual(names, [r"$\phi = 0.8$", r"$\phi = 0.82$"])
             for x, _ in self.curves(figure.axes[0]):
                 np.testing.assert_array_equal(x, rates[::-1])
         for fractions, curves in (([0.8, 0.81, 0.82, 0.83], [4]), ([0.8, 0.8, 0.82, 0.82], [2, 2])):  # physics: one to one
