@@ -46,7 +46,8 @@ def replaceable(path: str | os.PathLike[str]) -> pathlib.Path:
     folder, a device or a pipe."""
     target = pathlib.Path(os.path.realpath(path))
     if (os.path.exists(path) and not os.path.isfile(path)) or target.is_symlink():  # still a link: of a circle
-        raise FileError(f"{path} cannot be written: it is no regular file; name another file")
+        wrong = "Is a directory" if target.is_dir() else "it is no regular file"
+        raise FileError(f"{path} cannot be written: {wrong}; name another file")
     return target
 
 
