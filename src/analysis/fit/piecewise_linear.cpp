@@ -90,18 +90,19 @@ class Search {
   Fit best_;
 };
 
-/// Throws InputError for a break at which the curve bends by no more than rounding.
-void refuse_straight(Points const& points, std::vector<double> const& value) {
-  constexpr double rounding = 1e-12;
-  double const span = points.x.back() - points.x.front();
-  double most = 0.0;
-  for (double const y : points.y) most = std::max(most, std::abs(y));
-  for (std::size_t k = 2; k < value.size(); k += 2)
-    if (!(std::abs(value[k]) * span > rounding * most))
-      throw InputError(fmt::format("piecewise linear fit: no {}",
-                                   value.size() > 4
-                                       ? "second kink: two straight lines are exact; give --kinks 1"
-                                       : "kink: the points lie on a straight line"));
+/// Throws InputError where one break less is exact to rounding: a further one would bend by
+/// nothing.
+void refuse_straight(Points const& points, std::size_t breaks) {
+  constexpr double rounding = 1e-11;  // of the points in the mean square
+  Search fewer(points);
+  std::vector<Place> places;
+  fewer.place(places, breaks - 1);
+  if (fewer.found() &&
+      fewer.best().chi2 <= rounding * rounding * weighted_values(points).squaredNorm())
+    throw InputError(fmt::format("piecewise linear fit: no {}",
+                                 breaks > 1
+                                     ? "second kink: two straight lines are exact; give --kinks 1"
+                                     : "kink: the points lie on a straight line"));
 }
 
 /// Jacobian with respect to {a, b, c_k, x_k}, weighted.
@@ -136,12 +137,12 @@ Fit fit_piecewise_linear(Points const& points, std::size_t breaks) {
     throw InputError(fmt::format("--kinks {} (must be 1 or 2)", breaks));
   check_points(points, 2 + 2 * breaks, "piecewise linear fit");
   check_distinct(points, "piecewise linear fit");
+  refuse_straight(points, breaks);
   Search search(points);
   std::vector<Place> places;
   search.place(places, breaks);
   if (!search.found()) throw InputError("piecewise linear fit: no kink between the points");
   Fit out = search.best();
-  refuse_straight(points, out.value);
   out.freedom = points.size() - out.value.size();
   set_covariance(out, jacobian(points, out.value), points.weighted());
   return out;
