@@ -11,6 +11,7 @@ from collections.abc import Iterable, Iterator
 
 from .errors import FileError
 
+ANOTHER = "name another file"
 ENDINGS = (".lammpstrj", ".dump", ".lmp", ".txt", ".pvd")  # of exports that have files beside them
 
 
@@ -41,21 +42,21 @@ def stamps(folder: pathlib.Path, names: Iterable[str]) -> dict[str, tuple[int, i
     return found
 
 
-def replaceable(path: str | os.PathLike[str]) -> pathlib.Path:
+def replaceable(path: str | os.PathLike[str], remedy: str = ANOTHER) -> pathlib.Path:
     """The file that a new one takes the place of: of a link, what it points to. Raises FileError where that is a
     folder, a device or a pipe."""
     target = pathlib.Path(os.path.realpath(path))
     if (os.path.exists(path) and not os.path.isfile(path)) or target.is_symlink():  # still a link: of a circle
         wrong = "Is a directory" if target.is_dir() else "it is no regular file"
-        raise FileError(f"{path} cannot be written: {wrong}; name another file")
+        raise FileError(f"{path} cannot be written: {wrong}; {remedy}")
     return target
 
 
 @contextlib.contextmanager
-def replaced(path: str | os.PathLike[str], ending: str = "") -> Iterator[pathlib.Path]:
+def replaced(path: str | os.PathLike[str], ending: str = "", remedy: str = ANOTHER) -> Iterator[pathlib.Path]:
     """Where to write a file, which appears only when it is complete. The name ends with .part and the ending. Raises
-    FileError."""
-    target = replaceable(path)
+    FileError, which ends with the remedy."""
+    target = replaceable(path, remedy)
     part = target.with_name(target.name + ".part" + ending)
     try:
         yield part
@@ -63,7 +64,7 @@ def replaced(path: str | os.PathLike[str], ending: str = "") -> Iterator[pathlib
     except FileError:
         raise
     except OSError as error:
-        raise FileError(f"{path} cannot be written: {error.strerror or error}; name another file") from error
+        raise FileError(f"{path} cannot be written: {error.strerror or error}; {remedy}") from error
     finally:
         with contextlib.suppress(OSError):  # a file system that may only be read
             part.unlink(missing_ok=True)

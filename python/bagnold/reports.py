@@ -58,7 +58,7 @@ def report(source: Run | Sweep | str | os.PathLike[str], out: str | os.PathLike[
     found = _read(folder)
     target = pathlib.Path(out) if out is not None else folder / "report.html"
     text = _of_sweep(found) if isinstance(found, Sweep) else _of_run(found)
-    with replaced(target) as part:
+    with replaced(target, remedy="choose another --out") as part:
         part.write_text(text, encoding="utf-8")
     return target
 

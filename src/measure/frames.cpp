@@ -22,19 +22,20 @@ std::int64_t Frames::next(std::int64_t step) const {
   return next;
 }
 
-void Frames::show(Simulation const& simulation, std::int64_t from) {
+template <class Wanted>
+void Frames::show_to(Simulation const& simulation, Wanted const& wanted) {
+  if (std::ranges::none_of(observed_, wanted)) return;
   auto const step = simulation.step();
-  auto const waits = [&](Observed const& w) { return w.waits(from, step); };
-  if (std::ranges::none_of(observed_, waits)) return;
   State const state = simulation.state();
+  bool const controlled = plan_.control_steps > 0;  // strain is known as the run goes
+  Frame const frame{state, step, controlled ? simulation.strain() : plan_.strain(step)};
   for (auto const& w : observed_)
-    if (waits(w)) w.observer->add(frame_of(simulation, state));
+    if (wanted(w)) w.observer->add(frame);
 }
 
-Frame Frames::frame_of(Simulation const& simulation, State const& state) const {
-  bool const controlled = plan_.control_steps > 0;  // strain is known as the run goes
+void Frames::show(Simulation const& simulation, std::int64_t from) {
   auto const step = simulation.step();
-  return {state, step, controlled ? simulation.strain() : plan_.strain(step)};
+  show_to(simulation, [&](Observed const& w) { return w.waits(from, step); });
 }
 
 void Frames::know_contacts(std::shared_ptr<ContactRecord const> const& record) {
@@ -73,10 +74,9 @@ void Frames::forget_before(std::int64_t step) {
 
 void Frames::show_first_again(Simulation const& simulation) {
   auto const step = simulation.step();
-  State const state = simulation.state();
-  for (auto const& w : observed_)
-    if (w.observer->adds_up() && w.first_step == step && step % w.spacing == 0)
-      w.observer->add(frame_of(simulation, state));
+  show_to(simulation, [&](Observed const& w) {
+    return w.observer->adds_up() && w.first_step == step && step % w.spacing == 0;
+  });
 }
 
 std::vector<std::string> Frames::lost() const {

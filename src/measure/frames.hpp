@@ -61,7 +61,8 @@ class Frames {
 
     bool waits(std::int64_t from, std::int64_t to) const;
   };
-  Frame frame_of(Simulation const& simulation, State const& state) const;
+  template <class Wanted>
+  void show_to(Simulation const& simulation, Wanted const& wanted);
 
   Plan plan_;
   static std::vector<FrameObserver const*> observers(std::vector<Frames const*> const& systems,

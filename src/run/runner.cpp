@@ -196,7 +196,7 @@ void Runner::add_observers(std::size_t r) {
   auto const dropped = whole_.dropped_windows * whole_.window_steps;
   bool const none_yet = dropped > 0 && (steps_[r] < first || steps_[r] <= dropped);
   if (replica.discards_more || none_yet) frames.forget_before(first);
-  if (replica.discards_more && steps_[r] == first) frames.show_first_again(*simulations_[r]);
+  if (replica.discards_more) frames.show_first_again(*simulations_[r]);
   for (auto const& lost : frames.lost()) warn(lost);
 }
 

@@ -10,11 +10,6 @@ namespace {
 
 int iterations(Scene const& scene) { return reference::chebyshev_iterations(scene.rotates()); }
 
-reference::StepPower step_of_all_pairs(reference::System& system, double (&dissipative)[2][2]) {
-  return reference::implicit_step(
-      system, reference::chebyshev_iterations(reference::rotates(system.p)), dissipative);
-}
-
 }  // namespace
 
 /// The leapfrog with implicit damping, in the engines that step all disks.
@@ -63,7 +58,7 @@ TEST_P(Implicit, IsThatOfTheAllPairsReference) {
     scene.integration.time_step = time_step;
     SCOPED_TRACE(testing::Message() << "phi " << packing_fraction << " Q " << elasticity);
     int const steps = static_cast<int>(20 / time_step);  // rounding grows with time, by collisions
-    expect_those_of_all_pairs(scene, creeping_start(scene), backend(), steps, step_of_all_pairs);
+    expect_those_of_all_pairs(scene, creeping_start(scene), backend(), steps);
   }
 }
 
@@ -72,7 +67,7 @@ TEST_P(Implicit, InBoxesThatAreNotSquare) {
     Scene scene = implicit_scene(0.84, 160);
     scene.disks.box_aspect = aspect;
     SCOPED_TRACE(aspect);
-    expect_those_of_all_pairs(scene, creeping_start(scene), backend(), 25, step_of_all_pairs);
+    expect_those_of_all_pairs(scene, creeping_start(scene), backend(), 25);
   }
 }
 

@@ -34,8 +34,7 @@ TEST_P(TwoStage, IsThatOfTheAllPairsReference) {
     scene.integration.time_step = time_step;
     SCOPED_TRACE(testing::Message() << "phi " << packing_fraction << " Q " << elasticity);
     int const steps = static_cast<int>(20 / time_step);  // rounding grows with time, by collisions
-    auto const simulation = expect_those_of_all_pairs(scene, shaken_start(scene), backend(), steps,
-                                                      reference::two_stage_step);
+    auto const simulation = expect_those_of_all_pairs(scene, shaken_start(scene), backend(), steps);
     EXPECT_GE(simulation->snapshot().list_builds, 2);
   }
 }
@@ -46,8 +45,7 @@ TEST_P(TwoStage, InBoxesThatAreNotSquare) {
     scene.disks.box_aspect = aspect;
     scene.integration.time_step = 0.1;
     SCOPED_TRACE(aspect);
-    expect_those_of_all_pairs(scene, shaken_start(scene), backend(), 200,
-                              reference::two_stage_step);
+    expect_those_of_all_pairs(scene, shaken_start(scene), backend(), 200);
   }
 }
 

@@ -3,6 +3,7 @@
 
 import itertools
 import pathlib
+import re
 import shutil
 import tempfile
 import unittest
@@ -19,7 +20,7 @@ from matplotlib.axes import Axes  # noqa: E402
 from matplotlib.collections import QuadMesh  # noqa: E402
 from matplotlib.text import Text  # noqa: E402
 
-from made import FOLDER, SCENE, Folder, bagnold, made, run  # noqa: E402
+from made import FOLDER, SCENE, SOURCE, Folder, bagnold, made, run  # noqa: E402
 from bagnold import plots  # noqa: E402
 
 RAMP = {**SCENE, "shear": {"protocol": "ramp", "strain_rate": 2.0**-9, "strain_rate_high": 2.0**-6, "ramp_rate": 2e-3,
@@ -449,6 +450,11 @@ class Sweeps(Pictures):
         for fractions, curves in (([0.8, 0.81, 0.82, 0.83], [4]), ([0.8, 0.8, 0.82, 0.82], [2, 2])):  # physics: one to one
             figure = self.made_sweep(tied[::2], list(zip(rates, fractions)))
             self.assertEqual([len(x) for x, _ in self.curves(figure.axes[0])], curves)
+
+    def test_keys_of_physics_are_those_of_analyse(self):
+        text = (SOURCE / "src/analysis/sweep_table.cpp").read_text(encoding="utf-8")
+        named, = re.findall(r"of_shear\[\] = \{(.*?)\}", text, re.S)
+        self.assertEqual(sorted(re.findall(r'"(\w+)"', named)), sorted(plots.sweep_page.OF_PHYSICS))
 
     def test_many_curves_have_two_names(self):
         points = [(float(q), phi) for phi in np.linspace(0.6, 0.8, 20).tolist() for q in range(1, 31)]

@@ -21,8 +21,8 @@ using Motions = std::vector<std::array<double, 3>>;
 /// number of contacts.
 inline double contact_weight(int contacts, bool rolling) {
   if (!rolling || contacts == 0) return contacts;
-  static std::map<int, double>
-      known;  // 4000 iterations for each disk and step would take longer than all else
+  // 4000 iterations for each disk and step would take longer than all else
+  static std::map<int, double> known;
   auto const [at, fresh] = known.try_emplace(contacts, 0.0);
   if (!fresh) return at->second;
   double const angle = 2 * std::asin(1.0 / 2.4), inertia = 1.0 / 8.0;  // of d = 1

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tests/start/start_from_state.hpp"
+#include "tests/support/equal.hpp"
 
 namespace bagnold {
 namespace {
@@ -108,12 +109,7 @@ TEST(Copies, EveryDiskHasTheNeighboursOfItsOriginal) {
 TEST(Copies, OneCopyIsTheState) {
   State const one = some_state();
   State const same = copies(one, scene_of(20, 2));
-  EXPECT_EQ(same.position, one.position);
-  EXPECT_EQ(same.velocity, one.velocity);
-  EXPECT_EQ(same.spin, one.spin);
-  EXPECT_EQ(same.diameter, one.diameter);
-  EXPECT_EQ(same.box_length, one.box_length);
-  EXPECT_EQ(same.offset, one.offset);
+  test::expect_equal(same, one);
 }
 
 /// At another rate the whole flow of the copies is scaled, that between them too (P2 Eqs. 40-41).

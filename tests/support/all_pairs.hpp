@@ -6,18 +6,18 @@
 #include <memory>
 #include <string>
 
-#include "tests/reference/two_stage.hpp"
-#include "tests/support/simulations.hpp"
+#include "tests/support/scheduled_reference.hpp"
 
 namespace bagnold::test {
 
-/// Takes so many steps of the scene and as many of all pairs and images,
-/// `step(reference::System&, double (&dissipative)[2][2]) -> reference::StepPower`; compares the
-/// states, then the sums of one step more. Returns what has been stepped.
-template <class Step>
-std::unique_ptr<Simulation> expect_those_of_all_pairs(Scene const& scene, State const& start,
-                                                      std::string const& backend, int steps,
-                                                      Step const& step) {
+/// Takes so many steps of the scene, by another scheme than the papers', and as many of all pairs
+/// and images; compares the states, then the sums of one step more. Returns what has been stepped.
+inline std::unique_ptr<Simulation> expect_those_of_all_pairs(Scene const& scene, State const& start,
+                                                             std::string const& backend,
+                                                             int steps) {
+  auto const step = [&](reference::System& system, double(&dissipative)[2][2]) {
+    return reference_step(system, scene.integration.scheme, dissipative);
+  };
   auto simulation = simulate(scene, start, backend);
   reference::System oracle(reference_parameters(scene), start);
   double dissipative[2][2];
@@ -27,7 +27,7 @@ std::unique_ptr<Simulation> expect_those_of_all_pairs(Scene const& scene, State 
 
   auto const here = reference::measure(oracle);
   EXPECT_GE(here.contacts, scene.disks.packing_fraction > 0.8 ? 50 : 1);
-  reference::StepPower const power = step(oracle, dissipative);
+  auto const power = step(oracle, dissipative);
   auto const sums = advance(*simulation, 1, 1).sums;
   auto const near = [&](int column, double value) {
     EXPECT_NEAR(sums[column], value, 1e-11 * (1 + std::abs(value))) << "column " << column;

@@ -14,6 +14,7 @@ inline void expect_equal(State const& a, State const& b) {
   EXPECT_EQ(a.velocity, b.velocity);
   EXPECT_EQ(a.spin, b.spin);
   EXPECT_EQ(a.diameter, b.diameter);
+  EXPECT_EQ(a.box_length, b.box_length);
   EXPECT_EQ(a.box_aspect, b.box_aspect);
   EXPECT_EQ(a.offset, b.offset);
   EXPECT_EQ(a.time, b.time);

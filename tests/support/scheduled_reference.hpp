@@ -10,16 +10,20 @@
 
 namespace bagnold::test {
 
-/// A step of all pairs by a scheme, by its name.
+/// A step of all pairs by a scheme, by its name. Power of its damping, and dissipative: out, sum
+/// f_a r_b; not of the papers' scheme.
+inline reference::StepPower reference_step(reference::System& system, std::string const& scheme,
+                                           double (&dissipative)[2][2]) {
+  if (is_implicit(scheme))
+    return reference::implicit_step(
+        system, reference::chebyshev_iterations(reference::rotates(system.p)), dissipative);
+  if (scheme != papers_scheme) return reference::two_stage_step(system, dissipative);
+  reference::step(system);
+  return {};
+}
 inline void reference_step(reference::System& system, std::string const& scheme) {
   double dissipative[2][2];
-  if (scheme == papers_scheme)
-    reference::step(system);
-  else if (is_implicit(scheme))
-    reference::implicit_step(system, reference::chebyshev_iterations(reference::rotates(system.p)),
-                             dissipative);
-  else
-    reference::two_stage_step(system, dissipative);
+  reference_step(system, scheme, dissipative);
 }
 
 /// All pairs, all images, through the strain rates of a scene. Where the rate changes, motions are

@@ -22,9 +22,23 @@ struct Place {
 
 class Search {
  public:
-  Search(Points const& points)
-      : points_(points), weight_(weights(points)), y_(weighted_values(points)) {}
+  /// Tries all choices of so many breaks.
+  Search(Points const& points, std::size_t breaks)
+      : points_(points), weight_(weights(points)), y_(weighted_values(points)) {
+    std::vector<Place> places;
+    place(places, breaks);
+  }
 
+  Fit best() const { return best_; }
+  bool found() const { return !best_.value.empty(); }
+
+  /// Whether the best one holds all points to rounding, in the mean square.
+  bool is_exact() const {
+    constexpr double rounding = 1e-11;
+    return found() && best_.chi2 <= rounding * rounding * y_.squaredNorm();
+  }
+
+ private:
   /// Tries all choices of `more` further breaks beyond those placed.
   void place(std::vector<Place>& places, std::size_t more) {
     if (more == 0) return attempt(places);
@@ -42,10 +56,6 @@ class Search {
       }
   }
 
-  Fit best() const { return best_; }
-  bool found() const { return !best_.value.empty(); }
-
- private:
   void attempt(std::vector<Place> const& places) {
     auto const n = static_cast<Eigen::Index>(points_.size());
     Eigen::MatrixXd design = Eigen::MatrixXd::Zero(n, columns(places));
@@ -93,12 +103,7 @@ class Search {
 /// Throws InputError where one break less is exact to rounding: a further one would bend by
 /// nothing.
 void refuse_straight(Points const& points, std::size_t breaks) {
-  constexpr double rounding = 1e-11;  // of the points in the mean square
-  Search fewer(points);
-  std::vector<Place> places;
-  fewer.place(places, breaks - 1);
-  if (fewer.found() &&
-      fewer.best().chi2 <= rounding * rounding * weighted_values(points).squaredNorm())
+  if (Search(points, breaks - 1).is_exact())
     throw InputError(fmt::format("piecewise linear fit: no {}",
                                  breaks > 1
                                      ? "second kink: two straight lines are exact; give --kinks 1"
@@ -138,9 +143,7 @@ Fit fit_piecewise_linear(Points const& points, std::size_t breaks) {
   check_points(points, 2 + 2 * breaks, "piecewise linear fit");
   check_distinct(points, "piecewise linear fit");
   refuse_straight(points, breaks);
-  Search search(points);
-  std::vector<Place> places;
-  search.place(places, breaks);
+  Search const search(points, breaks);
   if (!search.found()) throw InputError("piecewise linear fit: no kink between the points");
   Fit out = search.best();
   out.freedom = points.size() - out.value.size();
